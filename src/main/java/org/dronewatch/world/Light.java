@@ -32,6 +32,15 @@ public record Light(
         Optional<Sun> sun,
         @Minor @In(value = Quantity.REFRACTIVE_INDEX_STRUCTURE, from = 0, to = 1e-10) double cn2,
         @Minor @In(value = Quantity.NUMBER, from = 0.05, to = 100) double skyToGroundRatio) {
+    /** Drops per volume and diameter at a diameter of 0 (Marshall and Palmer 1948), 1/m4. */
+    private static final double DROPS = 8e6;
+
+    /** How fast drops become fewer with their diameter in rain of 1 mm/h (Marshall and Palmer 1948), 1/m. */
+    private static final double DROP_DECAY = 4100.0;
+
+    /** The rate R of the rain changes it as {@code R^-0.21}. */
+    private static final double DROP_DECAY_POWER = 0.21;
+
     /** A clear day under high cloud: 20 km, 5,000 lx, no sun, still air, ground as bright as the sky. */
     @Defaults
     public static final Light DAY = new Light(20_000.0, 0.05, 5_000.0, Optional.empty(), 0.0, 1.0);
@@ -73,6 +82,24 @@ public record Light(
     /** This light over other ground, with another ratio of the sky's brightness to that of the ground. */
     public Light withSkyToGroundRatio(double ratio) {
         return SettingsForm.with(this, "skyToGroundRatio", ratio);
+    }
+
+    /**
+     * This light in rain, with the visibility that air and rain together leave. Each of the drops of Marshall and
+     * Palmer (1948), {@code 8000 exp(-4.1 R^-0.21 D)} per cubic metre and millimetre of diameter D, takes twice what
+     * its cross-section covers from the light (van de Hulst, "Light Scattering by Small Particles", 1957). The sum over
+     * all drops is {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, with R in mm/h.
+     *
+     * @param rain rain rate, 0 or more, mm/h
+     */
+    public Light inRain(double rain) {
+        if (rain == 0.0) {
+            return this;
+        }
+        double decay = DROP_DECAY * Math.pow(rain, -DROP_DECAY_POWER);
+        double byRain = Math.PI * DROPS / (decay * decay * decay);
+        double needed = -Math.log(contrastAtVisibility);
+        return withVisibility(needed / (needed / visibility + byRain));
     }
 
     /**

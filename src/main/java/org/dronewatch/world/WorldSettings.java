@@ -32,7 +32,8 @@ import org.dronewatch.terrain.TerrainSettings;
  * @param noiseSources sources of noise on the site in addition to the background, by name
  * @param surfaces acoustic surfaces of the models' materials
  * @param atmosphere the air
- * @param rain rain rate, 0 to 500 mm/h; it affects radars, not sound
+ * @param rain rain rate, 0 to 500 mm/h; it affects radars and cameras with a target task, not
+ *     sound
  * @param light visibility and daylight
  * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and
  *     records it in the

@@ -24,6 +24,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
 /**
@@ -39,6 +40,9 @@ public final class CameraSensor implements AssessableSensor {
     private World world;
     private Cover cover;
     private Beyond beyond;
+
+    /** By which it sees, through the rain. */
+    private Light light;
 
     /** The vector to the sun, as long as the camera sees it. */
     private Optional<Position> sun = Optional.empty();
@@ -68,6 +72,7 @@ public final class CameraSensor implements AssessableSensor {
             cover = new Cover(site, settings.position());
             beyond = new Beyond(site, settings.position());
             sun = beyond.sun();
+            light = site.light().inRain(site.rain());
         }
         if (!pointing.equals(where)) {
             pointing = where;
@@ -148,20 +153,13 @@ public final class CameraSensor implements AssessableSensor {
         double range = drone.distance(settings.position());
         double focalLength = picture.camera().focalLength();
         if (pixels == 0) {
-            return new DroneView(0, range, focalLength, 0.0, world.light(), Double.POSITIVE_INFINITY);
+            return new DroneView(0, range, focalLength, 0.0, light, Double.POSITIVE_INFINITY);
         }
         Position vector = drone.origin().minus(settings.position());
         double crossing = turning(drone, range) * focalLength;
         double sunAngle = sun.map(vector::angle).orElse(Double.POSITIVE_INFINITY);
         return new DroneView(
-                pixels,
-                range,
-                focalLength,
-                crossing,
-                world.light(),
-                sunAngle,
-                settings.lens(),
-                beyond.background(drone));
+                pixels, range, focalLength, crossing, light, sunAngle, settings.lens(), beyond.background(drone));
     }
 
     /**

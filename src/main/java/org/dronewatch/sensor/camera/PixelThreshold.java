@@ -50,7 +50,7 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
                 Condition.SUN, other,
                 Condition.TURBULENCE, other,
                 Condition.GROUND_BRIGHTNESS, other,
-                Condition.RAIN, "use 'detection: {kind: target-task}' and lower world.light.visibility");
+                Condition.RAIN, other);
     }
 
     @Override

@@ -1,10 +1,8 @@
 package org.dronewatch.sensor.camera;
 
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.sensor.Chance;
-import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.optics.ImageTransfer;
 import org.dronewatch.setting.Defaults;
@@ -26,7 +24,7 @@ import org.dronewatch.world.Light;
  * faster it crosses the image: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The finest detail that is resolved,
  * as a fraction u of the finest that pixels can show, is where the contrast that lens and air leave, {@code C M(u)},
  * falls to what the camera needs, {@code Ct / (1 - u)} ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved});
- * without blur, {@code u = 1 - Ct / C}. C is its contrast reduced by the air (Koschmieder before the sky, Duntley
+ * without blur, {@code u = 1 - Ct / C}. C is its contrast reduced by air and rain (Koschmieder before the sky, Duntley
  * before the ground). Ct is the least contrast that the camera can detect; in poor light, where photons are few, it
  * grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the blur by
  * motion in pixels, in one of two directions. The dependence on contrast is a straight line instead of a camera's
@@ -167,11 +165,6 @@ public record TargetTask(
     @Override
     public OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.of(Discrimination.DETECTION.probability(resolved(view)));
-    }
-
-    @Override
-    public Map<Condition, String> ignoredConditions() {
-        return Map.of(Condition.RAIN, "lower world.light.visibility for the rain");
     }
 
     @Override

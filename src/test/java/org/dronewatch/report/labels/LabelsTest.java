@@ -244,7 +244,7 @@ class LabelsTest {
         Files.writeString(
                 scene,
                 Files.readString(Path.of("scenes/cued-camera.yaml"))
-                        .replaceAll("(?m)^ +detection: .*\n", "")
+                        .replaceAll("(?m)^( +detection: ).*\n", "$1{kind: pixel-threshold}\n")
                         .replace("duration: 55 s", "duration: 12 s")
                         .replace(
                                 "sensors:\n",

@@ -91,6 +91,32 @@ class TargetTaskTest {
         assertThat(light.contrastLeft(distance)).isCloseTo(left, within(5.1e-5));
     }
 
+    /** The integral over the drops of Marshall and Palmer, each of which takes twice its cross-section. */
+    @ParameterizedTest
+    @CsvSource({"1, 0.365", "10, 1.556", "50, 4.29"})
+    void rainTakesWhatItsDropsCover(double rain, double perKilometre) {
+        double step = 1e-6;
+        double sum = 0.0;
+        for (double d = 0.5 * step; d < 0.02; d += step) {
+            double drops = 8e6 * Math.exp(-4100.0 * Math.pow(rain, -0.21) * d);
+            sum += 2.0 * Math.PI * d * d / 4.0 * drops * step;
+        }
+        assertThat(1000.0 * sum).isCloseTo(perKilometre, within(0.002 * perKilometre));
+        Light dry = Light.DAY.withVisibility(5000);
+        double left = dry.inRain(rain).contrastLeft(700);
+        assertThat(left / dry.contrastLeft(700)).isCloseTo(Math.exp(-700 * sum), within(1e-4));
+        assertThat(dry.inRain(0)).isSameAs(dry);
+    }
+
+    @Test
+    void aCameraSeesThroughTheRainOfItsWorld() {
+        World wet = World.of(Shapes.ground(100, 0)).withRain(20);
+        DroneView view = look(wet, new Position(0, 20, 2), new Position(0, 0, 0));
+
+        assertThat(view.light()).isEqualTo(Light.DAY.inRain(20));
+        assertThat(view.light().visibility()).isBetween(1100.0, 1300.0);
+    }
+
     @Test
     void fogDarknessAndBlurTakeResolution() {
         TargetTask function = TargetTask.DEFAULT;
