@@ -96,7 +96,11 @@ public final class Coverage {
         return sensors;
     }
 
-    /** Whether a sensor detects the drone in a cell: columns from the west, rows from the north. */
+    /**
+     * Whether a sensor detects the drone in a cell: columns from the west, rows from the north. A sensor that decides
+     * by chance counts as detecting it where its {@link Assessment#probability} is at least 0.5; of a microphone that
+     * traces random rays, one look decides.
+     */
     public boolean isReached(String sensor, int column, int row) {
         return answer(sensor, column, row) == Prober.Answer.DETECTED;
     }
@@ -132,7 +136,7 @@ public final class Coverage {
 
     /**
      * A sensor's assessment of the drone in a cell, using the same random rays as its look there; empty where there is
-     * no ground. For a sensor with a random decision, {@link #isReached} is a single realisation. One thread at a time.
+     * no ground. One thread at a time.
      */
     public Optional<Assessment> assess(String sensor, int column, int row) {
         return probers.get(sensor).assess(column, row);

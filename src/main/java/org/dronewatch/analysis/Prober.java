@@ -8,11 +8,14 @@ import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -28,6 +31,8 @@ record Prober(
         String id,
         long seed,
         Assessor assessor) {
+
+    private static final double EVEN_CHANCE = 0.5;
 
     /** What the sensor answers in each cell. */
     enum Answer {
@@ -57,9 +62,25 @@ record Prober(
         if (!world.isKnown(settings.position(), there.origin())) {
             return Answer.UNKNOWN;
         }
-        boolean isDetected = sensor.observe(world, List.of(there), look(cell, there)).stream()
-                .anyMatch(seen -> seen.isDetected() && seen.drone().equals(drone.id()));
-        return isDetected ? Answer.DETECTED : Answer.MISSED;
+        return isDetected(sensor, look(cell, there), there) ? Answer.DETECTED : Answer.MISSED;
+    }
+
+    /** By its probability: a draw for each cell would show speckle. Rays are traced once, as in a run. */
+    private boolean isDetected(Sensor sensor, Look look, Drone there) {
+        if (sensor instanceof AssessableSensor assessable && !(sensor instanceof RaySensor)) {
+            return assessable
+                            .signal(world, there, look.pointing(), look.random(there.id(), RaySensor.RAYS))
+                            .probability()
+                    >= EVEN_CHANCE;
+        }
+        return sensor.observe(world, List.of(there), look).stream()
+                .filter(seen -> seen.drone().equals(drone.id()))
+                .anyMatch(this::isDetected);
+    }
+
+    /** An observer has had no time to search in a single look. */
+    private boolean isDetected(Observation seen) {
+        return settings.chance() == Chance.PER_ENCOUNTER ? seen.probability() >= EVEN_CHANCE : seen.isDetected();
     }
 
     Optional<Assessment> assess(int column, int row) {

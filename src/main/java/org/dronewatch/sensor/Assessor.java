@@ -16,6 +16,8 @@ import org.dronewatch.world.World;
  * at a time.
  */
 public final class Assessor {
+    private static final double EVEN_CHANCE = 0.5;
+
     private final String id;
     private final SensorSettings<?> settings;
     private final Sensor sensor;
@@ -55,9 +57,14 @@ public final class Assessor {
         }
         Look look = Look.of(rayRandom.nextLong(), id, 0, 0.0).withPointing(pointing);
         Signal signal = ofDrone(sensor.observe(world, List.of(drone), look), drone)
-                .map(seen -> new Signal(seen.probability(), seen.value(), seen.unit(), seen.threshold(), 0.0, 0.0))
+                .map(seen -> new Signal(seen.probability(), seen.value(), seen.unit(), threshold(seen), 0.0, 0.0))
                 .orElse(Signal.certain(0.0, "", 1.0));
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
+    }
+
+    /** An observer has had no time to search in a single look: then the threshold is that of an even chance. */
+    private double threshold(Observation seen) {
+        return settings.chance() == Chance.PER_ENCOUNTER ? EVEN_CHANCE : seen.threshold();
     }
 
     /** The observation of a drone, preferably one that detects it: a look may omit it, and report false alarms. */
