@@ -8,7 +8,6 @@ import java.util.OptionalDouble;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
@@ -24,6 +23,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.sensor.optics.ImageSpeed;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
@@ -156,28 +156,10 @@ public final class CameraSensor implements AssessableSensor {
             return new DroneView(0, range, focalLength, 0.0, light, Double.POSITIVE_INFINITY);
         }
         Position vector = drone.origin().minus(settings.position());
-        double crossing = turning(drone, range) * focalLength;
+        double crossing = ImageSpeed.turning(settings.position(), drone, pointing) * focalLength;
         double sunAngle = sun.map(vector::angle).orElse(Double.POSITIVE_INFINITY);
         return new DroneView(
                 pixels, range, focalLength, crossing, light, sunAngle, settings.lens(), beyond.background(drone));
-    }
-
-    /**
-     * The angular rate of the line of sight to a drone relative to the camera, which a positioner may turn as well,
-     * rad/s.
-     */
-    private double turning(Drone drone, double range) {
-        Position velocity = Position.of(drone.velocity());
-        Direction to = Direction.of(drone.origin().minus(settings.position()));
-        double sin = Math.sin(to.azimuth());
-        double cos = Math.cos(to.azimuth());
-        double level = range * Math.cos(to.elevation());
-        double pan = (velocity.x() * cos - velocity.y() * sin) / Math.max(level, Double.MIN_NORMAL);
-        double outwards = velocity.x() * sin + velocity.y() * cos;
-        double tilt = (velocity.z() * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation())) / range;
-        double panLeft = pan - pointing.map(Pointing::panRate).orElse(0.0);
-        double tiltLeft = tilt - pointing.map(Pointing::tiltRate).orElse(0.0);
-        return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
     }
 
     /**

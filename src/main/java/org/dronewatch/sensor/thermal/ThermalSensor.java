@@ -19,6 +19,7 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.sensor.optics.ImageSpeed;
 import org.dronewatch.sensor.optics.ImageTransfer;
 import org.dronewatch.sensor.optics.VisibleArea;
 import org.dronewatch.setting.Quantity;
@@ -28,9 +29,9 @@ import org.dronewatch.world.World;
  * A thermal camera. Its signal is the drone's apparent temperature difference, attenuated by the air and scaled by the
  * fraction of a pixel that the drone fills, divided by the noise (NETD): {@code SNR = |dT| t^R f / NETD}, t per
  * kilometre, R in kilometres. The line pairs that it resolves are half the square root of the drone's pixels, fewer the
- * weaker the signal: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}, and fewer still where lens and air blur the
- * image ({@link ImageTransfer#resolved}). With {@link PointTargets} the drone need not be resolved. One thread at a
- * time.
+ * weaker the signal: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}, and fewer still where lens and air
+ * ({@link ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With {@link PointTargets} the drone
+ * need not be resolved. One thread at a time.
  */
 public final class ThermalSensor implements AssessableSensor {
     private static final double KILOMETRE = 1000.0;
@@ -160,7 +161,11 @@ public final class ThermalSensor implements AssessableSensor {
 
     private double resolved(Drone drone, double pixels, double signal) {
         double range = drone.distance(settings.position());
-        return 0.5 * Math.sqrt(pixels) * through(range).resolved(settings.minSnr(), signal, focalLength);
+        double finest = through(range).resolved(settings.minSnr(), signal, focalLength);
+        double blur = finest > 0.0
+                ? ImageSpeed.turning(settings.position(), drone, pointing) * focalLength * settings.exposure()
+                : 0.0;
+        return 0.5 * Math.sqrt(pixels) * finest * ImageSpeed.resolutionLeft(blur);
     }
 
     /** The settings of this camera. */

@@ -39,6 +39,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
+ * @param exposure time in which a frame gathers heat, or in which an uncooled detector follows it: motion blurs the
+ *     image meanwhile, but not that of point targets, 0 to 1 s
  * @param task the task that the image must support
  * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
  * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
@@ -62,6 +64,7 @@ public record ThermalSettings(
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = 1e-6, to = 100) @Formerly("noise") double netd,
         @In(value = Quantity.RATIO, from = 1e-6, to = 1) double transmission,
         @In(value = Quantity.NUMBER, above = 0, to = 1000) @Formerly("leastSignal") double minSnr,
+        @In(value = Quantity.DURATION, from = 0, to = 1) double exposure,
         Discrimination task,
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
@@ -90,6 +93,7 @@ public record ThermalSettings(
                 netd,
                 transmission,
                 minSnr,
+                exposure,
                 task,
                 probability,
                 byChance,
@@ -125,6 +129,7 @@ public record ThermalSettings(
                 0.05,
                 0.85,
                 2.0,
+                0.01,
                 Discrimination.DETECTION,
                 0.5,
                 false,
@@ -140,6 +145,11 @@ public record ThermalSettings(
     /** These settings with another transmittance of a kilometre of air, 1e-6 to 1. */
     public ThermalSettings withTransmission(double perKilometre) {
         return SettingsForm.with(this, "transmission", perKilometre);
+    }
+
+    /** These settings with another exposure, s. */
+    public ThermalSettings withExposure(double seconds) {
+        return SettingsForm.with(this, "exposure", seconds);
     }
 
     /** These settings for another task. */

@@ -124,6 +124,25 @@ class ThermalSensorTest {
         assertThat(look(settings, empty(), at(0.35, 0.35, 0.1, 250)).value()).isZero();
     }
 
+    /** 10 m/s across at 250 m, 0.01 s: 0.0004 rad are 0.602 pixels of 1505 to the radian, in one of two directions. */
+    @Test
+    void motionBlursAcrossButNotAlongTheLineOfSight() {
+        ThermalSettings settings = ThermalSettings.at(CAMERA);
+        Position there = new Position(0, 250, 50);
+        Drone crossing = plateDrone(0.35, 0.35, 5, new FlightState(there, new Position(10, 0, 0), 0.0));
+        Drone coming = plateDrone(0.35, 0.35, 5, new FlightState(there, new Position(0, -10, 0), 0.0));
+        double still = look(settings, empty(), at(0.35, 0.35, 5, 250)).value();
+
+        assertThat(look(settings, empty(), coming).value()).isCloseTo(still, within(1e-12));
+        double sharp = 0.5 * 0.35 / 250 * settings.focalLength() * (1 - 2 / (5 * Math.pow(0.85, 0.25) / 0.05)) / 0.75;
+        double blurred = sharp / Math.pow(1 + 0.6021 * 0.6021, 0.25);
+        assertThat(still).isCloseTo(Discrimination.transfer(sharp), within(0.02));
+        assertThat(look(settings, empty(), crossing).value())
+                .isCloseTo(Discrimination.transfer(blurred), within(0.02))
+                .isLessThan(still - 0.05);
+        assertThat(look(settings.withExposure(0), empty(), crossing).value()).isEqualTo(still);
+    }
+
     @Test
     void aDroneThatGlidesCools() {
         FlightState gliding =

@@ -1,0 +1,44 @@
+package org.dronewatch.sensor.optics;
+
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.Pointing;
+
+/** How fast drones cross a camera's image, and what the blur takes. */
+public final class ImageSpeed {
+    private ImageSpeed() {}
+
+    /**
+     * The angular rate of the line of sight to a drone relative to a camera, which a positioner may turn as well,
+     * rad/s.
+     *
+     * @param camera where it is, m
+     * @param pointing where a positioner points it, and how fast it turns; empty for a fixed mount
+     */
+    public static double turning(Position camera, Drone drone, Optional<Pointing> pointing) {
+        Position velocity = Position.of(drone.velocity());
+        double range = drone.distance(camera);
+        Direction to = Direction.of(drone.origin().minus(camera));
+        double sin = Math.sin(to.azimuth());
+        double cos = Math.cos(to.azimuth());
+        double level = range * Math.cos(to.elevation());
+        double pan = (velocity.x() * cos - velocity.y() * sin) / Math.max(level, Double.MIN_NORMAL);
+        double outwards = velocity.x() * sin + velocity.y() * cos;
+        double tilt = (velocity.z() * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation())) / range;
+        double panLeft = pan - pointing.map(Pointing::panRate).orElse(0.0);
+        double tiltLeft = tilt - pointing.map(Pointing::tiltRate).orElse(0.0);
+        return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);
+    }
+
+    /**
+     * The fraction of the line pairs across the root of an area that are left when it is blurred in one of two
+     * directions: {@code (1 + b^2)^(-1/4)}.
+     *
+     * @param blur b, 0 or more, pixels
+     */
+    public static double resolutionLeft(double blur) {
+        return 1.0 / Math.sqrt(Math.sqrt(1.0 + blur * blur));
+    }
+}
