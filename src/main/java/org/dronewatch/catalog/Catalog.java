@@ -218,7 +218,8 @@ public final class Catalog implements Kinds.NamedSettings {
 
     /**
      * The entry of the library that a sensor corresponds to: the one all of whose settings it has; if there are
-     * several, the one with the most settings. Its position and aim do not matter, nor does what the entry leaves open.
+     * several, the one with the most settings. Its position, its aim and how it decides do not matter, nor does what the entry
+     * leaves open.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();
@@ -243,7 +244,7 @@ public final class Catalog implements Kinds.NamedSettings {
         SettingsForm form = SettingsForm.of(settings.getClass());
         List<RecordComponent> stated = form.parts().stream()
                 .filter(part -> entry.sensor().values().containsKey(part.getName()))
-                .filter(part -> !part.getName().equals("aim"))
+                .filter(part -> !part.getName().equals("aim") && !part.getName().equals("detection"))
                 .toList();
         boolean agrees = stated.stream()
                 .allMatch(part -> SettingsForm.get(settings, part).equals(SettingsForm.get(its, part)));

@@ -99,7 +99,8 @@ public record Light(
         double decay = DROP_DECAY * Math.pow(rain, -DROP_DECAY_POWER);
         double byRain = Math.PI * DROPS / (decay * decay * decay);
         double needed = -Math.log(contrastAtVisibility);
-        return withVisibility(needed / (needed / visibility + byRain));
+        // 1 / (1 / visibility + byRain / needed), which stays above 0 in the thickest fog, too.
+        return withVisibility(visibility / (1.0 + byRain * visibility / needed));
     }
 
     /**

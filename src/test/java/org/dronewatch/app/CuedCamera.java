@@ -25,7 +25,7 @@ abstract class CuedCamera {
         Files.writeString(
                 scene,
                 Files.readString(CUED)
-                        .replaceAll("(?m)^ +detection: .*\n", "")
+                        .replaceAll("(?m)^( +)detection: .*\n", "$1detection: pixel-threshold\n")
                         .replace("duration: 55 s", "duration: 14 s"));
     }
 
