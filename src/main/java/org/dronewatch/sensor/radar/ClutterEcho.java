@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
  * ground that is in sight in it, and of the rain that fills it. One per thread.
  */
 final class ClutterEcho {
-    /** At so many bearings, evenly over the width of the beam, the ground is looked at. */
+    /** Number of bearings, evenly spaced over the beamwidth, at which the ground is sampled. */
     private static final int BEARINGS = 5;
 
     /** What a two-way Gaussian beam fills of the box of its widths: pi / (8 ln 2) (Probert-Jones). */
