@@ -218,8 +218,8 @@ public final class Catalog implements Kinds.NamedSettings {
 
     /**
      * The entry of the library that a sensor corresponds to: the one all of whose settings it has; if there are
-     * several, the one with the most settings. Its position, its aim and how it decides do not matter, nor does what the entry
-     * leaves open.
+     * several, the one with the most settings. Its position, its aim and how it decides do not matter, nor does what
+     * the entry leaves open.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();
