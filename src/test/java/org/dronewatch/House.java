@@ -59,7 +59,10 @@ public final class House {
         }
     }
 
-    /** The rooms that the classes of a room may not use: those above it, and those beside it unless it is on the ground floor. */
+    /**
+     * The rooms that the classes of a room may not use: those above it, and those beside it unless it is on the ground
+     * floor.
+     */
     static List<String> forbidden(Storey storey, String room) {
         List<String> forbidden = new ArrayList<>();
         int number = STOREYS.indexOf(storey);

@@ -109,8 +109,8 @@ class HouseRulesTest {
             .callMethod(DroneSettings.class, "label");
 
     /**
-     * Description, run and simulator can each be read from the first file to the last. {@code Scene.run()} is a convenience of
-     * one line for {@code new GateWatch().run()}, and the only exception.
+     * Description, run and simulator can each be read from the first file to the last. {@code Scene.run()} is a
+     * convenience of one line for {@code new GateWatch().run()}, and the only exception.
      */
     @ArchTest
     static final ArchRule NO_CIRCLES_OF_FILES = slices().assignedFrom(new FileOfTheRun())
@@ -153,8 +153,8 @@ class HouseRulesTest {
             .resideInAnyPackage("org.dronewatch.drone", "org.dronewatch.flight");
 
     /**
-     * What stands between two points, {@link Visibility} says: what counts at the ends is decided once. The painter's shadows
-     * begin at depths of single precision, and have a margin of their own.
+     * What stands between two points, {@link Visibility} says: what counts at the ends is decided once. The painter's
+     * shadows begin at depths of single precision, and have a margin of their own.
      */
     @ArchTest
     static final ArchRule ONLY_VISIBILITY_ASKS_THE_KERNEL_FOR_OCCLUSION = noClasses()
@@ -167,7 +167,10 @@ class HouseRulesTest {
             .should()
             .callMethodWhere(ofARayTracer("isOccluded"));
 
-    /** Rays, which have no other end, go to the kernel itself: those of sound, of pictures, from above, and about a point. */
+    /**
+     * Rays, which have no other end, go to the kernel itself: those of sound, of pictures, from above, and about a
+     * point.
+     */
     @ArchTest
     static final ArchRule ONLY_THESE_TRACE_RAYS = classes()
             .that()
@@ -195,8 +198,8 @@ class HouseRulesTest {
     }
 
     /**
-     * Points and displacements are {@link Position}s, which nobody can change. The tuples of vecmath are for callers of drones,
-     * of rays, of the world and of cameras, and for pictures; poses are its matrices everywhere.
+     * Points and displacements are {@link Position}s, which nobody can change. The tuples of vecmath are for callers of
+     * drones, of rays, of the world and of cameras, and for pictures; poses are its matrices everywhere.
      */
     @ArchTest
     static final ArchRule POINTS_ARE_POSITIONS_INSIDE = classes()

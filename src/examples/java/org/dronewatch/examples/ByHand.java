@@ -88,8 +88,8 @@ public final class ByHand {
     }
 
     /**
-     * The directions of the rays that leave the wall, if it is of concrete, when sound arrives at an angle from the right: the
-     * reflected one, and the refracted one unless all is reflected.
+     * The directions of the rays that leave the wall, if it is of concrete, when sound arrives at an angle from the
+     * right: the reflected one, and the refracted one unless all is reflected.
      */
     static List<Vector3d> soundAtTheWall(double angle) {
         World world = new World(

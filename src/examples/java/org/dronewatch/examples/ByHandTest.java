@@ -52,7 +52,9 @@ class ByHandTest {
         assertTrue(ByHand.pixels(pitched) > 1.2 * ByHand.pixels(level));
     }
 
-    /** The camera looks at the drone: it is in the middle of the image, and the ray of a pixel beside it leads past it. */
+    /**
+     * The camera looks at the drone: it is in the middle of the image, and the ray of a pixel beside it leads past it.
+     */
     @Test
     void aPointIsInTheImageWhereItsRayComesFrom() {
         CameraObject camera = ByHand.camera();

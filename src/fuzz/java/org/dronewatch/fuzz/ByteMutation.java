@@ -58,7 +58,9 @@ final class ByteMutation {
         return changed;
     }
 
-    /** A piece of a file, from the start of a line to the end of one, so that what is cut is small enough to be quick. */
+    /**
+     * A piece of a file, from the start of a line to the end of one, so that what is cut is small enough to be quick.
+     */
     static String piece(String text, Dice dice, int lines) {
         String[] all = text.split("(?<=\n)");
         int from = dice.below(Math.max(1, all.length - lines));

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Feeds all parts of the program with random input for a while, each in processes of their own, and fails when something does
- * not do what it should. Options are system properties: {@code fuzz.seconds} for all targets together, {@code fuzz.seed},
- * {@code fuzz.targets} (names with commas), {@code fuzz.case} for one case by itself, {@code fuzz.replay} for the directory of
- * a reproducer.
+ * Feeds all parts of the program with random input for a while, each in processes of their own, and fails when
+ * something does not do what it should. Options are system properties: {@code fuzz.seconds} for all targets together,
+ * {@code fuzz.seed}, {@code fuzz.targets} (names with commas), {@code fuzz.case} for one case by itself,
+ * {@code fuzz.replay} for the directory of a reproducer.
  */
 public final class Fuzz {
     private static final Path HOME = Path.of("target", "fuzz");

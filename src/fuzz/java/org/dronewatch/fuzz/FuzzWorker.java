@@ -43,8 +43,8 @@ public final class FuzzWorker {
     /**
      * Runs cases.
      *
-     * @param arguments target, seed, first case, one after the last case, start and end in milliseconds since 1970, and the
-     *     directory for failures
+     * @param arguments target, seed, first case, one after the last case, start and end in milliseconds since 1970, and
+     *     the directory for failures
      */
     public static void main(String[] arguments) throws IOException {
         FuzzTarget target = Targets.named(arguments[0]);

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Random OBJ files of small solids and polygons, written in all the manners that the format allows, and in some that it does not. */
+/**
+ * Random OBJ files of small solids and polygons, written in all the manners that the format allows, and in some that it
+ * does not.
+ */
 final class ObjWriting {
     private static final List<String> UNKNOWN_LINES = List.of(
             "w 0 0 0",

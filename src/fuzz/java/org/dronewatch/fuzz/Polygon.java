@@ -16,7 +16,9 @@ final class Polygon {
         this.normal = newell(corners);
     }
 
-    /** Newell's sum: the normal, as long as twice the area. Taken from the first corner, so that it keeps its digits. */
+    /**
+     * Newell's sum: the normal, as long as twice the area. Taken from the first corner, so that it keeps its digits.
+     */
     private static double[] newell(double[][] corners) {
         double[] sum = new double[3];
         double[] first = corners[0];
@@ -60,7 +62,9 @@ final class Polygon {
         return high;
     }
 
-    /** Whether its area and its extent are beyond doubt: flat, without crossings, and not so thin that rounding decides. */
+    /**
+     * Whether its area and its extent are beyond doubt: flat, without crossings, and not so thin that rounding decides.
+     */
     boolean isPlain() {
         double size = Math.max(high(0) - low(0), Math.max(high(1) - low(1), high(2) - low(2)));
         if (length(normal) < LEAST_SHARE * size * size) {

@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 
-/** Makes a failing case smaller: takes lines of its files and overrides of its command line away while it still fails. */
+/**
+ * Makes a failing case smaller: takes lines of its files and overrides of its command line away while it still fails.
+ */
 final class Shrinker {
     private static final int MOST_LINES = 200_000;
 

@@ -38,7 +38,10 @@ final class FuzzMeshes {
         return nasty.mesh;
     }
 
-    /** Unit squares of a lattice, cut in two: some of those across each axis, so that planes of a tree go through corners. */
+    /**
+     * Unit squares of a lattice, cut in two: some of those across each axis, so that planes of a tree go through
+     * corners.
+     */
     private void squares() {
         int size = dice.between(2, 5);
         int share = dice.pick(1, 2, 3, 8);

@@ -88,8 +88,8 @@ public final class KernelTarget implements FuzzTarget {
     }
 
     /**
-     * A traversal finds what the kernel's own test finds in all triangles, or what exact arithmetic finds: far from a mesh the
-     * test itself may be wrong, but there no traversal asks it.
+     * A traversal finds what the kernel's own test finds in all triangles, or what exact arithmetic finds: far from a
+     * mesh the test itself may be wrong, but there no traversal asks it.
      */
     private static void checkRay(
             Way way, RayTracer traversal, Exhaustive exhaustive, BruteForce exact, double[] ray, double size) {

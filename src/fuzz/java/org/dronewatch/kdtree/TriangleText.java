@@ -5,8 +5,8 @@ import java.util.List;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * A mesh and rays as text, one to a line, so that lines can be taken away one by one: {@code t} and nine coordinates, {@code r}
- * and an origin and a direction.
+ * A mesh and rays as text, one to a line, so that lines can be taken away one by one: {@code t} and nine coordinates,
+ * {@code r} and an origin and a direction.
  */
 final class TriangleText {
     private static final double LEAST_SQUARENESS = 1e-7;

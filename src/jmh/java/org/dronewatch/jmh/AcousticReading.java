@@ -30,7 +30,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Time of one reading by the energy model with its default settings; its standard error is below 0.5 dB, or it fails. */
+/**
+ * Time of one reading by the energy model with its default settings; its standard error is below 0.5 dB, or it fails.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)

@@ -36,8 +36,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How many pieces of sound rays are traced a second in the church, beside the kernel's own rate for rays that bounce about
- * the same church at random; {@code -t 2} runs both on two threads, each with its own sensor.
+ * How many pieces of sound rays are traced a second in the church, beside the kernel's own rate for rays that bounce
+ * about the same church at random; {@code -t 2} runs both on two threads, each with its own sensor.
  */
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)

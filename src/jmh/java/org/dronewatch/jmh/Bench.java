@@ -35,7 +35,10 @@ final class Bench {
                 .mesh();
     }
 
-    /** The same triangles in an order that has nothing to do with their places, as some scanners and converters write them. */
+    /**
+     * The same triangles in an order that has nothing to do with their places, as some scanners and converters write
+     * them.
+     */
     static TriangleMesh shuffled(TriangleMesh mesh) {
         int[] order = IntStream.range(0, mesh.triangleCount()).toArray();
         SplittableRandom random = new SplittableRandom(SEED);

@@ -20,7 +20,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Time of a ray through a tree, and what it allocates: coherent rays of a picture, incoherent ones of diffuse walls. */
+/**
+ * Time of a ray through a tree, and what it allocates: coherent rays of a picture, incoherent ones of diffuse walls.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)

@@ -13,9 +13,9 @@ import org.dronewatch.scenes.MultiSensor;
 import org.dronewatch.viewer.Viewer;
 
 /**
- * How long the viewer's event thread keeps an event waiting: opens the scene of the house, plays it, turns and zooms the
- * site, steps, jumps, enlarges cameras, changes tabs, by real mouse and keys; an event is posted every 5 ms all the while.
- * Needs a display of its own, such as a virtual one.
+ * How long the viewer's event thread keeps an event waiting: opens the scene of the house, plays it, turns and zooms
+ * the site, steps, jumps, enlarges cameras, changes tabs, by real mouse and keys; an event is posted every 5 ms all the
+ * while. Needs a display of its own, such as a virtual one.
  */
 public final class EventThreadDelay {
     private static final int EVERY = 5;

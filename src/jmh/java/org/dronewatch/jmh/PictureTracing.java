@@ -101,7 +101,10 @@ public class PictureTracing {
         return sum;
     }
 
-    /** The same where no vectors are to be had: the ground of two million triangles is painted by them, the others are not. */
+    /**
+     * The same where no vectors are to be had: the ground of two million triangles is painted by them, the others are
+     * not.
+     */
     @Benchmark
     @Fork(
             value = 1,

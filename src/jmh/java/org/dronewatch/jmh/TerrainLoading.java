@@ -23,7 +23,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** From a GeoTIFF file of a million posts, 1 m apart and rough as ground seen by lidar, to a tree over its triangles. */
+/**
+ * From a GeoTIFF file of a million posts, 1 m apart and rough as ground seen by lidar, to a tree over its triangles.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -40,7 +42,9 @@ public class TerrainLoading {
 
     private Path directory;
 
-    /** Writes the file: hills from octaves of waves, each half as long and half as high as the one before, and noise. */
+    /**
+     * Writes the file: hills from octaves of waves, each half as long and half as high as the one before, and noise.
+     */
     @Setup
     public void write() throws IOException {
         SplittableRandom random = new SplittableRandom(1);

@@ -37,7 +37,9 @@ class BuildingSceneTest {
     @TempDir
     private Path directory;
 
-    /** Level ground at 200 m, and two houses of some 14 m x 11 m: one 40 m to the north, one without a height beyond it. */
+    /**
+     * Level ground at 200 m, and two houses of some 14 m x 11 m: one 40 m to the north, one without a height beyond it.
+     */
     @BeforeEach
     void writeSite() throws IOException {
         StringBuilder text =

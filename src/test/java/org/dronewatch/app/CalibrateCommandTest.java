@@ -409,7 +409,9 @@ class CalibrateCommandTest {
         assertThat(firstRange(250, "drones.drone.soundPowerLevel=90")).isBetween(200.0 - LOOK, 200.001);
     }
 
-    /** Another version's default loudness would give the entry another range; what the sensor does not hear misleads. */
+    /**
+     * Another version's default loudness would give the entry another range; what the sensor does not hear misleads.
+     */
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

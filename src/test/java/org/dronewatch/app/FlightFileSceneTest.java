@@ -56,7 +56,10 @@ class FlightFileSceneTest extends CommandLines {
                         "its recorded flight ends at 230.0 s, the run at 235.0 s: for the rest of the run the drone hovers");
     }
 
-    /** The track was logged during the mission, each ten seconds, rounded to a decimetre: then both are at the same places. */
+    /**
+     * The track was logged during the mission, each ten seconds, rounded to a decimetre: then both are at the same
+     * places.
+     */
     @Test
     void theTrackIsThatOfTheMission() throws IOException {
         FlightPath mission = flight("approach.yaml");

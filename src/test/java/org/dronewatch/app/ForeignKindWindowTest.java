@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A window shows sensors of a kind that another jar has as it shows those of the library. It is opened in a process with that
- * jar, by the command, and used there as people use it.
+ * A window shows sensors of a kind that another jar has as it shows those of the library. It is opened in a process
+ * with that jar, by the command, and used there as people use it.
  */
 class ForeignKindWindowTest {
     /** Of the kind, in all pictures: the first that is not of a built-in kind. */

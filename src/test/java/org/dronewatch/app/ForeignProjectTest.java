@@ -119,8 +119,8 @@ class ForeignProjectTest {
     }
 
     /**
-     * A drone whose mesh, flight and sound come from the other jar, beside one of the library: where it is, what it looks like
-     * and what it sounds like follow from its kinds' closed forms.
+     * A drone whose mesh, flight and sound come from the other jar, beside one of the library: where it is, what it
+     * looks like and what it sounds like follow from its kinds' closed forms.
      */
     @Test
     void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException, InterruptedException {
@@ -186,8 +186,8 @@ class ForeignProjectTest {
     }
 
     /**
-     * How loud the kite is at a distance: 80 dB and 3 dB more for each metre per second above 5, spreading on a sphere, and
-     * 5.0 dB/km in air of 20 degrees and 70 % at 1 kHz, where A-weighting is 0 dB (ISO 9613-2, table 2).
+     * How loud the kite is at a distance: 80 dB and 3 dB more for each metre per second above 5, spreading on a sphere,
+     * and 5.0 dB/km in air of 20 degrees and 70 % at 1 kHz, where A-weighting is 0 dB (ISO 9613-2, table 2).
      */
     private static double hum(double time, double range) {
         double speed = Math.hypot(5.0, 3.0 * Math.cos(time));
@@ -196,8 +196,9 @@ class ForeignProjectTest {
 
     /**
      * As many pixels as have their centres in the triangle's picture: counted one by one, but for those within a
-     * millionth of a pixel of an edge; and about as many as its picture has area, by Nosarzewska's inequality for the lattice points
-     * in a convex figure (Colloquium Mathematicum 1, 1948): between A - L/2 and A + L/2 + 1, where L is its perimeter.
+     * millionth of a pixel of an edge; and about as many as its picture has area, by Nosarzewska's inequality for the
+     * lattice points in a convex figure (Colloquium Mathematicum 1, 1948): between A - L/2 and A + L/2 + 1, where L is
+     * its perimeter.
      */
     private static void assertPixels(Position kite, double pixels) {
         Position camera = new Position(0, 0, 2);
@@ -224,7 +225,9 @@ class ForeignProjectTest {
                 .isGreaterThan(50.0);
     }
 
-    /** The number of pixel centres in a triangle, and in a border about it of a width, or within, if that is negative. */
+    /**
+     * The number of pixel centres in a triangle, and in a border about it of a width, or within, if that is negative.
+     */
     private static int centresWithin(double[][] corners, double border) {
         int count = 0;
         for (int row = 0; row < 540; row++) {
@@ -246,8 +249,8 @@ class ForeignProjectTest {
     }
 
     /**
-     * A listener of the other jar is not sure of what it hears. The probability asked for moves the threshold by the logit, in
-     * the closed form of that kind; and as many looks as asked for detect the drone at the range.
+     * A listener of the other jar is not sure of what it hears. The probability asked for moves the threshold by the
+     * logit, in the closed form of that kind; and as many looks as asked for detect the drone at the range.
      */
     @ParameterizedTest
     @CsvSource({"0.5", "0.9", "0.05"})

@@ -8,7 +8,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class HeightCommandTest extends CommandLines {
-    /** A plane that rises by 0.1 to the east, from 210 m at the origin; without heights in the north. A table stands on it. */
+    /**
+     * A plane that rises by 0.1 to the east, from 210 m at the origin; without heights in the north. A table stands on
+     * it.
+     */
     @BeforeEach
     void writeSite() throws IOException {
         StringBuilder text = new StringBuilder(

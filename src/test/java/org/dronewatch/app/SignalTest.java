@@ -18,7 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Ctrl-C and a request to terminate, at any moment of any command: the signal's exit code, and nothing that is half. */
+/**
+ * Ctrl-C and a request to terminate, at any moment of any command: the signal's exit code, and nothing that is half.
+ */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class SignalTest {
     private static final List<String> NO_OPTIONS = List.of("-Xmx1g");

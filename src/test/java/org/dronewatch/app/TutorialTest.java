@@ -10,7 +10,10 @@ import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Each command of the tutorial, in order, as a reader types it; only the directory that is made lies elsewhere, and runs are short. */
+/**
+ * Each command of the tutorial, in order, as a reader types it; only the directory that is made lies elsewhere, and
+ * runs are short.
+ */
 class TutorialTest {
     private static final Path PAGE = Path.of("src/site/markdown/tutorial.md");
 

@@ -145,8 +145,9 @@ class BuildingLoaderTest {
     }
 
     /**
-     * 20 m x 10 m, 12 m high with its roof, of which the roof is 4 m where it has slopes; walls go 1 m into the ground. Over the
-     * eaves: a gable half of the box; a hip two wedges less 1/3 of each end; a pyramid a third; a single slope half.
+     * 20 m x 10 m, 12 m high with its roof, of which the roof is 4 m where it has slopes; walls go 1 m into the ground.
+     * Over the eaves: a gable half of the box; a hip two wedges less 1/3 of each end; a pyramid a third; a single slope
+     * half.
      */
     @ParameterizedTest
     @CsvSource({
@@ -167,7 +168,10 @@ class BuildingLoaderTest {
         assertThat(loaded.warnings()).isEmpty();
     }
 
-    /** Corners that are rounded as maps round them: where slopes meet the eaves lies less than a millimetre beside a corner. */
+    /**
+     * Corners that are rounded as maps round them: where slopes meet the eaves lies less than a millimetre beside a
+     * corner.
+     */
     @Test
     void almostRectanglesHaveTheirRoofs() throws IOException {
         long seed = 11L;
@@ -389,7 +393,10 @@ class BuildingLoaderTest {
         assertThat(loaded.description()).anyMatch(line -> line.contains("1 building without ground under it"));
     }
 
-    /** A wood of 40 m x 30 m with a clearing of 10 m x 10 m, across a ridge: its top lies 15 m over the ground everywhere. */
+    /**
+     * A wood of 40 m x 30 m with a clearing of 10 m x 10 m, across a ridge: its top lies 15 m over the ground
+     * everywhere.
+     */
     @Test
     void aWoodIsACanopyThatFollowsTheGround() throws IOException {
         int outer = way(box(-20, -15, 20, 15), "");
@@ -469,8 +476,9 @@ class BuildingLoaderTest {
     }
 
     /**
-     * The outlines of Monaco: those of ways alone have 597,619 m2 by an independent computation (WGS 84, earth-centred, east-north-up
-     * about the mean of the map's nodes), and 17,168 m2 are those of four multipolygons, two of which share a wall.
+     * The outlines of Monaco: those of ways alone have 597,619 m2 by an independent computation (WGS 84, earth-centred,
+     * east-north-up about the mean of the map's nodes), and 17,168 m2 are those of four multipolygons, two of which
+     * share a wall.
      */
     @Test
     void monacoHasItsArea() throws IOException {

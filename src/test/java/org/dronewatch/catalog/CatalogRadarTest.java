@@ -24,7 +24,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** No radar of the catalogue contradicts physics or itself, and each keeps its promise with the probability that belongs to it. */
+/**
+ * No radar of the catalogue contradicts physics or itself, and each keeps its promise with the probability that belongs
+ * to it.
+ */
 class CatalogRadarTest {
     private static final Position SENSOR = new Position(0, 0, 10);
 
@@ -59,7 +62,10 @@ class CatalogRadarTest {
                 .contains(Hardware.class, DataSheet.class);
     }
 
-    /** A sphere has 4 pi; a beam of gain G fills 4 pi / G of it, and a band of azimuths and elevations its own solid angle. */
+    /**
+     * A sphere has 4 pi; a beam of gain G fills 4 pi / G of it, and a band of azimuths and elevations its own solid
+     * angle.
+     */
     @ParameterizedTest
     @MethodSource("radars")
     void aScanIsLongEnoughForItsBeams(String name) {
@@ -85,8 +91,8 @@ class CatalogRadarTest {
     }
 
     /**
-     * With noise and chance, at the published range and for the stated target: exactly the probability of the data sheet, or at
-     * least nine of ten where none is stated; at 1.05 times that range less than stated.
+     * With noise and chance, at the published range and for the stated target: exactly the probability of the data
+     * sheet, or at least nine of ten where none is stated; at 1.05 times that range less than stated.
      */
     @ParameterizedTest
     @MethodSource("radars")

@@ -14,7 +14,9 @@ import org.dronewatch.docs.SitePages.Text;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Every link, anchor and picture in the pages leads somewhere, as a code hosting site shows them and in the built site. */
+/**
+ * Every link, anchor and picture in the pages leads somewhere, as a code hosting site shows them and in the built site.
+ */
 class DocLinksTest {
     private static final Path PROJECT = Path.of("").toAbsolutePath();
 

@@ -16,8 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The schema of scene files and the page of all settings are those of the records, and the drawing of the packages is that of
- * the build's rules. When one of them has changed, write them again: {@code mvn test -Dtest=GeneratedDocsTest -Ddronewatch.docs=write}.
+ * The schema of scene files and the page of all settings are those of the records, and the drawing of the packages is
+ * that of the build's rules. When one of them has changed, write them again: {@code mvn test -Dtest=GeneratedDocsTest
+ * -Ddronewatch.docs=write}.
  */
 class GeneratedDocsTest {
     private static final Path SCHEMA = Path.of("scenes/scene.schema.json");

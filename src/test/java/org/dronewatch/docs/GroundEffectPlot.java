@@ -31,7 +31,9 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The levels of a small quadrotor 5 m above hard ground, and above grass with and without wind, beside the free field. */
+/**
+ * The levels of a small quadrotor 5 m above hard ground, and above grass with and without wind, beside the free field.
+ */
 final class GroundEffectPlot {
     private static final double NEAREST = 10.0;
     private static final double FARTHEST = 1000.0;

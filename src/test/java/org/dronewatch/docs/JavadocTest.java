@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The API documentation can be written, and there is nothing to warn of: no reference that leads nowhere, no broken HTML. The build
- * itself cannot say so of warnings, since it names an incubating module, which always is one.
+ * The API documentation can be written, and there is nothing to warn of: no reference that leads nowhere, no broken
+ * HTML. The build itself cannot say so of warnings, since it names an incubating module, which always is one.
  */
 class JavadocTest {
     @TempDir

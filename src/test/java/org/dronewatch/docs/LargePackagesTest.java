@@ -15,7 +15,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The architecture page gives a reason for each package and file that is larger than the house wants, and for no other. */
+/**
+ * The architecture page gives a reason for each package and file that is larger than the house wants, and for no other.
+ */
 class LargePackagesTest {
     private static final int MOST_TYPES = 25;
     private static final int MOST_LINES = 300;

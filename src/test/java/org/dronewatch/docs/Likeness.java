@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Whether two pictures show the same to the eye. Means over cells are compared, which rounding hardly changes. Where letters are
- * those of another font, more may differ: they take other room, and what stands beside them moves.
+ * Whether two pictures show the same to the eye. Means over cells are compared, which rounding hardly changes. Where
+ * letters are those of another font, more may differ: they take other room, and what stands beside them moves.
  */
 enum Likeness {
     /** With the letters of the same font. */

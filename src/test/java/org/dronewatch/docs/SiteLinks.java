@@ -16,9 +16,11 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Looks for links, pictures and anchors of a built site that lead nowhere. Addresses of other sites are left alone: no network.
+ * Looks for links, pictures and anchors of a built site that lead nowhere. Addresses of other sites are left alone: no
+ * network.
  *
- * <p>The build runs this file after the site: {@code java SiteLinks.java DIRECTORY}. It therefore needs nothing but the JDK.
+ * <p>The build runs this file after the site: {@code java SiteLinks.java DIRECTORY}. It therefore needs nothing but the
+ * JDK.
  */
 final class SiteLinks {
     private static final Pattern TAG = Pattern.compile("<[a-zA-Z][^<>]*>");

@@ -14,12 +14,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Writes what the site is built from. In the project, links and pictures are where a code hosting site looks for them; in the
- * built site, all pages lie side by side, pictures in {@code images}, and other files of the project as they lie there. Headings get
- * the anchors that a code hosting site gives them, which the site's own tool writes in another way.
+ * Writes what the site is built from. In the project, links and pictures are where a code hosting site looks for them;
+ * in the built site, all pages lie side by side, pictures in {@code images}, and other files of the project as they lie
+ * there. Headings get the anchors that a code hosting site gives them, which the site's own tool writes in another way.
  *
- * <p>The build runs this file before anything is compiled: {@code java SitePages.java PROJECT TARGET}. It therefore needs nothing but
- * the JDK.
+ * <p>The build runs this file before anything is compiled: {@code java SitePages.java PROJECT TARGET}. It therefore
+ * needs nothing but the JDK.
  */
 final class SitePages {
     private static final Path SITE = Path.of("src", "site");

@@ -185,7 +185,9 @@ class ThesisPageTest {
         return found.get(0).differs();
     }
 
-    /** The range at which the camera of the packaged scene first detects the drone, in the first run of its sweep, m. */
+    /**
+     * The range at which the camera of the packaged scene first detects the drone, in the first run of its sweep, m.
+     */
     private static double cameraRange(String... settings) {
         SceneRunner runner = new SceneRunner(new CameraRange()).only(0).set("sensors.camera.detection", "target-task");
         for (String setting : settings) {
@@ -308,7 +310,10 @@ class ThesisPageTest {
         assertThat(said.toString()).as("%s", words).doesNotContain("has no effect");
     }
 
-    /** A minute's work: the same command without one of its overrides prints something else, or writes what the row names. */
+    /**
+     * A minute's work: the same command without one of its overrides prints something else, or writes what the row
+     * names.
+     */
     @Test
     @EnabledIfSystemProperty(named = "dronewatch.commands", matches = "run")
     void everyOverrideOfACommandShows() throws IOException {

@@ -91,7 +91,9 @@ class LeanTest {
         }
     }
 
-    /** An orbit is clockwise, so the right wing is the lower one; the mean over half a second shortens the acceleration. */
+    /**
+     * An orbit is clockwise, so the right wing is the lower one; the mean over half a second shortens the acceleration.
+     */
     @Test
     void aWingBanksIntoACircleAsInACoordinatedTurn() {
         double speed = 15;

@@ -28,7 +28,10 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 
-/** Protected areas: their distances by another library, where flights enter them by small steps, and scenes with several. */
+/**
+ * Protected areas: their distances by another library, where flights enter them by small steps, and scenes with
+ * several.
+ */
 class ProtectionTest {
     private static final String SCENE =
             """

@@ -14,8 +14,8 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
- * One input of the program: files, things that are no plain files, and a command line in which {@code {}} stands for the
- * directory of the files. It is stored as a directory: the files, and {@value #PROPERTIES} with the rest.
+ * One input of the program: files, things that are no plain files, and a command line in which {@code {}} stands for
+ * the directory of the files. It is stored as a directory: the files, and {@value #PROPERTIES} with the rest.
  *
  * @param what what it is, for a person
  * @param files contents by path below the directory
@@ -98,8 +98,8 @@ public record FuzzCase(String what, Map<String, byte[]> files, Map<String, Strin
     }
 
     /**
-     * Stores it, with further properties, as a directory that {@link #readFrom} reads. What is no plain file is described, not
-     * made.
+     * Stores it, with further properties, as a directory that {@link #readFrom} reads. What is no plain file is
+     * described, not made.
      */
     public void store(Path directory, Map<String, String> further) throws IOException {
         for (Map.Entry<String, byte[]> file : files.entrySet()) {

@@ -19,9 +19,10 @@ public final class SpecialFile {
     /**
      * Makes one.
      *
-     * @param kind {@code fifo}, {@code directory}, {@code unreadable}, {@code link:TARGET}, or a large model: {@code
-     *     polygon:CORNERS}, {@code face-line:CORNERS}, {@code materials:COUNT}, {@code libraries:COUNT}, {@code
-     *     continued:LINES}, or {@code long-line:CHARACTERS}; or any text, {@code letters:CHARACTERS}, or zeros that take no room on the disk, {@code zeros:BYTES}
+     * @param kind {@code fifo}, {@code directory}, {@code unreadable}, {@code link:TARGET}, or a large model:
+     *     {@code polygon:CORNERS}, {@code face-line:CORNERS}, {@code materials:COUNT}, {@code libraries:COUNT},
+     *     {@code continued:LINES}, or {@code long-line:CHARACTERS}; or any text, {@code letters:CHARACTERS}, or
+     *     zeros that take no room on the disk, {@code zeros:BYTES}
      * @param path where
      * @param directory what {@code {}} in the target of a link stands for
      * @throws UnsupportedOperationException if the system or its file system has no such files

@@ -45,8 +45,8 @@ class GeodesyTest {
     }
 
     /**
-     * The example of a topocentric frame in IOGP's Guidance Note 373-7-2, methods 9602 and 9837. Its origin lies 200 m high,
-     * ours 0 m: the same place is 200 m higher above it.
+     * The example of a topocentric frame in IOGP's Guidance Note 373-7-2, methods 9602 and 9837. Its origin lies 200 m
+     * high, ours 0 m: the same place is 200 m higher above it.
      */
     @Test
     void itAgreesWithTheExampleOfTheGeodesists() {

@@ -10,7 +10,10 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
 
 class EllipsoidQueryTest {
-    /** Every triangle of which a sampled point is inside, and in the plane if one is asked for, is found, and none twice. */
+    /**
+     * Every triangle of which a sampled point is inside, and in the plane if one is asked for, is found, and none
+     * twice.
+     */
     @Test
     void whatReachesIntoTheEllipsoidIsFound() {
         long seed = 77;

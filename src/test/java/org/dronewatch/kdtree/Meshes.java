@@ -26,7 +26,9 @@ public final class Meshes {
         return new ModelLoader(Path.of("models")).loadAsWritten(name).mesh();
     }
 
-    /** A closed room of 10 x 8 x 3 m with closed boxes in it: most are parallel to the walls, all stand on the floor. */
+    /**
+     * A closed room of 10 x 8 x 3 m with closed boxes in it: most are parallel to the walls, all stand on the floor.
+     */
     public static TriangleMesh room() {
         Meshes room = new Meshes();
         room.box(0, 0, 0, 10, 8, 3, 0);

@@ -8,8 +8,8 @@ import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * Meshes of any number of triangles whose triangles no plane parts well, or whose corners lie where planes of a tree do.
- * The same arguments give the same mesh.
+ * Meshes of any number of triangles whose triangles no plane parts well, or whose corners lie where planes of a tree
+ * do. The same arguments give the same mesh.
  */
 public final class NastyMeshes {
     private final float[] corners;
@@ -178,8 +178,8 @@ public final class NastyMeshes {
     }
 
     /**
-     * Unit right triangles on integer coordinates: all squares of a lattice of cubes from 0 to a number of cells on each
-     * axis, cut in two. All corners and edges lie where planes of a tree do.
+     * Unit right triangles on integer coordinates: all squares of a lattice of cubes from 0 to a number of cells on
+     * each axis, cut in two. All corners and edges lie where planes of a tree do.
      *
      * @param cells how many cubes on each axis
      * @param share of the triangles that there are, 0 to 1; which they are is up to the seed

@@ -72,8 +72,8 @@ class SahTest {
     }
 
     /**
-     * The least cost over all planes strictly inside a voxel at which some box begins or ends, or one step inside a face in
-     * which some box lies; infinity for none.
+     * The least cost over all planes strictly inside a voxel at which some box begins or ends, or one step inside a
+     * face in which some box lies; infinity for none.
      */
     private static double leastCost(int[] boxes, int[] voxel) {
         double least = Double.POSITIVE_INFINITY;

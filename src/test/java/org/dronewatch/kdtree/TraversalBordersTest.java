@@ -60,8 +60,8 @@ class TraversalBordersTest {
     }
 
     /**
-     * Triangles that touch the plane x = 0 from its two sides, and a ray inside that plane: the cells on both sides span the
-     * same range, and a hit on one side says nothing about the other.
+     * Triangles that touch the plane x = 0 from its two sides, and a ray inside that plane: the cells on both sides
+     * span the same range, and a hit on one side says nothing about the other.
      */
     @ParameterizedTest
     @EnumSource
@@ -87,8 +87,8 @@ class TraversalBordersTest {
     }
 
     /**
-     * Rays inside the planes of flat faces, where planes of the tree lie too, towards corners and edges in that plane: what
-     * stands on its one side is met by a ray that any rounding would put on the other.
+     * Rays inside the planes of flat faces, where planes of the tree lie too, towards corners and edges in that plane:
+     * what stands on its one side is met by a ray that any rounding would put on the other.
      */
     @ParameterizedTest
     @EnumSource

@@ -12,13 +12,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Rays through edges and corners of lattices of unit right triangles, where planes of the tree lie too: which cell such a
- * ray enters is up to rounding, what it hits must not be.
+ * Rays through edges and corners of lattices of unit right triangles, where planes of the tree lie too: which cell such
+ * a ray enters is up to rounding, what it hits must not be.
  */
 class TraversalLatticeTest {
     private static final double END = Double.POSITIVE_INFINITY;
 
-    /** A stack ends in the first cell with a hit; of triangles that meet in that point another may be nearer by roundings. */
+    /**
+     * A stack ends in the first cell with a hit; of triangles that meet in that point another may be nearer by
+     * roundings.
+     */
     private static final double ROUNDINGS = 1e-14;
 
     @ParameterizedTest
@@ -62,7 +65,10 @@ class TraversalLatticeTest {
         };
     }
 
-    /** Larger lattices, small, far from the origin, off the grid of planes; directions of any length, zeros of both signs. */
+    /**
+     * Larger lattices, small, far from the origin, off the grid of planes; directions of any length, zeros of both
+     * signs.
+     */
     @ParameterizedTest
     @EnumSource
     void raysOfLatticesOfAnySizeAndPosition(Way way) {
@@ -128,8 +134,9 @@ class TraversalLatticeTest {
     }
 
     /**
-     * The rays of a tile share an origin on the lattice, or between, and end in half points of one of its planes. A tile
-     * decides by roundings of its own whether a lone edge belongs to its triangle; but nothing slips between triangles.
+     * The rays of a tile share an origin on the lattice, or between, and end in half points of one of its planes. A
+     * tile decides by roundings of its own whether a lone edge belongs to its triangle; but nothing slips between
+     * triangles.
      */
     @Test
     void picturesOfLattices() {

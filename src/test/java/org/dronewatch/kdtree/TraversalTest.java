@@ -201,7 +201,10 @@ class TraversalTest {
         assertThat(hits).isGreaterThan(1000);
     }
 
-    /** Copies of each triangle are scattered over the mesh's numbers, and over leaves, which come to them in their own order. */
+    /**
+     * Copies of each triangle are scattered over the mesh's numbers, and over leaves, which come to them in their own
+     * order.
+     */
     @ParameterizedTest
     @EnumSource
     void ofTrianglesWithTheSameCornersTheLeastNumberIsNamed(Way way) {

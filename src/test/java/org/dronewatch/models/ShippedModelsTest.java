@@ -101,7 +101,10 @@ class ShippedModelsTest {
         }
     }
 
-    /** The volume of a straight wing is that of its section: 0.6851 t c2 for the four-digit thickness with a closed edge. */
+    /**
+     * The volume of a straight wing is that of its section: 0.6851 t c2 for the four-digit thickness with a closed
+     * edge.
+     */
     @Test
     void aWingHasTheAreaOfItsSection() {
         List<Airfoil.Station> straight =

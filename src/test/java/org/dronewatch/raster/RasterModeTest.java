@@ -17,9 +17,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * All ways to paint tiles show the same, whatever the size of triangles and tiles: vectors bit for bit what lines do that paint
- * in the same order; leaves one by one or several at a time all but the last bits, which single rays round differently where
- * a tile is given up.
+ * All ways to paint tiles show the same, whatever the size of triangles and tiles: vectors bit for bit what lines do
+ * that paint in the same order; leaves one by one or several at a time all but the last bits, which single rays round
+ * differently where a tile is given up.
  */
 class RasterModeTest {
     private static final long SEED = 260;
@@ -76,9 +76,9 @@ class RasterModeTest {
     }
 
     /**
-     * A plane of small triangles at the height of a level camera that looks along it, somewhat to the side: all are seen
-     * edge-on in the row of the horizon, where their edge functions and distances are roundings, which need not lie in the
-     * triangle's cell: so what is seen depends on the cells that are asked, and only one order is compared.
+     * A plane of small triangles at the height of a level camera that looks along it, somewhat to the side: all are
+     * seen edge-on in the row of the horizon, where their edge functions and distances are roundings, which need not
+     * lie in the triangle's cell: so what is seen depends on the cells that are asked, and only one order is compared.
      */
     @Test
     void trianglesInThePlaneOfTheEye() {

@@ -24,7 +24,9 @@ class TileCullerTest {
         culler.begin();
     }
 
-    /** The box spans -0.13 to 0.17 m at 9.85 m: columns 4.7 to 7.7 and rows 4.3 to 7.3, of which (7, 7) is painted last. */
+    /**
+     * The box spans -0.13 to 0.17 m at 9.85 m: columns 4.7 to 7.7 and rows 4.3 to 7.3, of which (7, 7) is painted last.
+     */
     @Test
     void aBoxAheadIsSeenUntilAllPixelsBeforeItSeeSomethingNearer() {
         begin();

@@ -145,8 +145,8 @@ class TileTracerTest {
     }
 
     /**
-     * Two ulps of a float from the centres of columns 3 and 5, or rows: too near for the interval of a line, so signs decide.
-     * A tile of 9 x 9 pixels is painted in rows, one of 9 x 12 in columns.
+     * Two ulps of a float from the centres of columns 3 and 5, or rows: too near for the interval of a line, so signs
+     * decide. A tile of 9 x 9 pixels is painted in rows, one of 9 x 12 in columns.
      */
     @Test
     void edgesThatPassCentresCloselyLeaveThemOut() {
@@ -185,8 +185,8 @@ class TileTracerTest {
     }
 
     /**
-     * A floor that all pixels see, as far as 100, met first in a cell near by; and posts in a cell far away, at 99.5, before
-     * what the farthest pixels see.
+     * A floor that all pixels see, as far as 100, met first in a cell near by; and posts in a cell far away, at 99.5,
+     * before what the farthest pixels see.
      */
     @Test
     void whatStandsJustBeforeTheFarthestPixelIsSeen() {
@@ -226,7 +226,10 @@ class TileTracerTest {
         return TriangleMesh.of(corners, new int[] {0, 1, 2});
     }
 
-    /** Parameters times lengths of directions; infinity for the sky, even where directions are too short to have a length. */
+    /**
+     * Parameters times lengths of directions; infinity for the sky, even where directions are too short to have a
+     * length.
+     */
     @Test
     void distancesAreThoseAlongTheRays() {
         SplittableRandom random = new SplittableRandom(214);

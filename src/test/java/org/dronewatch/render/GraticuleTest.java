@@ -19,7 +19,10 @@ class GraticuleTest {
         assertThat(Graticule.step(least)).isCloseTo(step, within(1e-12));
     }
 
-    /** The origin is at 45.00 N 10.00 E, whose parallel and meridian cross in the middle; the next are 0.01 and 0.005 degrees away. */
+    /**
+     * The origin is at 45.00 N 10.00 E, whose parallel and meridian cross in the middle; the next are 0.01 and 0.005
+     * degrees away.
+     */
     @Test
     void linesCrossAtTheirPlaces() {
         BufferedImage image = new BufferedImage(800, 800, BufferedImage.TYPE_INT_RGB);

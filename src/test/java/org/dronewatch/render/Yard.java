@@ -18,8 +18,8 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /**
- * A level yard of 60 m x 60 m with a wall of 20 m x 1 m x 8 m across its middle; a camera and a microphone south of it look
- * north, a drone comes from the north above the wall and down before it.
+ * A level yard of 60 m x 60 m with a wall of 20 m x 1 m x 8 m across its middle; a camera and a microphone south of it
+ * look north, a drone comes from the north above the wall and down before it.
  */
 public final class Yard extends Scene {
     /** Where camera and microphone are, m. */

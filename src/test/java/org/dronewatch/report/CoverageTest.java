@@ -100,7 +100,10 @@ class CoverageTest {
                 .isTrue();
     }
 
-    /** The same geometry, by what is missing: a ring sector behind the wall, the rest of the square, three quarters of a disc. */
+    /**
+     * The same geometry, by what is missing: a ring sector behind the wall, the rest of the square, three quarters of a
+     * disc.
+     */
     @Test
     void whatIsMissingHasTheCauseOfItsGeometry() {
         double disc = Math.PI * 150 * 150;
@@ -191,7 +194,10 @@ class CoverageTest {
         }
     }
 
-    /** A mount that turns all round makes of a camera's wedge a disc of the range that its narrowest field of view gives. */
+    /**
+     * A mount that turns all round makes of a camera's wedge a disc of the range that its narrowest field of view
+     * gives.
+     */
     @Test
     void aCameraOnAPositionerReachesAllRound() {
         PositionerSettings mount = PositionerSettings.DEFAULT.withCues("round");
@@ -205,7 +211,10 @@ class CoverageTest {
         assertThat(turned.area("fixed") / turned.area("turning")).isBetween(0.7 * wedge, 1.3 * wedge);
     }
 
-    /** Reports drones in the east alone, after something that is none: of those in the west it has no observation at all. */
+    /**
+     * Reports drones in the east alone, after something that is none: of those in the west it has no observation at
+     * all.
+     */
     private record Eastward(Position position) implements SensorSettings<Sensor> {
         @Override
         public Eastward withPosition(Position other) {
@@ -286,8 +295,8 @@ class CoverageTest {
     }
 
     /**
-     * Sound is estimated with random rays: the second cell's are those of a run's second look, so field and run agree to
-     * the last bit. The drone hovers where the cell puts it; at the first look its sound has not arrived yet.
+     * Sound is estimated with random rays: the second cell's are those of a run's second look, so field and run agree
+     * to the last bit. The drone hovers where the cell puts it; at the first look its sound has not arrived yet.
      */
     @Test
     void theEstimateOfACellIsThatOfALookOfARunThere() throws IOException {

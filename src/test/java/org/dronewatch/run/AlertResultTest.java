@@ -96,7 +96,9 @@ class AlertResultTest {
         assertThat(run(0, new Position(0, 0, 60)).inTime()).isEmpty();
     }
 
-    /** The radar sees it only once it has flown over the zone: from 20 m beyond the wall on, when it is 300 m behind. */
+    /**
+     * The radar sees it only once it has flown over the zone: from 20 m beyond the wall on, when it is 300 m behind.
+     */
     @Test
     void anAlertAfterTheDroneHasBeenThereIsTooLate() {
         ProtectedZone zone = new ProtectedZone(new Position(0, 700, 100), 3);

@@ -59,7 +59,9 @@ class CuedCameraTest {
                 .orElseThrow();
     }
 
-    /** 0.001 lx and 50 m of visibility: the radar points it, but it sees nothing that it could zoom in on and follow. */
+    /**
+     * 0.001 lx and 50 m of visibility: the radar points it, but it sees nothing that it could zoom in on and follow.
+     */
     @Test
     void inFogAtNightItPointsThereButDoesNotFollow() {
         List<Pointing> pointings = new ArrayList<>();

@@ -12,7 +12,9 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
-/** A sensor of pure chance, written as a user would write one of an own kind: it shows which random numbers are drawn. */
+/**
+ * A sensor of pure chance, written as a user would write one of an own kind: it shows which random numbers are drawn.
+ */
 public record DiceSettings(Position position, @In(Quantity.FREQUENCY) double rate, @In(Quantity.NUMBER) double luck)
         implements SensorSettings<Sensor> {
 

@@ -47,7 +47,9 @@ class FalseMeasurementsTest {
         Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
     }
 
-    /** At look 0 nothing at all, then one false alarm a look, from look 3 on the drone twice, once below the threshold. */
+    /**
+     * At look 0 nothing at all, then one false alarm a look, from look 3 on the drone twice, once below the threshold.
+     */
     private record Nervous(Position position) implements SensorSettings<Sensor>, DirectionFinding {
         @Override
         public Nervous withPosition(Position other) {

@@ -69,7 +69,10 @@ class FormerNamesTest {
         return names == null ? List.of() : List.of(names.value());
     }
 
-    /** The words that files use beside the names of settings cannot be former names; those of other settings cannot either. */
+    /**
+     * The words that files use beside the names of settings cannot be former names; those of other settings cannot
+     * either.
+     */
     @Test
     void aFormerNameIsNoOtherNameOfTheSameRecord() {
         Set<Class<?>> records = records();

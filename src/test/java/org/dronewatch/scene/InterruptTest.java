@@ -28,7 +28,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** An interrupt ends a run as a cancellation, wherever it is; an error passes unchanged; both leave the runner as it was. */
+/**
+ * An interrupt ends a run as a cancellation, wherever it is; an error passes unchanged; both leave the runner as it
+ * was.
+ */
 @Timeout(value = 300, unit = TimeUnit.SECONDS)
 class InterruptTest {
     private static final Duration PROMPT = Duration.ofMinutes(1);
@@ -113,7 +116,9 @@ class InterruptTest {
                 .isEqualTo(expected.runs().get(0).events());
     }
 
-    /** A custom sensor that waits, on the caller's thread or on a worker, whether or not it keeps the interrupt flag. */
+    /**
+     * A custom sensor that waits, on the caller's thread or on a worker, whether or not it keeps the interrupt flag.
+     */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void anInterruptReachesSensorsThatWait(boolean keepsFlag) throws InterruptedException {

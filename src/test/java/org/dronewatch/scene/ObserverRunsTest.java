@@ -82,7 +82,10 @@ class ObserverRunsTest {
         }
     }
 
-    /** The fraction of observers who have found the drone by a range: the mean over draws of what their hazards add up to. */
+    /**
+     * The fraction of observers who have found the drone by a range: the mean over draws of what their hazards add up
+     * to.
+     */
     private double predicted(double rate, double range) {
         Approaching scene = new Approaching(rate);
         SceneSettings settings = scene.describe();

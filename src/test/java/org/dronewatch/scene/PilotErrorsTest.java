@@ -101,7 +101,10 @@ class PilotErrorsTest {
         throw new UnsupportedOperationException("no plan yet");
     }
 
-    /** Whatever a pilot throws is the user's mistake, too: one line with pilot, time, exception and the line of the code. */
+    /**
+     * Whatever a pilot throws is the user's mistake, too: one line with pilot, time, exception and the line of the
+     * code.
+     */
     @Test
     void anExceptionOfItsOwnNamesPilotTimeAndLine() {
         assertFault(run -> forgotten.length(), 0.0, "java.lang.NullPointerException: ", "forgotten");

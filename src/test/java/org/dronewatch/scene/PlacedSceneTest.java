@@ -49,7 +49,10 @@ class PlacedSceneTest {
     @TempDir
     private Path directory;
 
-    /** A wall 20 m high runs north to south 50.02 m east of the origin, on ground at 200 m; a post in the north-west has no height. */
+    /**
+     * A wall 20 m high runs north to south 50.02 m east of the origin, on ground at 200 m; a post in the north-west has
+     * no height.
+     */
     @BeforeEach
     void writeGround() throws IOException {
         StringBuilder text = new StringBuilder(

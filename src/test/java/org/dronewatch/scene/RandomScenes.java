@@ -31,12 +31,13 @@ import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.NoiseSource;
 
 /**
- * Random scenes that keep all limits: of every kind of sensor, flight, propagation and so on that there is, made from the
- * settings records' own components and limits. Ordinary values, values at a limit and values near it are mixed. They are
- * small, so that thousands can run: few pixels, few rays, a handful of looks.
+ * Random scenes that keep all limits: of every kind of sensor, flight, propagation and so on that there is, made from
+ * the settings records' own components and limits. Ordinary values, values at a limit and values near it are mixed.
+ * They are small, so that thousands can run: few pixels, few rays, a handful of looks.
  *
- * <p>The same seed gives the same scene. A scene names the models {@link #MODEL} and {@link #BOX}, whose texts are here,
- * too. It may still break a rule between several settings (a mount that listens to itself), which reading reports.
+ * <p>The same seed gives the same scene. A scene names the models {@link #MODEL} and {@link #BOX}, whose texts are
+ * here, too. It may still break a rule between several settings (a mount that listens to itself), which reading
+ * reports.
  */
 public final class RandomScenes {
     /** Name of the file of the world's model. */

@@ -44,8 +44,9 @@ class SeededRunsTest {
     }
 
     /**
-     * A radar and a camera that both throw dice, and a drone that hangs before them: four looks each. The radar's looks are independent. The
-     * camera's observer can see the drone or not, and has three seconds to find it, from the first look to the fourth.
+     * A radar and a camera that both throw dice, and a drone that hangs before them: four looks each. The radar's looks
+     * are independent. The camera's observer can see the drone or not, and has three seconds to find it, from the first
+     * look to the fourth.
      */
     private final class Dice extends Scene {
         private static final long serialVersionUID = 1L;

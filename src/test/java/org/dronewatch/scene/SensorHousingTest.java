@@ -13,7 +13,10 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The size of a sensor: a model of its housing stands in the world, and hides from others what is behind it. */
 class SensorHousingTest {
-    /** A plate of 0.7 m x 0.5 m that faces south, 1 m north of the origin and centred 20 m above it; y is up in the file. */
+    /**
+     * A plate of 0.7 m x 0.5 m that faces south, 1 m north of the origin and centred 20 m above it; y is up in the
+     * file.
+     */
     private static final String HOUSING =
             "v -0.35 19.75 -1\nv 0.35 19.75 -1\nv 0.35 20.25 -1\nv -0.35 20.25 -1\nf 1 2 3 4\n";
 

@@ -239,8 +239,8 @@ class SteeredUnderDsolTest {
     }
 
     /**
-     * A chase that a user's model steers is recorded at its end, and replayed without it: every observation is the same in all
-     * digits, those of microphones among them, which hear the hunter where it was.
+     * A chase that a user's model steers is recorded at its end, and replayed without it: every observation is the same
+     * in all digits, those of microphones among them, which hear the hunter where it was.
      */
     @Test
     void whatAUsersModelSteersIsRecordedAndReplayed() throws IOException, InterruptedException {

@@ -33,7 +33,9 @@ class AcousticRangeTest {
         }
     }
 
-    /** Physical ranges: where spreading and air alone bring the drone to the level of detection, and a little beyond. */
+    /**
+     * Physical ranges: where spreading and air alone bring the drone to the level of detection, and a little beyond.
+     */
     @Test
     void theEnergyModelHearsItALittleBeyondTheRangeInTheOpen() {
         SceneResult result = new SceneRunner(new AcousticRange())

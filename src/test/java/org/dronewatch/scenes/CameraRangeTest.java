@@ -50,7 +50,10 @@ class CameraRangeTest {
         }
     }
 
-    /** Thin arms alias, so the first detection scatters about the mean-range formula; but with the same picture for all five. */
+    /**
+     * Thin arms alias, so the first detection scatters about the mean-range formula; but with the same picture for all
+     * five.
+     */
     @Test
     void theRangesFollowTheFocalLengthAndTheMeanLaw() {
         SceneResult result = runner.run();

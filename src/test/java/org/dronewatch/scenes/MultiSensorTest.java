@@ -41,8 +41,8 @@ class MultiSensorTest {
     }
 
     /**
-     * A silhouette of A m2 at an angle t off the axis covers {@code A (f/d)^2 / cos^3 t} pixels on average; thin arms alias,
-     * so the first detection is at 0.8 to 1.55 times the range that this law gives.
+     * A silhouette of A m2 at an angle t off the axis covers {@code A (f/d)^2 / cos^3 t} pixels on average; thin arms
+     * alias, so the first detection is at 0.8 to 1.55 times the range that this law gives.
      */
     @ParameterizedTest
     @CsvSource({"0 deg", "45 deg", "100 deg", "225 deg", "310 deg"})

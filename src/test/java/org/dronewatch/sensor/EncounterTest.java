@@ -15,7 +15,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Observers who draw once per encounter and then search, against the closed forms of how many find the drone by when. */
+/**
+ * Observers who draw once per encounter and then search, against the closed forms of how many find the drone by when.
+ */
 class EncounterTest {
     private static final long SEED = 20261124;
     private static final String DRONE = "drone";
@@ -100,9 +102,9 @@ class EncounterTest {
     }
 
     /**
-     * A drone of 0.07 m2 and 5 K that flies at 15 m/s towards 640 pixels over 24 degrees (50 mK, 85 % per kilometre). With
-     * a whole line pair across the root of its area P is 0.5 at 195 m, and by the integral over observers half of them
-     * have found it at 126.5 m; with the three quarters that an area takes, at 260 and 184.7 m.
+     * A drone of 0.07 m2 and 5 K that flies at 15 m/s towards 640 pixels over 24 degrees (50 mK, 85 % per kilometre).
+     * With a whole line pair across the root of its area P is 0.5 at 195 m, and by the integral over observers half of
+     * them have found it at 126.5 m; with the three quarters that an area takes, at 260 and 184.7 m.
      */
     private record Approach(double speed, double from, double linePairs) {
         double probability(double range) {
@@ -252,7 +254,10 @@ class EncounterTest {
         assertThat(after.with(DRONE, 2.0, 1.0)).isEqualTo(new Encounter(0, false, true));
     }
 
-    /** Sixteen draws predict what an unknown observer finds: within half of a sixteenth, since one of them lies beside P. */
+    /**
+     * Sixteen draws predict what an unknown observer finds: within half of a sixteenth, since one of them lies beside
+     * P.
+     */
     @Test
     void hazardsIntegratedOverSixteenDrawsGiveTheClosedForm() {
         for (double probability : new double[] {0.1, 0.47, 0.9, 1.0}) {

@@ -72,7 +72,10 @@ class FollowingTest {
                 .isFalse();
     }
 
-    /** 9 pixels are an even chance of detection and none of identification: it is followed, so that the lens can zoom in. */
+    /**
+     * 9 pixels are an even chance of detection and none of identification: it is followed, so that the lens can zoom
+     * in.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"RECOGNITION", "IDENTIFICATION"})
     void whatIsDetectedIsFollowedThoughItIsNotIdentified(String task) {

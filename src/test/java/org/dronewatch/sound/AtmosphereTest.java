@@ -18,9 +18,9 @@ class AtmosphereTest {
     }
 
     /**
-     * Densities of dry air at sea level and at 1500 m (ICAO standard atmosphere, Doc 7488: 1.2250 and 1.0581 kg/m3), and of
-     * air at 20 degrees and 50 % (CIPM-2007, Picard and others, Metrologia 45, 149, 2008, with 400 ppm of CO2: 1.1992). Real air is
-     * denser than an ideal gas by 0.04 %.
+     * Densities of dry air at sea level and at 1500 m (ICAO standard atmosphere, Doc 7488: 1.2250 and 1.0581 kg/m3),
+     * and of air at 20 degrees and 50 % (CIPM-2007, Picard and others, Metrologia 45, 149, 2008, with 400 ppm of CO2:
+     * 1.1992). Real air is denser than an ideal gas by 0.04 %.
      */
     @ParameterizedTest
     @CsvSource({"15, 0, 101325, 1.2250", "5.25, 0, 84556, 1.0581", "20, 50, 101325, 1.1992"})
@@ -43,8 +43,8 @@ class AtmosphereTest {
     }
 
     /**
-     * Within the rounding of the printed digits (0.1 dB/km, whole ones above 100), but for the one cell that is known to
-     * be rounded the wrong way: 15 degrees, 80 %, 1 kHz is 4.151 and printed as 4.1.
+     * Within the rounding of the printed digits (0.1 dB/km, whole ones above 100), but for the one cell that is known
+     * to be rounded the wrong way: 15 degrees, 80 %, 1 kHz is 4.151 and printed as 4.1.
      */
     @ParameterizedTest
     @CsvFileSource(resources = "iso9613-2-table2.csv", numLinesToSkip = 1)

@@ -46,8 +46,8 @@ class NoiseHemisphereTest {
     }
 
     /**
-     * The power in the table of sounds is the integral over both hemispheres, by rings of elevation; a point source that is
-     * as loud straight below in all directions has 10 lg(4 pi) more than the level there.
+     * The power in the table of sounds is the integral over both hemispheres, by rings of elevation; a point source
+     * that is as loud straight below in all directions has 10 lg(4 pi) more than the level there.
      */
     @Test
     void theTableOfSoundsHasItsPower() {

@@ -17,7 +17,10 @@ class ToneTest {
                 .isCloseTo(factor, within(5e-5));
     }
 
-    /** Brute force: wave crests leave a drone that flies past 30 m to the side, each arrives a path later; counted at the end. */
+    /**
+     * Brute force: wave crests leave a drone that flies past 30 m to the side, each arrives a path later; counted at
+     * the end.
+     */
     @Test
     void crestsArriveAtTheHeardFrequency() {
         double speed = 15.0;

@@ -200,7 +200,10 @@ class DecimationTest {
                 .toList();
     }
 
-    /** A hill of 100 m within 1 m: 400 of 20,000 triangles as this was written. More would mean that it no longer chooses well. */
+    /**
+     * A hill of 100 m within 1 m: 400 of 20,000 triangles as this was written. More would mean that it no longer
+     * chooses well.
+     */
     @Test
     void fewTrianglesAreKept() {
         int side = 101;

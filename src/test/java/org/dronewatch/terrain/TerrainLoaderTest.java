@@ -94,8 +94,8 @@ class TerrainLoaderTest {
     }
 
     /**
-     * A ridge 10 m high, seen from 2 m above the ground 30 m before it: by similar triangles, and as GDAL 3.10's viewshed has
-     * it.
+     * A ridge 10 m high, seen from 2 m above the ground 30 m before it: by similar triangles, and as GDAL 3.10's
+     * viewshed has it.
      */
     @Test
     void behindARidgeTheLeastVisibleHeightIsThatOfSimilarTriangles() throws IOException {
@@ -115,8 +115,8 @@ class TerrainLoaderTest {
     }
 
     /**
-     * A pyramid, beside which a sight line depends on how squares are cut: along the north-west diagonal the least heights are
-     * .4, 7.2 and 14.0 m; along the other they would be .1875, 5.647 and 12.21 m.
+     * A pyramid, beside which a sight line depends on how squares are cut: along the north-west diagonal the least
+     * heights are .4, 7.2 and 14.0 m; along the other they would be .1875, 5.647 and 12.21 m.
      */
     @Test
     void squaresAreCutAlongTheNorthWestDiagonal() throws IOException {
@@ -145,8 +145,8 @@ class TerrainLoaderTest {
     }
 
     /**
-     * Flat ground on the round earth: from 2 m, a point 10 km away is seen at (d - sqrt(2 R h))^2 / 2R above the ground, where
-     * R is the radius of curvature of the meridian or across it.
+     * Flat ground on the round earth: from 2 m, a point 10 km away is seen at (d - sqrt(2 R h))^2 / 2R above the
+     * ground, where R is the radius of curvature of the meridian or across it.
      */
     @ParameterizedTest
     @CsvSource({"0, 1", "1, 0"})
@@ -212,7 +212,10 @@ class TerrainLoaderTest {
         }
     }
 
-    /** Two files whose outermost posts are a step apart have no gap between them; a third of three that is missing is a hole. */
+    /**
+     * Two files whose outermost posts are a step apart have no gap between them; a third of three that is missing is a
+     * hole.
+     */
     @Test
     void filesMakeOneTerrainAndAMissingOneIsAHole() throws IOException {
         for (int k = 0; k < 3; k++) {

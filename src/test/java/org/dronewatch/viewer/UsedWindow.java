@@ -30,8 +30,8 @@ import org.dronewatch.geometry.Position;
 import org.jogamp.vecmath.Point2d;
 
 /**
- * Opens a window by the command {@code view}, uses it, prints what it shows, opens the scene that was opened last before, and
- * closes it. For a process of its own, whose class path may have more kinds than that of the tests.
+ * Opens a window by the command {@code view}, uses it, prints what it shows, opens the scene that was opened last
+ * before, and closes it. For a process of its own, whose class path may have more kinds than that of the tests.
  */
 public final class UsedWindow {
     private static final long PATIENCE_NANOS = 60_000_000_000L;
@@ -41,7 +41,8 @@ public final class UsedWindow {
     /**
      * Uses a window.
      *
-     * @param arguments where to keep pictures of the window, at which time of the run, the sensor to click on, and the command
+     * @param arguments where to keep pictures of the window, at which time of the run, the sensor to click on, and the
+     *     command
      */
     public static void main(String[] arguments) throws Exception {
         String pictures = arguments[0];

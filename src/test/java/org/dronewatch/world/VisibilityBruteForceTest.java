@@ -18,7 +18,9 @@ import org.junit.jupiter.api.Test;
 class VisibilityBruteForceTest {
     private static final int SEGMENTS = 20_000;
 
-    /** So near to the border of a triangle, of its size, a segment may be judged either way; so near to the margin, m. */
+    /**
+     * So near to the border of a triangle, of its size, a segment may be judged either way; so near to the margin, m.
+     */
     private static final double EDGE = 1e-9;
 
     private final SplittableRandom random = new SplittableRandom(20_231);

@@ -12,7 +12,10 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.Places;
 import org.dronewatch.world.WorldSettings;
 
-/** Writes plans as QGroundControl does, and flies them over a site near the equator, where 1e-5 degrees are 1.1 m either way. */
+/**
+ * Writes plans as QGroundControl does, and flies them over a site near the equator, where 1e-5 degrees are 1.1 m either
+ * way.
+ */
 final class Plans {
     static final Origin ORIGIN =
             Origin.at(Math.toRadians(1.0), Math.toRadians(2.0)).withHeight(100.0);

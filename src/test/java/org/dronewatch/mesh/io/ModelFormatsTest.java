@@ -233,7 +233,9 @@ class ModelFormatsTest {
         }
     }
 
-    /** A quarter turn about x as a quaternion or a matrix; a scale; a mirror, which must not turn the solid inside out. */
+    /**
+     * A quarter turn about x as a quaternion or a matrix; a scale; a mirror, which must not turn the solid inside out.
+     */
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -441,7 +443,10 @@ class ModelFormatsTest {
                 .anyMatch(line -> line.endsWith("skipped lists of further instances of a mesh (1)"));
     }
 
-    /** Many primitives take one triangle each from the same 100,000 positions: the model has the vertices of its corners only. */
+    /**
+     * Many primitives take one triangle each from the same 100,000 positions: the model has the vertices of its corners
+     * only.
+     */
     @Test
     void primitivesThatShareManyPositions() throws IOException {
         int many = 100_000;

@@ -33,7 +33,10 @@ class ColourCameraTest {
     private static final Map<String, Integer> GREY = Map.of("default", 0xcccccc);
 
     private static final double REFLECTANCE = Math.pow((0.8 + 0.055) / 1.055, 2.4);
-    /** What nine spherical harmonics may leave out of the light of the sky, most where it is concentrated at the horizon. */
+    /**
+     * What nine spherical harmonics may leave out of the light of the sky, most where it is concentrated at the
+     * horizon.
+     */
     private static final double HARMONICS = 0.05;
 
     private static final Map<String, Integer> BLACK = Map.of("default", 0);
@@ -87,7 +90,9 @@ class ColourCameraTest {
                 .isCloseTo(REFLECTANCE, within(HARMONICS * REFLECTANCE));
     }
 
-    /** In haze the plate, which is nearer, is not as bright as the ground: but before the near plane the ground shows. */
+    /**
+     * In haze the plate, which is nearer, is not as bright as the ground: but before the near plane the ground shows.
+     */
     @Test
     void nothingIsPhotographedOutsideThePlanes() {
         Light haze = Light.DAY.withVisibility(100);
@@ -120,9 +125,10 @@ class ColourCameraTest {
     }
 
     /**
-     * What a far plate takes away from a plane is the sun's part: reflectance times the sun's light on a surface that faces it
-     * times the cosine of the angle between the plane's normal and the sun (Lambert). Of the light on level ground,
-     * 127.5 exp(-0.21 m) sin h is the sun's and 0.8 + 15.5 sqrt(sin h) the sky's (IESNA), m after Kasten and Young.
+     * What a far plate takes away from a plane is the sun's part: reflectance times the sun's light on a surface that
+     * faces it times the cosine of the angle between the plane's normal and the sun (Lambert). Of the light on level
+     * ground, 127.5 exp(-0.21 m) sin h is the sun's and 0.8 + 15.5 sqrt(sin h) the sky's (IESNA), m after Kasten and
+     * Young.
      */
     @ParameterizedTest
     @CsvSource({"30, 0", "30, 25", "55, 35", "12, 70", "40, -30"})

@@ -29,7 +29,10 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Outlines of buildings in the maps of a run are those of the map that the buildings came from. */
 class BuildingMapTest {
-    /** A hall of known height, a block with a courtyard of unknown height, and a bridge between them, far from the origin. */
+    /**
+     * A hall of known height, a block with a courtyard of unknown height, and a bridge between them, far from the
+     * origin.
+     */
     private static final String OSM = "<osm version='0.6'>"
             + node(1, "50.0100", "15.0200") + node(2, "50.0100", "15.0204")
             + node(3, "50.0102", "15.0204") + node(4, "50.0102", "15.0200")

@@ -94,7 +94,9 @@ class AcousticSensorTest {
         return DroneSettings.of(ModelSettings.of("none.obj"), new Hover(new Position(0, 60, 0), 0.0));
     }
 
-    /** In the free field each octave travels alone: 6 dB more at the source are 6 dB more in that band, and in no other. */
+    /**
+     * In the free field each octave travels alone: 6 dB more at the source are 6 dB more in that band, and in no other.
+     */
     @Test
     void sixDecibelsInOneBandAreHeardInThatBand() {
         double[] power = {70, 72, 74, 76, 78, 76, 74, 70};
@@ -110,7 +112,9 @@ class AcousticSensorTest {
         }
     }
 
-    /** A background that is loud but in one band: by the A-weighted level the drone is lost in it, by bands it is not. */
+    /**
+     * A background that is loud but in one band: by the A-weighted level the drone is lost in it, by bands it is not.
+     */
     @Test
     void theBestBandIsComparedWithItsOwnBackground() {
         BandLevels spectrum = BandLevels.of(60, 55, 50, 45, 40, 5, 20, 30);
@@ -157,8 +161,8 @@ class AcousticSensorTest {
     }
 
     /**
-     * Wind adds its noise to the background, band by band: Strasberg's formula in thirds of octaves, with a screen of 9 cm, for
-     * the wind at the height of the microphone, here 4.35 m/s.
+     * Wind adds its noise to the background, band by band: Strasberg's formula in thirds of octaves, with a screen of 9
+     * cm, for the wind at the height of the microphone, here 4.35 m/s.
      */
     @Test
     void windAddsItsNoiseToTheBackground() {

@@ -57,7 +57,10 @@ class ListeningPostTest {
                 .isEmpty();
     }
 
-    /** The direction is that to where the drone was when the sound left it, with errors as stated, drawn anew in each look. */
+    /**
+     * The direction is that to where the drone was when the sound left it, with errors as stated, drawn anew in each
+     * look.
+     */
     @Test
     void directionsAreThoseOfTheSoundAsItLeft() {
         List<Frame> frames = new ArrayList<>();
@@ -115,8 +118,8 @@ class ListeningPostTest {
     }
 
     /**
-     * 64 microphones of 3.4 m heard quadrotors at 300 to 700 m (Altena and others, Applied Acoustics 2026), sound powers and
-     * backgrounds unknown: here at 85 and 90 dB(A), 50 m above grass, over 35 dB(A) by 6 dB.
+     * 64 microphones of 3.4 m heard quadrotors at 300 to 700 m (Altena and others, Applied Acoustics 2026), sound
+     * powers and backgrounds unknown: here at 85 and 90 dB(A), 50 m above grass, over 35 dB(A) by 6 dB.
      */
     @ParameterizedTest
     @CsvSource({"A_WEIGHTED, 85", "A_WEIGHTED, 90", "BEST_BAND, 85", "BEST_BAND, 90"})
@@ -158,7 +161,10 @@ class ListeningPostTest {
         return new DroneSound(small.name(), power, small.shape(), small.basis(), small.source());
     }
 
-    /** A line has no directions to tell, a single microphone neither, nor has the level model bands in which to find them. */
+    /**
+     * A line has no directions to tell, a single microphone neither, nor has the level model bands in which to find
+     * them.
+     */
     @Test
     void onlyArraysThatFindDirectionsCanCue() {
         assertThat(MICROPHONE.as(DirectionFinding.class)).isEmpty();

@@ -105,7 +105,9 @@ class NoiseSourceTest {
         assertThat(observe(open(25), FEW, 20, 1).figures()).doesNotContainKey("background_db");
     }
 
-    /** A straight road is {@code Lw' + 10 lg((t2 - t1) / (4 pi d))}, between the angles under which its ends are seen. */
+    /**
+     * A straight road is {@code Lw' + 10 lg((t2 - t1) / (4 pi d))}, between the angles under which its ends are seen.
+     */
     @ParameterizedTest
     @CsvSource({"50, -500, 500", "50, 0, 300", "5, -200, 30", "200, 400, 900", "300, -20, 20"})
     void aRoadIsTheAngleUnderWhichItIsSeen(double away, double from, double to) {
@@ -145,7 +147,9 @@ class NoiseSourceTest {
         }
     }
 
-    /** In the level model 35 dB at 100 m leave 30 dB; with 20 dB of background the range is {@code (P - N - 15) / m}. */
+    /**
+     * In the level model 35 dB at 100 m leave 30 dB; with 20 dB of background the range is {@code (P - N - 15) / m}.
+     */
     @Test
     void inTheLevelModelTheRangeShrinksAsTheNoiseGrows() {
         World world = open(20).withNoiseSources(Map.of(

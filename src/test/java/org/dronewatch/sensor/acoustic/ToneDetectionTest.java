@@ -65,7 +65,9 @@ class ToneDetectionTest {
         return observe(drone(settings, range, STILL, OptionalDouble.empty()), criterion);
     }
 
-    /** Level and noise of the octave at 250 Hz, half the power in 1.025 Hz of its 177 Hz, the other half spread over it. */
+    /**
+     * Level and noise of the octave at 250 Hz, half the power in 1.025 Hz of its 177 Hz, the other half spread over it.
+     */
     @Test
     void theRatioIsThatOfTheLineToTheNoiseInItsOwnWidth() {
         Observation heard = hovering(quadrotor().withTones(TONES), 100.0, Criterion.NARROW_BAND);
@@ -88,7 +90,10 @@ class ToneDetectionTest {
         assertThat(heard.threshold()).isEqualTo(15.0);
     }
 
-    /** A drone that comes at 15 m/s is heard at 1.0457 of its frequency, one that goes at 0.9581, and one that passes at 1. */
+    /**
+     * A drone that comes at 15 m/s is heard at 1.0457 of its frequency, one that goes at 0.9581, and one that passes at
+     * 1.
+     */
     @Test
     void motionShiftsWhatIsHeard() {
         double[][] flights = {{-15, 1.0 / (1.0 - 15.0 / SOUND)}, {15, 1.0 / (1.0 + 15.0 / SOUND)}};

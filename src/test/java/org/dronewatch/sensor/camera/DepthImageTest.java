@@ -101,8 +101,8 @@ class DepthImageTest {
 
     /**
      * Plane and box are exact but for the rounding of corners to floats. The sphere's mesh lies between the sphere
-     * through its corners and the one that touches its faces from inside, so its distances lie between those of the two,
-     * and a ray between both silhouettes may hit or miss.
+     * through its corners and the one that touches its faces from inside, so its distances lie between those of the
+     * two, and a ray between both silhouettes may hit or miss.
      */
     @Test
     void everyPixelShowsTheAnalyticDistance() {

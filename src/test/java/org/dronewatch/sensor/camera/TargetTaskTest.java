@@ -61,8 +61,8 @@ class TargetTaskTest {
     }
 
     /**
-     * Pixels across the root of the area for a probability of 0.9: 1.75 times the two pixels of each of Johnson's 1, 4 and
-     * 6.4 line pairs, of which an area takes three quarters (Kennedy, SPIE 1488, 1991).
+     * Pixels across the root of the area for a probability of 0.9: 1.75 times the two pixels of each of Johnson's 1, 4
+     * and 6.4 line pairs, of which an area takes three quarters (Kennedy, SPIE 1488, 1991).
      */
     @ParameterizedTest
     @CsvSource({"DETECTION, 2.625", "RECOGNITION, 10.5", "IDENTIFICATION, 16.8"})

@@ -40,8 +40,9 @@ class TurbulenceTest {
     }
 
     /**
-     * The 0.423 and the 3.44 from Kolmogorov's spectrum: the phase structure function is {@code 2.914 k^2 Cn2 L r^(5/3)},
-     * and r0 is where it is {@code 2 (24/5 gamma(6/5))^(5/6)} = 6.884, half of which is the 3.44 of the transfer function.
+     * The 0.423 and the 3.44 from Kolmogorov's spectrum: the phase structure function is
+     * {@code 2.914 k^2 Cn2 L r^(5/3)}, and r0 is where it is {@code 2 (24/5 gamma(6/5))^(5/6)} = 6.884, half of which
+     * is the 3.44 of the transfer function.
      */
     @Test
     void theConstantsFollowFromKolmogorov() {
@@ -53,7 +54,10 @@ class TurbulenceTest {
                 .isCloseTo(0.5 * atCoherence, within(0.005));
     }
 
-    /** The image of a point is the Hankel transform of the transfer function; half its peak lies at 0.488 wavelength / r0. */
+    /**
+     * The image of a point is the Hankel transform of the transfer function; half its peak lies at 0.488 wavelength /
+     * r0.
+     */
     @Test
     void aBlurredPointIsAsWideAsTheBlurStates() {
         Turbulence air = new Turbulence(0.02, GREEN);

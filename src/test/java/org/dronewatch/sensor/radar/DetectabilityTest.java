@@ -20,7 +20,10 @@ class DetectabilityTest {
     private static final long SEED = 20_261_121;
     private static final int LOOKS = 100_000;
 
-    /** Steady: 13.18349005679 as the documentation of {@code sdr.min_snr} (M. Hostetter) prints; the others closed forms. */
+    /**
+     * Steady: 13.18349005679 as the documentation of {@code sdr.min_snr} (M. Hostetter) prints; the others closed
+     * forms.
+     */
     @ParameterizedTest
     @CsvSource({
         "STEADY, 13.18349005679, 1e-9",
@@ -133,7 +136,9 @@ class DetectabilityTest {
         };
     }
 
-    /** Where the sum of unit exponentials exceeds with a probability: the tail of the Erlang distribution, halved in. */
+    /**
+     * Where the sum of unit exponentials exceeds with a probability: the tail of the Erlang distribution, halved in.
+     */
     private static double thresholdOfSum(double probability, int pulses) {
         double low = 0;
         double high = 100 + 3.0 * pulses;
@@ -157,7 +162,10 @@ class DetectabilityTest {
         return tail;
     }
 
-    /** Swerling 2 by {@code Q(N, T / (1 + S))}, Swerling 1 by Swerling's own closed form (Mahafza, Radar Systems Analysis). */
+    /**
+     * Swerling 2 by {@code Q(N, T / (1 + S))}, Swerling 1 by Swerling's own closed form (Mahafza, Radar Systems
+     * Analysis).
+     */
     @ParameterizedTest
     @CsvSource({"2, 1e-3", "10, 1e-6", "100, 1e-6", "300, 1e-3"})
     void closedFormsAgree(int pulses, double falseAlarm) {

@@ -245,7 +245,10 @@ class RadarSensorTest {
                 .withMessageContaining("groundReflection needs the polarisation horizontal or vertical");
     }
 
-    /** 33 dBi over 180 x 20 and 180 x 10 degrees: 174 and 87 beams. At one scan a second 5.75 ms are left for each of 174. */
+    /**
+     * 33 dBi over 180 x 20 and 180 x 10 degrees: 174 and 87 beams. At one scan a second 5.75 ms are left for each of
+     * 174.
+     */
     @Test
     void aScanNeedsTimeForItsBeams() {
         RadarSettings wide = RADAR.withFieldOfView(Math.PI, Math.toRadians(20));

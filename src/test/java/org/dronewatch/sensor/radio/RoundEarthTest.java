@@ -29,7 +29,10 @@ class RoundEarthTest {
         assertThat(RoundEarth.drop(1000)).isCloseTo(0.059, within(5e-4));
     }
 
-    /** Two rays a millionth of a radian apart, traced to the circle and back up: how far they are apart at the other end. */
+    /**
+     * Two rays a millionth of a radian apart, traced to the circle and back up: how far they are apart at the other
+     * end.
+     */
     @ParameterizedTest
     @CsvSource({"10, 0.005, 3000", "10, 0.013, 2000", "30, 0.004, 9000"})
     void itSpreadsAsTracedRaysDo(double height, double grazing, double beyond) {
@@ -42,7 +45,9 @@ class RoundEarthTest {
         assertThat(expected).isLessThan(0.999);
     }
 
-    /** End of a ray reflected by the circle, x and y, its direction, the way to the circle, and the grazing angle there. */
+    /**
+     * End of a ray reflected by the circle, x and y, its direction, the way to the circle, and the grazing angle there.
+     */
     private static double[] reflect(double height, double downwards, double beyond) {
         double radius = RoundEarth.RADIUS;
         double dx = Math.cos(downwards);

@@ -51,8 +51,8 @@ class TwoRaysTest {
     }
 
     /**
-     * The same with 4/3 of the earth's radius and divergence: a median of 4.2 dB. By an independent program it is 4.185 dB at
-     * these 4001 ranges, and 4.204 dB at 64,001.
+     * The same with 4/3 of the earth's radius and divergence: a median of 4.2 dB. By an independent program it is 4.185
+     * dB at these 4001 ranges, and 4.204 dB at 64,001.
      */
     @Test
     void aRadarOverARoundEarth() {

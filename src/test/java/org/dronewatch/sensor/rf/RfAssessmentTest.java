@@ -141,8 +141,8 @@ class RfAssessmentTest {
     }
 
     /**
-     * A knife edge on the line takes 6.03 dB (ITU-R P.526, v = 0), and what is far in its shadow 34 dB: an allowance of 12 dB that
-     * includes edges covers the first, and not the second.
+     * A knife edge on the line takes 6.03 dB (ITU-R P.526, v = 0), and what is far in its shadow 34 dB: an allowance of
+     * 12 dB that includes edges covers the first, and not the second.
      */
     @Test
     void ofAnAllowanceThatIncludesEdgesTheGreaterLossCounts() {

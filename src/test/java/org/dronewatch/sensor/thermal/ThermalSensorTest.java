@@ -80,8 +80,8 @@ class ThermalSensorTest {
     }
 
     /**
-     * One and a half pixels across the side of a square of 0.35 m are an even chance where heat is no limit: 4753 m at 1.8
-     * degrees, 351 m at 24, where two pixels by Johnson's one-dimensional line pair would be 3565 and 263 m.
+     * One and a half pixels across the side of a square of 0.35 m are an even chance where heat is no limit: 4753 m at
+     * 1.8 degrees, 351 m at 24, where two pixels by Johnson's one-dimensional line pair would be 3565 and 263 m.
      */
     @ParameterizedTest
     @CsvSource({"1.8, 4753", "24, 351.3"})
@@ -166,7 +166,10 @@ class ThermalSensorTest {
         assertThat(look(settings, wall, half).figures().get("pixels")).isCloseTo(0.5 * whole, within(0.05 * whole));
     }
 
-    /** Anywhere in the picture, against a square's area times the square of the focal length: 1/cos^3 for what faces the camera. */
+    /**
+     * Anywhere in the picture, against a square's area times the square of the focal length: 1/cos^3 for what faces the
+     * camera.
+     */
     @Test
     void theAreaIsRightOffTheAxisAndNoneIsCountedOutsideThePicture() {
         ThermalSettings settings = ThermalSettings.at(CAMERA).withHorizontalFov(Math.toRadians(60));

@@ -16,7 +16,9 @@ class SurfaceRoughnessTest {
         assertThat(SurfaceRoughness.scattered(0.001, 0.1)).isCloseTo(2e-5, within(1e-7));
     }
 
-    /** The curve before it is capped, summed over all directions of a diffuse field, is the figure for a diffuse field. */
+    /**
+     * The curve before it is capped, summed over all directions of a diffuse field, is the figure for a diffuse field.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 0.3, 0.5})
     void theMeanOverAllDirectionsIsThatOfTheMaterial(double material) {

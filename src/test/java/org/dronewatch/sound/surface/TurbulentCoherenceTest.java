@@ -19,9 +19,9 @@ class TurbulentCoherenceTest {
     }
 
     /**
-     * Near the source, where waves follow their rays, the mean of the product of two waves is {@code exp(-D / 2)}, and D,
-     * the variance of the difference of their phases, is an integral of the correlation of the refractive index along both
-     * rays: here summed by brute force.
+     * Near the source, where waves follow their rays, the mean of the product of two waves is {@code exp(-D / 2)}, and
+     * D, the variance of the difference of their phases, is an integral of the correlation of the refractive index
+     * along both rays: here summed by brute force.
      */
     @ParameterizedTest
     @CsvSource({"100, 2, 500", "60, 0.5, 1000", "200, 4, 250"})

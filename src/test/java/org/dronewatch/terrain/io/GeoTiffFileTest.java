@@ -265,7 +265,9 @@ class GeoTiffFileTest {
         }
     }
 
-    /** Bits turned over at random; the seed is 26. What still can be read may be wrong, but nothing else may be thrown. */
+    /**
+     * Bits turned over at random; the seed is 26. What still can be read may be wrong, but nothing else may be thrown.
+     */
     @Test
     void turnedBitsNeverThrowAnythingElse() throws IOException {
         Random random = new Random(26);

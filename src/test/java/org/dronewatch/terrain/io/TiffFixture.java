@@ -11,8 +11,8 @@ import java.util.TreeMap;
 import java.util.zip.Deflater;
 
 /**
- * Writes small GeoTIFF files in many ways (TIFF revision 6.0 and its supplements 1 and 3), without the library that reads them.
- * LZW is written with a clear code after every 250 literals, so that codes stay 9 bits long.
+ * Writes small GeoTIFF files in many ways (TIFF revision 6.0 and its supplements 1 and 3), without the library that
+ * reads them. LZW is written with a clear code after every 250 literals, so that codes stay 9 bits long.
  */
 public final class TiffFixture {
     private static final int SHORT = 3;
@@ -235,7 +235,10 @@ public final class TiffFixture {
         return buffer.array();
     }
 
-    /** Technical note 3: the highest bytes of all numbers first, whatever the order of the file; then differences of bytes. */
+    /**
+     * Technical note 3: the highest bytes of all numbers first, whatever the order of the file; then differences of
+     * bytes.
+     */
     private static byte[] floatPredicted(long[] line, int size) {
         byte[] bytes = new byte[size * line.length];
         for (int i = 0; i < line.length; i++) {

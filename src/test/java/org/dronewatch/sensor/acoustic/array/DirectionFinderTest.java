@@ -35,8 +35,9 @@ class DirectionFinderTest {
     }
 
     /**
-     * A uniform line of eight at half a wavelength, 0 dB, 100 snapshots, broadside: 0.199 degrees by the deterministic bound,
-     * 0.211 by the stochastic one (P. Stoica and A. Nehorai, 1989 and 1990; the factor between them is 1 + 1 / (N S)).
+     * A uniform line of eight at half a wavelength, 0 dB, 100 snapshots, broadside: 0.199 degrees by the deterministic
+     * bound, 0.211 by the stochastic one (P. Stoica and A. Nehorai, 1989 and 1990; the factor between them is 1 + 1 /
+     * (N S)).
      */
     @Test
     void boundsOfALine() {
@@ -52,7 +53,10 @@ class DirectionFinderTest {
         assertThat(Math.toDegrees(LINE.beamwidth(SOUND / FREQUENCY))).isCloseTo(12.69, within(0.01));
     }
 
-    /** An independent estimator, the peak of the beamformer's power (for one source maximum likelihood), scatters as stated. */
+    /**
+     * An independent estimator, the peak of the beamformer's power (for one source maximum likelihood), scatters as
+     * stated.
+     */
     @Test
     void aBeamformerReachesTheBound() {
         long seed = ThreadLocalRandom.current().nextLong();
@@ -144,7 +148,10 @@ class DirectionFinderTest {
         assertThat(finder.information(flat(Double.NEGATIVE_INFINITY))).isZero();
     }
 
-    /** What is measured scatters by the stated errors about the truth, for a sphere and for a ring, near the zenith as well. */
+    /**
+     * What is measured scatters by the stated errors about the truth, for a sphere and for a ring, near the zenith as
+     * well.
+     */
     @ParameterizedTest
     @EnumSource(value = Shape.class, names = "LINE", mode = EnumSource.Mode.EXCLUDE)
     void measurementsScatterByTheStatedErrors(Shape shape) {

@@ -115,7 +115,9 @@ class CoherentGroundTest {
         }
     }
 
-    /** A scene's own surface, whatever its name and absorption: the same as the table's of the same flow resistivity. */
+    /**
+     * A scene's own surface, whatever its name and absorption: the same as the table's of the same flow resistivity.
+     */
     @Test
     void aSceneMayStateTheFlowResistivity() {
         OwnSurface own =
@@ -234,7 +236,9 @@ class CoherentGroundTest {
         assertThat(heard.level(band) - even.level(band)).isCloseTo(Levels.ofRatio(expected), within(1e-3));
     }
 
-    /** In a room other reflections outweigh; on a street between two walls, too. Their levels are those without phases. */
+    /**
+     * In a room other reflections outweigh; on a street between two walls, too. Their levels are those without phases.
+     */
     @Test
     void whereWallsDominateEnergiesAdd() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("concrete_smooth", 0.05, 0));
@@ -266,9 +270,9 @@ class CoherentGroundTest {
     }
 
     /**
-     * A DJI Matrice 300 in flight 10 m above a microphone on a ground plate. Straight below it the octave bands have these
-     * levels at 1 m, together 84.8 dB(A) (Ramos-Romero and others, Aerospace Science and Technology 140, 108537, 2023):
-     * 20 dB less for the distance and 6 dB more on the plate are 70.8 dB(A).
+     * A DJI Matrice 300 in flight 10 m above a microphone on a ground plate. Straight below it the octave bands have
+     * these levels at 1 m, together 84.8 dB(A) (Ramos-Romero and others, Aerospace Science and Technology 140, 108537,
+     * 2023): 20 dB less for the distance and 6 dB more on the plate are 70.8 dB(A).
      */
     @Test
     void aFlightOverAPlateIsPredictedToADecibel() {
@@ -309,8 +313,8 @@ class CoherentGroundTest {
     }
 
     /**
-     * On a round hill of 150 m radius, a microphone at 4 m hears a drone 40 m over it, from one slope or the other: the plane
-     * that touches the hill reflects along the shortest path over it, found here by brute force.
+     * On a round hill of 150 m radius, a microphone at 4 m hears a drone 40 m over it, from one slope or the other: the
+     * plane that touches the hill reflects along the shortest path over it, found here by brute force.
      */
     @ParameterizedTest
     @CsvSource({"10, 40", "60, 45", "-120, 60", "200, 60", "-400, 90"})

@@ -58,7 +58,9 @@ class DecisiveErrorTest {
                 .isEqualTo(error(Criterion.BEST_BAND, flat, LineSpectrum.NONE));
     }
 
-    /** What exact paths alone decide is as uncertain as the reading: the rays may have missed much, or found too much. */
+    /**
+     * What exact paths alone decide is as uncertain as the reading: the rays may have missed much, or found too much.
+     */
     @Test
     void ofExactPathsAloneItIsThatOfTheWhole() {
         List<Double> some = Collections.nCopies(8, 100.0);

@@ -95,8 +95,8 @@ class DiffractionTest {
     }
 
     /**
-     * Test case TC08 of ISO/TR 17534-4: a wall of 6 m from (175, 50) to (190, 10). In still air, with its 340 m/s and nominal
-     * midbands, CNOSSOS-EU over the top gives the row below.
+     * Test case TC08 of ISO/TR 17534-4: a wall of 6 m from (175, 50) to (190, 10). In still air, with its 340 m/s and
+     * nominal midbands, CNOSSOS-EU over the top gives the row below.
      */
     @Test
     void theWallOfTestCase8() {
@@ -114,7 +114,9 @@ class DiffractionTest {
         }
     }
 
-    /** A block of 40 x 10 m: over both edges of its roof, or round both corners of its side, with C3 for several edges. */
+    /**
+     * A block of 40 x 10 m: over both edges of its roof, or round both corners of its side, with C3 for several edges.
+     */
     @ParameterizedTest
     @CsvSource({"8, 2, false", "60, 2, true"})
     void overABlockOrRoundItsSide(double height, double z, boolean round) {
@@ -140,7 +142,9 @@ class DiffractionTest {
         }
     }
 
-    /** A house with eaves at 6 m and a ridge at 9 m: three edges for a low source, the ridge alone for a distant one. */
+    /**
+     * A house with eaves at 6 m and a ridge at 9 m: three edges for a low source, the ridge alone for a distant one.
+     */
     @Test
     void overEavesAndRidge() {
         float w = 3000;
@@ -261,7 +265,10 @@ class DiffractionTest {
                 .isCloseTo(inTheOpen(50, band) - 10 * Math.log10(2), within(0.01));
     }
 
-    /** Flat ground has no edges, however it is tiled and turned; a microphone and a drone that lie on it hear as above it. */
+    /**
+     * Flat ground has no edges, however it is tiled and turned; a microphone and a drone that lie on it hear as above
+     * it.
+     */
     @Test
     void flatGroundIsNoEdge() {
         SplittableRandom random = new SplittableRandom(4);
@@ -358,7 +365,10 @@ class DiffractionTest {
         assertThat(hidden).isGreaterThan(80);
     }
 
-    /** What a wall lets through and what goes round it: never more than in the open, and all of it through no wall at all. */
+    /**
+     * What a wall lets through and what goes round it: never more than in the open, and all of it through no wall at
+     * all.
+     */
     @Test
     void whatGoesThroughDoesNotGoRound() {
         for (double loss : new double[] {0.001, 3, 30, 90}) {

@@ -28,9 +28,9 @@ class DiffuseConnectionTest {
     private static final EnergyModel ALL = EnergyModel.DEFAULT.withAccuracy(0);
 
     /**
-     * What a plane at z = 0 that reflects 0.7 by Lambert's law sends from source to sensor, over the source's power: 0.7
-     * times the integral of cos cos / (4 pi r1^2 pi r2^2), by the midpoint rule. The integrand is steep below either end:
-     * each half-plane nearer to one of them is integrated in steps that grow from its foot.
+     * What a plane at z = 0 that reflects 0.7 by Lambert's law sends from source to sensor, over the source's power:
+     * 0.7 times the integral of cos cos / (4 pi r1^2 pi r2^2), by the midpoint rule. The integrand is steep below
+     * either end: each half-plane nearer to one of them is integrated in steps that grow from its foot.
      */
     private static double scattered(Position source, Position sensor, Directivity directivity, int band) {
         return 0.7

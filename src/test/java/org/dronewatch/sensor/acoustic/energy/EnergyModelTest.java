@@ -76,7 +76,9 @@ class EnergyModelTest {
         assertThat(level - reference).isCloseTo(more, within(0.01));
     }
 
-    /** Source 50 m, receiver 1.5 m over a rigid plane, 100 m apart: the mirror image adds 2.9585 dB (less its own air). */
+    /**
+     * Source 50 m, receiver 1.5 m over a rigid plane, 100 m apart: the mirror image adds 2.9585 dB (less its own air).
+     */
     @Test
     void aRigidPlaneAddsItsMirrorImage() {
         World plane = Sites.world(Sites.square(5000, 0), SurfaceMaterial.uniform("rigid", 0, 0));
@@ -99,8 +101,8 @@ class EnergyModelTest {
     }
 
     /**
-     * A room of 10 x 8 x 4 m with absorption 0.2 and mirror walls; levels over the direct sound. Exact image-source sums
-     * with the air of 20 degrees and 70 % (4.978 dB/km at 1 kHz), all images within 600 m.
+     * A room of 10 x 8 x 4 m with absorption 0.2 and mirror walls; levels over the direct sound. Exact image-source
+     * sums with the air of 20 degrees and 70 % (4.978 dB/km at 1 kHz), all images within 600 m.
      */
     @ParameterizedTest
     @CsvSource({"7, 5, 1.7, 12.431, 1.0171", "4, 3, 1.5, 5.6829, 0.9952"})
@@ -138,8 +140,8 @@ class EnergyModelTest {
     }
 
     /**
-     * The same room with scattering walls, without air (here at 63 Hz, where air takes 0.09 dB/km). Means, standard errors
-     * and T30 of an independent energy-conserving Monte Carlo simulation of 400,000 rays.
+     * The same room with scattering walls, without air (here at 63 Hz, where air takes 0.09 dB/km). Means, standard
+     * errors and T30 of an independent energy-conserving Monte Carlo simulation of 400,000 rays.
      */
     @ParameterizedTest
     @CsvSource({
@@ -281,8 +283,8 @@ class EnergyModelTest {
     }
 
     /**
-     * The mirror images, each with its own way through the air, are exact: at 8 kHz, where the air takes most of what comes
-     * late, and in a corridor of 30 m, along which sound does not become diffuse.
+     * The mirror images, each with its own way through the air, are exact: at 8 kHz, where the air takes most of what
+     * comes late, and in a corridor of 30 m, along which sound does not become diffuse.
      */
     @ParameterizedTest
     @CsvSource({"10, 8, 4, 0.05, 7", "30, 3, 2.5, 0.2, 3"})
@@ -346,8 +348,8 @@ class EnergyModelTest {
 
     /**
      * Rotors are loudest below and above, and between two high walls all mirror images are level with them. What is
-     * computed exactly and what is left to the rays must agree on that: the whole is the same wherever the border between
-     * them lies.
+     * computed exactly and what is left to the rays must agree on that: the whole is the same wherever the border
+     * between them lies.
      */
     @Test
     void aDirectedSourceIsHeardAlikeByMirrorsAndByRays() {

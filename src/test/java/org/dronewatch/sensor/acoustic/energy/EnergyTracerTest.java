@@ -16,7 +16,10 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 
-/** How the rays of the energy model are traced: where they end, what they count, and that chance and threads change nothing. */
+/**
+ * How the rays of the energy model are traced: where they end, what they count, and that chance and threads change
+ * nothing.
+ */
 class EnergyTracerTest {
     private static final Position SOURCE = new Position(2, 3, 1.5);
 

@@ -29,7 +29,9 @@ class ExactPathsTest {
     private static final EnergyModel FEW = EnergyModel.DEFAULT.withRays(1);
     private static final SurfaceMaterial RIGID = SurfaceMaterial.uniform("rigid", 0, 0);
 
-    /** Three rigid planes that meet at a right corner: seven images besides the source, the last by three reflections. */
+    /**
+     * Three rigid planes that meet at a right corner: seven images besides the source, the last by three reflections.
+     */
     @Test
     void aCornerOfThreeMirrorsIsEightSources() {
         double far = 500;
@@ -62,9 +64,9 @@ class ExactPathsTest {
     }
 
     /**
-     * Test case TC01 of ISO/TR 17534-4: source 1 m and receiver 4 m above hard ground, 194.16 m apart on it, 10 degrees and
-     * 70 %, 93 dB in each band; results as in the tests of NoiseModelling (AttenuationComputeOutputCnossosTest). CNOSSOS-EU
-     * rounds 10.99 and 3.01 dB to 11 and 3, and the results are rounded: 0.023 dB in all.
+     * Test case TC01 of ISO/TR 17534-4: source 1 m and receiver 4 m above hard ground, 194.16 m apart on it, 10 degrees
+     * and 70 %, 93 dB in each band; results as in the tests of NoiseModelling (AttenuationComputeOutputCnossosTest).
+     * CNOSSOS-EU rounds 10.99 and 3.01 dB to 11 and 3, and the results are rounded: 0.023 dB in all.
      */
     @Test
     void overTheHardGroundOfTestCase1() {

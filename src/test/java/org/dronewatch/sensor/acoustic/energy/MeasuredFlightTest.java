@@ -15,8 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The packaged sound of a DJI Matrice 300, flown as it was measured (doi 10.1016/j.ast.2023.108537): 10 m above microphones
- * on plates on hard ground.
+ * The packaged sound of a DJI Matrice 300, flown as it was measured (doi 10.1016/j.ast.2023.108537): 10 m above
+ * microphones on plates on hard ground.
  */
 class MeasuredFlightTest {
     private static final Position DRONE = new Position(0, 0, 10);
@@ -30,8 +30,8 @@ class MeasuredFlightTest {
     }
 
     /**
-     * To the side: the mean of both sides in the published table at 1 m, A-weighted, when the drone is abeam; the model has the
-     * mean over all headings, which differs by up to 2 dB.
+     * To the side: the mean of both sides in the published table at 1 m, A-weighted, when the drone is abeam; the model
+     * has the mean over all headings, which differs by up to 2 dB.
      */
     @ParameterizedTest
     @CsvSource({"15, 85.0", "30, 84.9", "45, 83.8", "60, 81.75"})

@@ -57,8 +57,8 @@ class ReciprocityTest {
     }
 
     /**
-     * A drone behind a house and a microphone before it, between walls that mirror, over grass that scatters half: ten readings
-     * each way, so that their means are within the error of a tenth of a decibel.
+     * A drone behind a house and a microphone before it, between walls that mirror, over grass that scatters half: ten
+     * readings each way, so that their means are within the error of a tenth of a decibel.
      */
     @Test
     void overGrassThatScattersBetweenWallsThatMirror() {

@@ -73,8 +73,8 @@ class RefractionTest {
     }
 
     /**
-     * Over flat ground the shadow begins where an arc that grazes the ground meets both ends: at sqrt(2 R hs) + sqrt(2 R hr)
-     * with R = c / 0.1, 363, 555 and 930 m for the parabola and 363, 554 and 924 m for the circle.
+     * Over flat ground the shadow begins where an arc that grazes the ground meets both ends: at sqrt(2 R hs) + sqrt(2
+     * R hr) with R = c / 0.1, 363, 555 and 930 m for the parabola and 363, 554 and 924 m for the circle.
      */
     @ParameterizedTest
     @CsvSource({"10, 363, 363", "30, 555, 554", "100, 930, 924"})
@@ -155,8 +155,8 @@ class RefractionTest {
     }
 
     /**
-     * Test case TC08 of ISO/TR 17534-4 in favourable conditions: CNOSSOS-EU's arcs of the radius max(1000 m, 8 d), d the
-     * level distance of source and receiver, 340 m/s and nominal midbands.
+     * Test case TC08 of ISO/TR 17534-4 in favourable conditions: CNOSSOS-EU's arcs of the radius max(1000 m, 8 d), d
+     * the level distance of source and receiver, 340 m/s and nominal midbands.
      */
     @Test
     void theWallOfTestCase8InFavourableConditions() {
@@ -181,7 +181,9 @@ class RefractionTest {
         assertThat(path.pathDifference()).isBetween(0.0, path.arcDifference());
     }
 
-    /** The same by the model, for the product's own speed of sound: more is heard behind a wall downwind than upwind. */
+    /**
+     * The same by the model, for the product's own speed of sound: more is heard behind a wall downwind than upwind.
+     */
     @ParameterizedTest
     @EnumSource(value = Diffraction.class, names = "OFF", mode = EnumSource.Mode.EXCLUDE)
     void downwindAWallHidesLessThanUpwind(Diffraction diffraction) {
@@ -253,7 +255,10 @@ class RefractionTest {
         }
     }
 
-    /** A wind that hardly bends leaves paths over several walls as they are, far from the origin and at oblique walls, too. */
+    /**
+     * A wind that hardly bends leaves paths over several walls as they are, far from the origin and at oblique walls,
+     * too.
+     */
     @Test
     void aBreezeDoesNotHideReflections() {
         double angle = 0.3;
@@ -296,7 +301,9 @@ class RefractionTest {
         assertThat(upwind.standardError()).isLessThan(0.3);
     }
 
-    /** Sources: curvature is that of c / (g cos gamma), none along the vertical, and no arc is sharper than its length. */
+    /**
+     * Sources: curvature is that of c / (g cos gamma), none along the vertical, and no arc is sharper than its length.
+     */
     @Test
     void curvature() {
         Wind west = new Wind(10, Math.toRadians(270), 0.03);

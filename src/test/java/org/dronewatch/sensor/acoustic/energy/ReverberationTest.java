@@ -30,8 +30,8 @@ class ReverberationTest {
     private static final double VARIANCE = 0.34;
 
     /**
-     * A nearly cubic room of diffuse walls has the reverberation time of Eyring (JASA 1, 217, 1930), with its air, as Kuttruff
-     * corrects it for free paths of different lengths (Room Acoustics, section 5.5).
+     * A nearly cubic room of diffuse walls has the reverberation time of Eyring (JASA 1, 217, 1930), with its air, as
+     * Kuttruff corrects it for free paths of different lengths (Room Acoustics, section 5.5).
      */
     @Test
     void eachBandHasItsTime() {

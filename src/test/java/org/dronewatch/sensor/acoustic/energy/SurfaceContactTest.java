@@ -66,9 +66,9 @@ class SurfaceContactTest {
     }
 
     /**
-     * Half of the power of a drone on a floor meets the floor where it stands. From there a part goes to the image, which is
-     * where the drone is, and a part by Lambert's law: {@code 1 + r (1 - s) + 2 r s cos t} times the direct energy, t from the
-     * normal. The same for a microphone on the floor.
+     * Half of the power of a drone on a floor meets the floor where it stands. From there a part goes to the image,
+     * which is where the drone is, and a part by Lambert's law: {@code 1 + r (1 - s) + 2 r s cos t} times the direct
+     * energy, t from the normal. The same for a microphone on the floor.
      */
     @ParameterizedTest
     @CsvSource({"solid", "limestone", "full"})
@@ -101,8 +101,8 @@ class SurfaceContactTest {
     }
 
     /**
-     * A box of outward triangles: what lies on its walls, edges and corners is put just outside, and hears nothing of a drone
-     * inside, though every wall is within rounding of it.
+     * A box of outward triangles: what lies on its walls, edges and corners is put just outside, and hears nothing of a
+     * drone inside, though every wall is within rounding of it.
      */
     @ParameterizedTest
     @CsvSource({"3, 3, 0", "10, 8, 4", "0, 4, 2", "0, 4, 0", "0, 0, 0", "10, 0, 0", "5e-5, 5e-5, 5e-5"})

@@ -23,8 +23,8 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Three rooms in a row with small openings that do not face each other: in the third, a thousand rays bring a microphone little
- * of a drone in the first.
+ * Three rooms in a row with small openings that do not face each other: in the third, a thousand rays bring a
+ * microphone little of a drone in the first.
  */
 class UnconvergedLookTest {
     private static final Position MICROPHONE = new Position(28, 2, 1.5);

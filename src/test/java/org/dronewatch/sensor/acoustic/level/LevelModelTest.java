@@ -162,7 +162,9 @@ class LevelModelTest {
         return 1.0 - Math.pow(10.0, -0.1 * new SurfaceLevels(world).reflectionLoss(0, 1.0));
     }
 
-    /** With k rays a hit and n initial ones, order o of a closed room holds n k^o pieces, forced and dropped ones apart. */
+    /**
+     * With k rays a hit and n initial ones, order o of a closed room holds n k^o pieces, forced and dropped ones apart.
+     */
     @Test
     void whatIsCutIsCountedByOrder() {
         Drone drone = drone(90, new Position(3, 2, 1));

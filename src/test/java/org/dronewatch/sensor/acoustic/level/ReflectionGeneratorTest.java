@@ -115,7 +115,9 @@ class ReflectionGeneratorTest {
         assertThat(branches.stream().mapToDouble(Branch::energy).sum()).isCloseTo(concrete.reflected(4), within(EXACT));
     }
 
-    /** Into concrete at 3400 m/s sound bends away from the normal; beyond asin(343.2 / 3400) = 5.79 degrees all returns. */
+    /**
+     * Into concrete at 3400 m/s sound bends away from the normal; beyond asin(343.2 / 3400) = 5.79 degrees all returns.
+     */
     @Test
     void whatPassesIntoASolidFollowsSnell() {
         List<Branch> branches = branches("wall_concrete_200mm", towardsOrigin(5, AcousticRay.AIR), 1);

@@ -46,7 +46,10 @@ class LineSpectrumTest {
         assertThat(tone.snr()).isCloseTo(Levels.ofRatio(signal / noise), within(5e-3));
     }
 
-    /** All power in one line: what the narrow band gains over the octave is 10 lg of their widths, 16.45 dB for 4 Hz at 250 Hz. */
+    /**
+     * All power in one line: what the narrow band gains over the octave is 10 lg of their widths, 16.45 dB for 4 Hz at
+     * 250 Hz.
+     */
     @Test
     void aPureToneGainsTheRatioOfTheWidths() {
         double wind = (4.0 / 250.0 - 0.005) / 0.0052;
@@ -61,7 +64,10 @@ class LineSpectrumTest {
         assertThat(heard(0.0, 0.0, new Tone(1, 205.0, 0.0)).get(0).snr()).isCloseTo(30.0 - 32.0, within(1e-9));
     }
 
-    /** 350 Hz belongs to the octave of 250 Hz; heard from a drone that comes at 15 m/s it is at 366 Hz, in that of 500 Hz. */
+    /**
+     * 350 Hz belongs to the octave of 250 Hz; heard from a drone that comes at 15 m/s it is at 366 Hz, in that of 500
+     * Hz.
+     */
     @Test
     void motionMovesALineToTheNextOctave() {
         HeardTone tone = heard(15.0, 0.0, new Tone(1, 350.0, 1.0)).get(0);
@@ -72,7 +78,10 @@ class LineSpectrumTest {
         assertThat(tone.snr()).isCloseTo(Levels.ofRatio(signal / (Levels.toRatio(28.0) * fraction)), within(1e-9));
     }
 
-    /** Where the drone is silent in the band in which the line is heard, the line is as faint as in the band that it left. */
+    /**
+     * Where the drone is silent in the band in which the line is heard, the line is as faint as in the band that it
+     * left.
+     */
     @Test
     void aSilentOctaveStillCarriesALine() {
         List<Double> power = new ArrayList<>(Collections.nCopies(OctaveBands.COUNT, Double.NEGATIVE_INFINITY));

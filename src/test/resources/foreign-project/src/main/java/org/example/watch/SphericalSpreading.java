@@ -15,8 +15,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * Sound spreads on a sphere and meets nothing. Who listens is not always attentive: a level near the threshold is noticed
- * with a probability that rises with it by the logistic function.
+ * Sound spreads on a sphere and meets nothing. Who listens is not always attentive: a level near the threshold is
+ * noticed with a probability that rises with it by the logistic function.
  *
  * @param reference distance at which a drone has its sound level, m
  * @param slope by how much the level must rise for odds of e to 1, dB; at 0 the threshold is sharp
