@@ -62,7 +62,9 @@ public class AcousticReading {
         /** Behind the house on the hill, the drone 100 m away before it. */
         SHADOW(List.of("hill", "house"), new Position(0, -12, 134), new Position(5, 100, 140)),
         /** In the church, 10 m from the drone. */
-        CHURCH(List.of("cathedral"), new Position(-5, 0, 5), new Position(5, 0, 5));
+        CHURCH(List.of("cathedral"), new Position(-5, 0, 5), new Position(5, 0, 5)),
+        /** In a street between two houses of brick, the drone behind one of them: late specular reflections. */
+        CANYON(List.of("canyon"), new Position(10, -3, 1.5), new Position(-60, 5, 15));
 
         private final List<String> models;
         private final Position microphone;
@@ -99,7 +101,11 @@ public class AcousticReading {
     }
 
     private TriangleMesh mesh(String model) {
-        return model.equals("house") ? Bench.worldMesh(model, new Position(0, 0, 132)) : Bench.worldMesh(model);
+        return switch (model) {
+            case "house" -> Bench.worldMesh(model, new Position(0, 0, 132));
+            case "canyon" -> Bench.canyon();
+            default -> Bench.worldMesh(model);
+        };
     }
 
     /** One look. */

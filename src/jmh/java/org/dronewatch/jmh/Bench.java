@@ -14,6 +14,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 /** What the benchmarks measure with: the project's models, read from the working directory, and rays of one seed. */
 final class Bench {
     private static final Path MODELS = Path.of("models");
+    private static final Path SOUND = Path.of("src/test/resources/org/dronewatch/sensor/acoustic/energy");
     private static final long SEED = 1;
 
     private Bench() {}
@@ -33,6 +34,11 @@ final class Bench {
         return new ModelLoader(MODELS)
                 .load(ModelSettings.of(model + ".obj").withPosition(at))
                 .mesh();
+    }
+
+    /** The two houses of brick on asphalt of the tests of late specular reflections, z up. */
+    static TriangleMesh canyon() {
+        return new ModelLoader(SOUND).loadAsWritten("canyon.obj").mesh();
     }
 
     /**
