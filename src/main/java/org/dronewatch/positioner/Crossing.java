@@ -10,7 +10,7 @@ import org.dronewatch.geometry.Position;
  * @param error standard error of the range, by the errors of both directions and the angle between them, m
  */
 record Crossing(double range, double error) {
-    /** Directions are taken for no better than this, rad: a drone has a size, and moves while it is looked at. */
+    /** Smallest error assumed for a direction, rad: a drone has a size, and moves while it is looked at. */
     private static final double LEAST_ERROR = 2e-3;
 
     /** Lines at a smaller angle, in standard errors, are parallel. */

@@ -1,8 +1,8 @@
 package org.dronewatch.positioner;
 
 /**
- * The proportions of a camera's image: tangents of half its fields of view, in multiples of that of the field that its
- * settings state.
+ * The proportions of a camera's image: the tangents of half its fields of view, relative to that of the field of view
+ * in its settings.
  *
  * @param width of the horizontal field
  * @param height of the vertical field

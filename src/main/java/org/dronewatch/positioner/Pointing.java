@@ -3,7 +3,7 @@ package org.dronewatch.positioner;
 import java.util.OptionalInt;
 
 /**
- * Where a positioner points at one moment.
+ * The pointing of a positioner at one time: direction, rates and field of view.
  *
  * @param direction of the sensor's axis
  * @param panRate pan rate on arriving there, clockwise, rad/s

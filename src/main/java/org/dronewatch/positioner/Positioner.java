@@ -7,9 +7,8 @@ import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 
 /**
- * A positioner during a run: where it points, which cues it has received, which contact it follows. Its own sensor
- * reports to it what it sees, and the sensors that cue it what they detect; both take effect from the next look on. For
- * one run and one thread.
+ * A positioner during a run, with its direction, its cues and the contact that it follows. Sightings by its own sensor
+ * and detections by the sensors that cue it take effect from the next look on. For one run and one thread.
  */
 public final class Positioner {
     /**
@@ -49,9 +48,9 @@ public final class Positioner {
     private double ownTime = Double.NEGATIVE_INFINITY;
 
     /**
-     * A positioner at the start of a run, of a sensor whose image is as wide as high.
+     * A positioner at the start of a run, for a sensor with a square image.
      *
-     * @param position where it stands, m
+     * @param position of the positioner, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
      * @param interval between two looks of its sensor, s
@@ -63,7 +62,7 @@ public final class Positioner {
     /**
      * A positioner at the start of a run.
      *
-     * @param position where it stands, m
+     * @param position of the positioner, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
      * @param shape of its sensor's image
@@ -97,7 +96,7 @@ public final class Positioner {
      * Records that another sensor has detected a contact.
      *
      * @param contact its number
-     * @param sighting where that sensor believes it to be
+     * @param sighting the position or direction that the sensor estimated
      * @param detected when it detected it, s
      */
     public void cue(int contact, Sighting sighting, double detected) {
@@ -123,7 +122,7 @@ public final class Positioner {
         }
     }
 
-    /** Turns, tilts and zooms until a time, not before the last one, and returns where it then points. */
+    /** Pans, tilts and zooms until a time, not before the last one, and returns its pointing then. */
     public Pointing moveTo(double now) {
         track = track.filter(followed -> now - followed.received() <= settings.hold());
         while (!cues.isEmpty() && cues.peek().due() <= now) {

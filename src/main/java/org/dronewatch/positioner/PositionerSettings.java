@@ -15,9 +15,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A motorised mount with unlimited pan and limited tilt. It searches until a sensor that cues it reports where a drone
- * is; then it slews there as fast as it can, and follows. It stays with the first drone: another has to wait until this
- * one has not been seen for a while.
+ * A motorised mount with unlimited pan and limited tilt. It searches until a sensor that cues it reports the position
+ * or direction of a drone; then it slews there as fast as it can, and follows the drone. It keeps following the first
+ * drone until that has not been seen for the time {@code hold}.
  *
  * @param cues names of the sensors that cue it; they must measure directions, as radars, cameras and arrays of
  *     microphones do
@@ -25,13 +25,13 @@ import org.dronewatch.setting.SettingsForm;
  * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
  * @param minTilt lowest elevation, -pi/2 to pi/2, rad
  * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
- * @param delay time from another sensor's detection until the positioner begins to turn, 0 to 60 s
- * @param hold how long it waits for a drone that it has lost sight of, 0 to 3600 s
+ * @param delay time from another sensor's detection until the positioner begins to slew, 0 to 60 s
+ * @param hold how long it waits for a drone that is no longer seen, 0 to 3600 s
  * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more; a camera that takes light and
  *     weather into account must also detect it
- * @param search what it does until it is cued
+ * @param search pattern of its search until it is cued
  * @param zoom how its lens zooms; omit it for a fixed one
- * @param rangeSearch how it finds a drone of which a sensor that stands elsewhere knows only the direction
+ * @param rangeSearch search along the line of a cue from another position that has a direction but no range
  */
 public record PositionerSettings(
         List<String> cues,
@@ -45,13 +45,13 @@ public record PositionerSettings(
         SearchPattern search,
         Optional<ZoomSettings> zoom,
         @Minor RangeSearch rangeSearch) {
-    /** What the model of a positioner leaves out, for a report. */
+    /** The effects that the model of a positioner leaves out, for a report. */
     public static final String LEFT_OUT =
             "Positioners accelerate instantly and do not vibrate; their own cameras measure directions without errors.";
 
     /**
      * 60 degrees per second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of hold,
-     * 6 pixels to track, at rest until it is cued.
+     * 6 pixels to track; at rest until it is cued.
      */
     @Defaults
     public static final PositionerSettings DEFAULT = new PositionerSettings(
@@ -97,7 +97,7 @@ public record PositionerSettings(
     }
 
     /**
-     * Where it points once it has turned to a position and zoomed in as far as possible.
+     * Its pointing once it has turned to a position and zoomed in as far as possible.
      *
      * @param from position of the positioner, m
      * @param target the position to which it turns, m
@@ -115,7 +115,7 @@ public record PositionerSettings(
         return new Direction(wanted.azimuth(), Math.max(minTilt, Math.min(maxTilt, wanted.elevation())));
     }
 
-    /** These settings, cued by some sensors. */
+    /** These settings, cued by other sensors. */
     public PositionerSettings withCues(String... sensors) {
         return SettingsForm.with(this, "cues", List.of(sensors));
     }

@@ -78,7 +78,10 @@ final class RangeScan {
         return next(line, now, fov).direction();
     }
 
-    /** The positioner points where it was to point, at the field of view with which it searches. */
+    /**
+     * To be called when the positioner has reached the direction asked for, at the field of view with which it
+     * searches.
+     */
     void arrive(double now) {
         arrived = Double.isNaN(arrived) ? now : arrived;
     }

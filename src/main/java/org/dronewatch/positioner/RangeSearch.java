@@ -6,14 +6,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How a positioner finds a drone of which another sensor, standing elsewhere, knows the direction but not the range: it
- * looks along that line from near to far, stop by stop, first where the drone's size in the other sensor's image puts
- * it.
+ * The search for a drone along the line of a cue that has a direction but no range. The positioner looks along that
+ * line from near to far, stop by stop, and first where the size of the drone in the other sensor's image suggests.
  *
  * @param minRange the line is searched from this distance to either sensor on, 1 m to 10 km, m
- * @param minSize root of the area that the smallest drone shows, 0.01 to 100 m, m
- * @param maxSize root of the area that the largest drone shows; not below that of the smallest, 0.01 to 100 m, m
- * @param dwell how long the positioner stays at each stop, 0 to 60 s; one and a half of its camera's looks at least
+ * @param minSize square root of the visible area of the smallest drone, 0.01 to 100 m, m
+ * @param maxSize square root of the visible area of the largest drone; not below that of the smallest, 0.01 to 100 m, m
+ * @param dwell how long the positioner stays at each stop, 0 to 60 s; at least one and a half intervals between its
+ *     camera's looks
  */
 public record RangeSearch(
         @In(value = Quantity.LENGTH, from = 1, to = 10_000) double minRange,

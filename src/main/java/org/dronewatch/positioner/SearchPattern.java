@@ -5,11 +5,11 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** How a positioner searches until it is cued, relative to the sensor's own aim. */
+/** The pattern of a positioner's search until it is cued, relative to the sensor's own aim. */
 public sealed interface SearchPattern {
 
     /**
-     * Where it looks.
+     * The direction at a time.
      *
      * @param aim the direction of the sensor's own aim
      * @param time seconds since the start of the run
@@ -22,7 +22,7 @@ public sealed interface SearchPattern {
         return phase <= length ? phase : 2.0 * length - phase;
     }
 
-    /** Points along the sensor's own aim, and waits. */
+    /** A search pattern that stays at the sensor's own aim. */
     record Rest() implements SearchPattern {
         @Override
         public Direction at(Direction aim, double time) {
@@ -31,7 +31,7 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * Turns clockwise continuously.
+     * A continuous clockwise rotation.
      *
      * @param speed pan rate, above 0 and at most 600 degrees per second, rad/s
      */
@@ -53,8 +53,8 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * Scans a sector back and forth, or a raster row by row from the lowest row up and back again. It begins at the
-     * left.
+     * A scan of a sector back and forth, or of a raster row by row from the lowest row up and back down. It begins at
+     * the left.
      *
      * @param width width of the field, centred on the aim, 0.1 degrees to 2 pi, rad
      * @param height height of the field, centred on the aim, 0 to pi/2 rad

@@ -5,17 +5,17 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * A sensor's estimate of where a drone is, with its errors: what another sensor can be cued by.
+ * A sensor's estimate of the position or direction of a drone, with its errors, by which a positioner can be cued.
  *
- * @param from where the sensor is, m
+ * @param from the position of the sensor, m
  * @param direction from there to the drone
  * @param range its distance, m; empty for a sensor that measures directions only
  * @param hasElevation whether the elevation of the direction was measured; otherwise, as for a radar with a fan beam,
- *     it is only the middle of where the sensor looks
+ *     it is only the middle of the field of view
  * @param error standard error of the direction, or, for an image, the angle of one of its pixels, rad; 0 where it is
  *     not stated
- * @param size the angle subtended by the root of the area that an image shows of the drone, at least that of a pixel,
- *     rad; empty for a sensor without an image
+ * @param size the angle subtended by the square root of the drone's area in an image, at least that of a pixel, rad;
+ *     empty for a sensor without an image
  */
 public record Sighting(
         Position from,
@@ -44,8 +44,8 @@ public record Sighting(
     }
 
     /**
-     * The estimated position, whose height is assumed without a measured elevation; empty when only its direction is
-     * known.
+     * The estimated position, with an assumed height if the elevation was not measured; empty when only its direction
+     * is known.
      */
     public Optional<Position> position() {
         return range.isPresent()

@@ -6,8 +6,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A lens that zooms in on what the camera follows. While the positioner searches, it has the sensor's own field of
- * view.
+ * A lens that zooms in on the drone that the camera follows. While the positioner searches, it has the sensor's own
+ * field of view.
  *
  * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, 0.01 to 179 degrees,
  *     rad

@@ -1,2 +1,2 @@
-/** Positioners, which turn sensors: they search, and follow once another sensor cues them. */
+/** Positioners, which turn sensors: they search, and follow a drone once another sensor cues them. */
 package org.dronewatch.positioner;

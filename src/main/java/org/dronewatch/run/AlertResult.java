@@ -10,8 +10,8 @@ import org.dronewatch.fusion.Alert;
  *
  * @param run number of the run in a sweep, from 0
  * @param drone name of the drone
- * @param firstSight when a sensor could have seen it for the first time: an unobstructed line of sight to it, within
- *     the sensor's field of view and range, s; empty for never, and where no sensor has a field of view
+ * @param firstSight first time with an unobstructed line of sight from a sensor to it, within that sensor's field of
+ *     view and range, s; empty if there was none, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
  * @param zoneDistance the drone's distance to the protected zone at the alert, m; empty without zone or alert
  * @param warning warning time: straight-line flight time from there to the zone at cruise speed, s; 0 if it had already
@@ -44,8 +44,8 @@ public record AlertResult(
     }
 
     /**
-     * The time from the moment when a sensor could have seen it to the alert, s: 0 if it was heard or partly seen
-     * before; empty if there was no such moment or no alert.
+     * The time from {@code firstSight} to the alert, s: 0 if it was heard or partly seen before; empty without first
+     * sight or alert.
      */
     public OptionalDouble timeToAlert() {
         return alert.isPresent() && firstSight.isPresent()

@@ -19,21 +19,21 @@ public final class DetectionIntervals {
     private final Map<String, Held> ofSensors = new HashMap<>();
 
     /**
-     * An interval in which a sensor holds at least one drone.
+     * An interval during which a sensor holds at least one drone.
      *
      * @param from seconds since the start of the run
      * @param to seconds since the start of the run, not before {@code from}
      */
     public record Interval(double from, double to) {}
 
-    /** Of events in order of time. */
+    /** The intervals of a run's events, given in order of time. */
     public static DetectionIntervals of(List<DetectionEvent> events) {
         DetectionIntervals intervals = new DetectionIntervals();
         events.forEach(intervals::add);
         return intervals;
     }
 
-    /** Takes one more event. */
+    /** Adds an event. */
     public void add(DetectionEvent event) {
         Observation o = event.observation();
         ofPairs.computeIfAbsent(List.of(o.sensor(), o.drone()), pair -> new ArrayList<>())
@@ -58,7 +58,7 @@ public final class DetectionIntervals {
     }
 
     /**
-     * When a sensor holds any drone.
+     * The intervals during which a sensor holds any drone.
      *
      * @param end when an interval ends in which a drone is still held, seconds since the start of the run
      */

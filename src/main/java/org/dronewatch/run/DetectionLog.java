@@ -9,9 +9,7 @@ import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
-/**
- * Follows the observations of one run: records when a sensor gains or loses a drone, and its first and best detections.
- */
+/** Records when sensors gain and lose drones in one run, and their first and farthest detections. */
 public final class DetectionLog {
     private final int run;
     private final Consumer<DetectionEvent> target;

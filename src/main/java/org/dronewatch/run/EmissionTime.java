@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
 
-/** When a drone emitted what reaches a sensor now, for signals that take time to arrive. */
+/** The time at which a drone emitted the signal that reaches a sensor now, for signals that take time to arrive. */
 public final class EmissionTime {
     /** Enough bisections to reduce a day to a nanosecond. */
     private static final int HALVINGS = 48;

@@ -9,7 +9,7 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Observation;
 
 /**
- * The scene at one sampling time: a snapshot that any thread may keep.
+ * The scene at a time at which sensors look: a snapshot that any thread may keep.
  *
  * @param run number of the run in a sweep, from 0
  * @param time seconds since the start of the run
@@ -31,7 +31,7 @@ public record Frame(
         return observations.stream().filter(one -> !one.isFalse()).toList();
     }
 
-    /** A frame of sensors on fixed mounts. */
+    /** A frame in which all sensors have fixed mounts. */
     public Frame(int run, double time, List<Drone> drones, List<Observation> observations) {
         this(run, time, drones, observations, Map.of());
     }

@@ -5,7 +5,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
 
-/** How long the sensors of each kind looked, summed over all threads. Shared by all threads. */
+/** The computing time of the looks of each kind of sensor, summed over all threads. Thread-safe. */
 public final class LookTimes {
     private static final double NANO = 1e-9;
 
@@ -16,7 +16,7 @@ public final class LookTimes {
         nanos.computeIfAbsent(kind, name -> new LongAdder()).add(nanoseconds);
     }
 
-    /** Seconds by kind. */
+    /** Seconds by kind of sensor. */
     public Map<String, Double> seconds() {
         Map<String, Double> seconds = new TreeMap<>();
         nanos.forEach((kind, sum) -> seconds.put(kind, NANO * sum.sum()));

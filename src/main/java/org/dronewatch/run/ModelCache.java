@@ -248,8 +248,7 @@ public final class ModelCache {
     }
 
     /**
-     * The files that were read of each model or recorded flight, by its name in the settings, in the order in which
-     * they were read.
+     * The files of each model or recorded flight, by its name in the settings, in the order in which they were read.
      */
     public synchronized Map<String, List<FileHash>> files() {
         return new LinkedHashMap<>(files);

@@ -2,7 +2,7 @@ package org.dronewatch.run;
 
 import java.util.concurrent.TimeUnit;
 
-/** How simulated time relates to wall-clock time. */
+/** The relation of simulated time to wall-clock time. */
 @FunctionalInterface
 public interface Pace {
 

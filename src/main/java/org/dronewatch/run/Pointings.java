@@ -6,19 +6,19 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.positioner.Pointing;
 
-/** Remembers where the positioners of a run's sensors pointed. One thread at a time. */
+/** A record of where the positioners of a run's sensors pointed. One thread at a time. */
 public final class Pointings {
     private final Map<String, TreeMap<Double, Pointing>> known = new HashMap<>();
     private final double interval;
 
-    /** Remembers every look. */
+    /** A record of every look. */
     public Pointings() {
         this(0.0);
     }
 
     /**
-     * Remembers the last look of each interval, so that memory stays bounded: {@link #at} is exact at whole multiples
-     * of it.
+     * A record of the last look in each interval, so that memory stays bounded: {@link #at} is exact at whole multiples
+     * of the interval.
      *
      * @param interval s; 0 for every look
      */

@@ -3,12 +3,12 @@ package org.dronewatch.run;
 import java.util.function.BooleanSupplier;
 
 /**
- * How a run is driven: when it ends, how fast it goes, and what records the time taken. None of this changes what is
- * computed up to the end of the run.
+ * The control of a run: its end, its pace, and the record of its computing time. None of this changes the results up to
+ * the end of the run.
  *
  * @param until the last time at which sensors may look, seconds since the start of the run; infinite if the caller ends
  *     the run
- * @param pace keeps time before each look
+ * @param pace waits before each look
  * @param cancelled queried before each look: once it is true, there are no more
  * @param times records how long the sensors look
  */

@@ -1,6 +1,6 @@
 package org.dronewatch.run;
 
-/** Receives what happens in a scene, on the thread that runs it, in the order of simulated time. */
+/** A listener to the events of a scene, called on the thread that runs it, in the order of simulated time. */
 public interface SceneListener {
 
     /**

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * How the computing time of a scene's runs was spent, in wall-clock seconds.
+ * The computing time of a scene's runs by task, in wall-clock seconds.
  *
  * @param load reading models
  * @param build building trees

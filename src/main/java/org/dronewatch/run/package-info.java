@@ -1,2 +1,2 @@
-/** One run: the stage on which drones fly and sensors look, frames and their observers, detections, alerts, results. */
+/** A run of a scene: its world, drones and sensors, its frames and their listeners, detections, alerts and results. */
 package org.dronewatch.run;

@@ -44,7 +44,7 @@ public final class ConditionAdvice {
 
     /**
      * One line for each kind of sensor and the conditions that it ignores for the same reason; none for a scene with
-     * default weather and light, whose drones have no sound of their own.
+     * default weather and light, whose drones have no sound settings.
      *
      * @param runs the settings of all runs of a scene
      */

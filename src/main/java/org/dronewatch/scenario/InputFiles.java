@@ -14,12 +14,12 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * The input of a scene's run, as it was when it was read.
+ * The input of a scene's run: the hash of its settings, and its files as they were when they were read.
  *
  * @param settingsHash SHA-256 of the effective settings, with all overrides, as {@link CanonicalSettings} writes them
  * @param scene the files that describe the scene, the scene file first; none for a scene in Java
- * @param models the files of each model that was loaded, its own first and then its material libraries, by the name
- *     that the settings give it
+ * @param models the files of each model that was loaded, the model file first, then its material libraries; by the
+ *     model's name in the settings
  */
 public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, List<FileHash>> models) {
     /** Copies the lists: later changes by the caller have no effect. */
@@ -28,12 +28,12 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
         models = Collections.unmodifiableMap(new LinkedHashMap<>(models));
     }
 
-    /** Settings that came from no known file. */
+    /** The input of a run whose settings come from no known file. */
     public static InputFiles of(SceneSettings settings) {
         return new InputFiles(FileHash.ofText(CanonicalSettings.of(settings)), List.of(), Map.of());
     }
 
-    /** These inputs with more files that describe the scene; one that is already known is kept. */
+    /** These inputs with more files that describe the scene; those already known are kept. */
     public InputFiles withScene(List<FileHash> described, List<Path> more) {
         List<FileHash> all = new ArrayList<>(described);
         more.stream().map(InputFiles::hash).filter(file -> !all.contains(file)).forEach(all::add);

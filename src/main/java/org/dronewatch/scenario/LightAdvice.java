@@ -9,8 +9,7 @@ import org.dronewatch.world.ClearSky;
 import org.dronewatch.world.Light;
 
 /**
- * What looks odd about the light of a site, although it is not wrong: an illuminance that no weather brings about with
- * the sun where it is.
+ * Warns of a site's light if it is implausible: an illuminance that no weather causes at that elevation of the sun.
  *
  * @param light of the site
  */

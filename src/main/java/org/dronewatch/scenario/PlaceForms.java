@@ -26,7 +26,7 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
 
-/** In what forms, besides numbers, scene files may give positions. */
+/** The forms, besides numbers, in which scene files may give positions. */
 public final class PlaceForms {
     private static final Pattern DEGREES = Pattern.compile("([-+]?[\\d.]+)\\s*,\\s*([-+]?[\\d.]+)");
 
@@ -58,7 +58,7 @@ public final class PlaceForms {
                                         known.at(maps.apply(point.file()).point(point.feature()))));
     }
 
-    /** These forms, for who only wants to know what they look like. */
+    /** The kinds with these forms, only to describe them: without places and maps. */
     public static Kinds in(Kinds kinds) {
         return in(kinds, Optional::empty, file -> {
             throw new IllegalArgumentException("no map is known");
@@ -69,11 +69,11 @@ public final class PlaceForms {
     record Alone(Position at) {}
 
     /**
-     * The position of a place that a person typed: as in a scene file, or latitude and longitude in degrees with a
-     * comma between.
+     * The position of a place given on the command line: as in a scene file, or as latitude and longitude in degrees,
+     * separated by a comma.
      *
-     * @param option what messages call it
-     * @param directory where names of files start
+     * @param option its name in messages
+     * @param directory the directory of relative file names
      * @param maps gives the features of a map
      * @throws InputException in one line when it is not a place, or has no position
      */

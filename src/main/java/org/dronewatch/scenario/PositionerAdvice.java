@@ -8,15 +8,15 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * What looks odd about a sensor's positioner, although it is not wrong.
+ * Warns of a sensor's positioner if its settings are implausible, although they are valid.
  *
- * @param scene where it stands
+ * @param scene the scene that it belongs to
  * @param id name of the sensor
  * @param positioner its positioner
  */
 public record PositionerAdvice(SceneSettings scene, String id, PositionerSettings positioner) {
 
-    /** Gives one line for each oddity. */
+    /** Gives one line for each implausible setting. */
     public void giveTo(Consumer<String> target) {
         for (String cue : positioner.cues()) {
             double interval = 1.0 / scene.sensors().get(cue).rate();

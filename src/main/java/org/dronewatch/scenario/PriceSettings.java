@@ -7,7 +7,7 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 
 /**
- * What the sensors cost, for the report.
+ * The prices of the sensors, for the report.
  *
  * @param currency currency of all prices, 1 to 12 letters, such as {@code EUR}
  * @param sensors known prices by name of the sensor, including mount and installation if wanted, 0 or more

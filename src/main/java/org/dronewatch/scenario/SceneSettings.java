@@ -22,8 +22,8 @@ import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A complete scene: one tree of records. Java scenes, overrides and sweeps write it; only then are meshes loaded and
- * sensors created from it. The order of drones and sensors is kept.
+ * A complete scene: one tree of records. Java scenes, scene files, overrides and sweeps build it; only then are meshes
+ * loaded and sensors created from it. The order of drones and sensors is kept.
  *
  * @param world the site
  * @param drones drones by id; at most 1000, including those of their swarms

@@ -7,9 +7,9 @@ import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.SettingsFile;
 
-/** Writes settings as a scene file, wherever they come from: Java, another file, overrides, one run of a sweep. */
+/** Writes settings as a scene file, whatever their source: Java, another file, overrides, one run of a sweep. */
 public final class SceneWriter {
-    /** The first line of every file that this writes. */
+    /** The first line of every file written by this class. */
     public static final Pattern FIRST_LINE = Pattern.compile("# .*, as saved by dronewatch: .*");
 
     private SceneWriter() {}
@@ -17,9 +17,9 @@ public final class SceneWriter {
     /**
      * An equivalent scene file. Sensors that were taken from a catalogue are written out in full.
      *
-     * @param name what the first line calls the scene
+     * @param name of the scene, for the first line
      * @param settings of the scene, or of one of its runs
-     * @param from directory where the names of its models start
+     * @param from the directory of its relative model names
      * @param file that is to hold the text; the models must be beside it or below
      * @return the text, which has been read back and is equal to the settings
      * @throws org.dronewatch.setting.InputException when a setting cannot be written: a function, or a kind that no

@@ -2,12 +2,12 @@ package org.dronewatch.scenario;
 
 import java.util.List;
 
-/** Warns of sensors whose own settings look odd, although they are not wrong. */
+/** Warns of sensors whose settings are implausible, although they are valid. */
 public final class SensorAdvice {
     private SensorAdvice() {}
 
     /**
-     * One line for each oddity of each sensor that is used; the same line only once.
+     * One line for each implausible setting of each sensor that is used; the same line only once.
      *
      * @param runs the settings of all runs of a scene
      */

@@ -7,8 +7,8 @@ import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSounds;
 
 /**
- * What looks odd about a drone's sound, although it is not wrong: it has the spectrum of a drone that was measured, but
- * not its directivity, or not its loudness.
+ * Warns of a drone's sound that combines measured and other data: it has the spectrum of a measured drone, but not its
+ * directivity, or not its loudness.
  *
  * @param id name of the drone
  * @param drone whose sound it is
@@ -17,7 +17,7 @@ public record SoundAdvice(String id, DroneSettings drone) {
     /** Drones of one kind differ by a few decibels from flight to flight. */
     private static final double USUAL_SPREAD = 6.0;
 
-    /** Gives one line for each oddity. */
+    /** Gives one line for each such combination. */
     public void giveTo(Consumer<String> target) {
         if (drone.spectrum().isPresent()) {
             return;

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 
-/** A setting that takes one value after another, with one run for each. */
+/** A sweep: a setting that takes several values, with one run for each. */
 public sealed interface SweepSettings {
     /** Maximum number of runs of a sweep. */
     int MAX_RUNS = 10_000;
@@ -36,7 +36,7 @@ public sealed interface SweepSettings {
     }
 
     /**
-     * One value after another.
+     * A sweep over listed values.
      *
      * @param parameter path of the setting
      * @param values its values, with units or without; 1 to 10,000
@@ -59,7 +59,7 @@ public sealed interface SweepSettings {
     }
 
     /**
-     * Equally spaced values.
+     * A sweep over equally spaced values.
      *
      * @param parameter path of the setting
      * @param from the first value, with a unit or without

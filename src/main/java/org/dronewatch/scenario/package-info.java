@@ -1,2 +1,5 @@
-/** What to run: the tree of settings, overrides, sweeps, and advice on settings that do not fit together. */
+/**
+ * The description of what to run: the tree of settings, overrides, sweeps, and warnings about settings that do not fit
+ * together.
+ */
 package org.dronewatch.scenario;

@@ -14,14 +14,14 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 
 /**
- * A drone during a run, at the simulator's time: where any drone is, and commands for those whose flight is
- * {@code steered}. A command takes effect now and holds until the next one; between two commands velocity and attitude
- * are constant, and the position follows from them. Of several commands at the same time, the last one takes effect. A
- * command from a listener of a scene's observations takes effect just after that look.
+ * A drone during a run, at the simulator's time: its state, and commands if its flight is {@code steered}. A command
+ * takes effect now and holds until the next one; between two commands velocity and attitude are constant, and the
+ * position follows from them. Of several commands at the same time, the last one takes effect. A command from a
+ * listener of a scene's observations takes effect just after that look.
  *
  * <p>Only the thread that runs the scene may give commands, in a pilot, in events of the simulator or in listeners: a
- * command from another thread would take effect at whatever time the run happens to have reached, and no run could be
- * repeated.
+ * command from another thread would take effect at whatever time the run happened to have reached, and the run could
+ * not be repeated.
  *
  * <p>A drone whose flight is {@code recorded} flies as it did in the recorded run: commands change nothing, so a scene
  * with its pilot can be replayed.
@@ -49,7 +49,7 @@ public final class DroneInFlight {
         return SteeredFlight.in(path).isPresent();
     }
 
-    /** Where it is now and how it moves, with all commands so far. */
+    /** Its position and motion now, with all commands so far. */
     public FlightState state() {
         double now = clock.getAsDouble();
         steering.advance(now);
@@ -57,7 +57,7 @@ public final class DroneInFlight {
     }
 
     /**
-     * Where it was at a time.
+     * Its position and motion at a time.
      *
      * @param time seconds since the start of the run
      * @throws InputException when the time is negative, not finite, or, for a steered drone, yet to come

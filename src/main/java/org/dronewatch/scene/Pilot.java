@@ -2,15 +2,14 @@ package org.dronewatch.scene;
 
 /**
  * Steers the drones of one run whose flight is {@code steered}. Each run of a sweep and each replication gets a new
- * pilot, whose state begins afresh, so a run does not depend on those before it.
+ * pilot without any state, so a run does not depend on those before it.
  *
- * <p>A pilot acts through the run's simulator: at the beginning it gives its first commands and schedules the events at
- * which it will give more. A command takes effect before sensors look at the same time, since looks have DSOL's lowest
- * priority.
+ * <p>At the beginning of the run a pilot gives its first commands, and schedules events at which it will give more. A
+ * command takes effect before sensors look at the same time, since looks have DSOL's lowest priority.
  */
 @FunctionalInterface
 public interface Pilot {
-    /** Nobody steers. */
+    /** A pilot that gives no commands. */
     Pilot NONE = run -> {};
 
     /** Called once, at time 0 of the run, before any sensor looks. */

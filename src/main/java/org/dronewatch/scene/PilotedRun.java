@@ -17,7 +17,7 @@ import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
-/** A run whose drones are steered: its drones, its time and its simulator. For the thread that runs the scene. */
+/** A run as its pilot sees it: its drones, its time and its simulator. For the thread that runs the scene. */
 public final class PilotedRun {
     private final RunSession session;
     private final DevsSimulatorInterface<Double> simulator;
@@ -42,7 +42,7 @@ public final class PilotedRun {
     }
 
     /**
-     * Does something later in the run, before sensors look at that time. An action due after the end of the run is
+     * Schedules an action later in the run, before sensors look at that time. An action due after the end of the run is
      * dropped, so an action may keep rescheduling itself; the runner warns if a pilot schedules such an action when it
      * begins.
      *
@@ -102,12 +102,12 @@ public final class PilotedRun {
         }
     }
 
-    /** The settings of the run, with the value of a sweep. */
+    /** The settings of the run, with its value of a sweep. */
     public SceneSettings settings() {
         return session.info().settings();
     }
 
-    /** Now, seconds since the start of the run. */
+    /** The present time, seconds since the start of the run. */
     public double time() {
         double now = simulator.getSimulatorTime() - simulator.getReplication().getStartTime();
         // Where a replication does not start at 0 the difference is rounded: never past a look that is still to come.
@@ -115,7 +115,7 @@ public final class PilotedRun {
     }
 
     /**
-     * A drone as it flies now.
+     * A drone as it is now.
      *
      * @param id its name in the scene; {@code x-1} for the first drone of a swarm {@code x}
      * @throws InputException when there is no such drone
@@ -129,8 +129,8 @@ public final class PilotedRun {
     }
 
     /**
-     * Writes how all drones have flown so far, as a run writes {@code flights.csv}: flights of the kind {@code
-     * recorded} repeat it.
+     * Writes the flights of all drones so far in the format of {@code flights.csv}, from which flights of the kind
+     * {@code recorded} repeat them.
      *
      * @param file a file of that name is replaced
      * @throws InputException when it cannot be written

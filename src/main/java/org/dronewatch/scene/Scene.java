@@ -44,14 +44,15 @@ import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Light;
 
 /**
- * A site, the drones that fly over it and the sensors that watch it. Users extend it and override {@link #build()}, in
- * which {@code load...} names models and {@code add} takes settings; nothing is loaded or created there. {@link #run()}
- * runs it on the calling thread; {@link SceneRunner} runs it with other settings, threads or pace.
+ * A site, the drones that fly over it and the sensors that watch it. To describe one, extend this class and override
+ * {@link #build()}, in which {@code load...} names models and {@code add} adds drones and sensors; nothing is loaded or
+ * created there. {@link #run()} runs it on the calling thread; {@link SceneRunner} runs it with other settings, threads
+ * or pace.
  *
- * <p>A scene is a DSOL model: given to your own DSOL simulator, it runs beside other DSOL models and under DSOL's
- * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps
- * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose
- * flight is {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
+ * <p>A scene is a DSOL model: with your own DSOL simulator, it runs beside other DSOL models and in DSOL experiments,
+ * whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps are run by
+ * {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose flight is
+ * {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
     /** Fired when one sensor has looked at one drone, with the {@link Observation}. */
@@ -97,10 +98,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return Path.of("");
     }
 
-    /**
-     * The files in which the scene is described, as they were when they were last read; none unless the scene itself is
-     * a file.
-     */
+    /** The files that describe the scene, as last read; none unless the scene itself is a file. */
     public List<FileHash> files() {
         return List.of();
     }
@@ -126,7 +124,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return ModelSettings.of(file);
     }
 
-    /** Names a model that comes with the library, such as {@code quadrotor.obj}. */
+    /** Names a model that is included in the library, such as {@code quadrotor.obj}. */
     protected final ModelSettings loadPackaged(String name) {
         return ModelSettings.packaged(name);
     }
@@ -151,7 +149,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         setBackgroundNoise(BackgroundNoise.of(level));
     }
 
-    /** Sets the background with its spectrum, such as {@code BackgroundNoise.of(BandLevels.of(45, 41, ...))}. */
+    /** Sets the background noise by its spectrum, such as {@code BackgroundNoise.of(BandLevels.of(45, 41, ...))}. */
     protected final void setBackgroundNoise(BackgroundNoise noise) {
         building().setBackgroundNoise(noise);
     }
@@ -171,7 +169,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setLight(light);
     }
 
-    /** Sets where on earth the scene's origin lies; unknown unless set. If set, a run writes maps. */
+    /** Sets the geographic position of the scene's origin; unknown unless set. If it is set, a run writes maps. */
     protected final void setOrigin(Origin origin) {
         building().setOrigin(origin);
     }
@@ -180,7 +178,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * Assigns an acoustic surface to a material of the models.
      *
      * @param ofTheModel name in the model's MTL file
-     * @param ofTheTable name of a surface that comes with the library, such as {@code brick_rough}
+     * @param ofTheTable name of a surface of the library, such as {@code brick_rough}
      */
     protected final void surface(String ofTheModel, String ofTheTable) {
         building().nameSurface(ofTheModel, ofTheTable);
@@ -300,31 +298,31 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Gives the pilot of a run, who steers the drones whose flight is {@code steered}: a new one for each call, as each
-     * run has its own. Nobody steers unless overridden.
+     * Creates the pilot that steers the drones whose flight is {@code steered}: a new one for each call, since each run
+     * has its own. No drone is steered unless this is overridden.
      */
     protected Pilot pilot() {
         return Pilot.NONE;
     }
 
     /**
-     * A drone of the run that is going on, at the simulator's time: for DSOL models that hold this scene.
+     * A drone of the current run, at the simulator's time: for DSOL models that use this scene.
      *
      * @param id its name in the scene
      * @throws org.dronewatch.setting.InputException when the scene has no such drone
-     * @throws IllegalStateException when no run is going on
+     * @throws IllegalStateException when the scene is not running
      */
     public final DroneInFlight drone(String id) {
         return running("drone '" + id + "' does not fly").drone(id);
     }
 
     /**
-     * Writes how all drones have flown so far in the run that is going on, as {@code flights.csv} of a run: for DSOL
-     * models that hold this scene. Flights of the kind {@code recorded} repeat it.
+     * Writes the flights of all drones so far in the current run, in the format of {@code flights.csv}: for DSOL models
+     * that use this scene. Flights of the kind {@code recorded} repeat them.
      *
      * @param file a file of that name is replaced
      * @throws org.dronewatch.setting.InputException when it cannot be written
-     * @throws IllegalStateException when no run is going on
+     * @throws IllegalStateException when the scene is not running
      */
     public final void writeFlights(Path file) {
         running("no flights to write").writeFlights(file);

@@ -27,7 +27,7 @@ import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.Places;
 
-/** A scene that is described in a file instead of a class: the same settings, written in YAML. */
+/** A scene that is described in a YAML file instead of a class. */
 public final class SceneFile extends Scene {
     private static final long serialVersionUID = 1L;
 
@@ -41,7 +41,7 @@ public final class SceneFile extends Scene {
     private transient Optional<ScenePlaces> places = Optional.empty();
 
     /**
-     * The scene of a file. The file is read when the scene is described, which is when errors in it are found.
+     * A scene from a file. The file is read, and errors in it are found, when the scene is described.
      *
      * @param file of at most 1 MiB, in UTF-8; file names in it are relative to its directory
      */
@@ -49,7 +49,7 @@ public final class SceneFile extends Scene {
         this.file = file;
     }
 
-    /** The scene of a file as a model for a DSOL simulator. */
+    /** A scene from a file as a model for a DSOL simulator. */
     public SceneFile(Path file, DevsSimulatorInterface<Double> simulator) {
         super(simulator);
         this.file = file;

@@ -56,7 +56,7 @@ public final class SceneRunner {
     private OptionalInt only = OptionalInt.empty();
     private double until = Double.POSITIVE_INFINITY;
 
-    /** A runner of a scene that has its own simulator. */
+    /** A runner of a scene with its own simulator. */
     public SceneRunner(Scene scene) {
         this.scene = scene;
         this.configured = new ConfiguredScene(scene);
@@ -102,7 +102,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Sets who steers the drones whose flight is {@code steered}, instead of the scene's own pilot.
+     * Sets the pilot that steers the drones whose flight is {@code steered}, instead of the scene's own.
      *
      * @param source gives a new pilot for each run
      */
@@ -117,7 +117,7 @@ public final class SceneRunner {
         return this;
     }
 
-    /** Receives each frame: every sampling time with its drones and observations. */
+    /** Sets a receiver of frames: the drones and observations at each time at which sensors look. */
     public SceneRunner onFrame(Consumer<Frame> target) {
         return listener(new SceneListener() {
             @Override
@@ -128,8 +128,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Queried before each look: once it is true, the run ends with what it has. If the running thread is interrupted as
-     * well, loading or a long look also ends early.
+     * Sets a condition that ends the run. It is queried before each look; once it is true, the run ends with the
+     * results so far. If the running thread is interrupted as well, loading or a long look also ends early.
      */
     public SceneRunner cancelWhen(BooleanSupplier condition) {
         this.cancelled = condition;
@@ -147,7 +147,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Ends each run after this time, including looks at this time; up to then nothing differs from the whole run.
+     * Ends each run after this time, including looks at this time; up to then the results are those of the whole run.
      *
      * @param seconds simulated time since the start of the run, 0 or more; beyond the duration it changes nothing
      * @throws IllegalArgumentException when negative or not a number
@@ -161,9 +161,9 @@ public final class SceneRunner {
     }
 
     /**
-     * Receives one line for each file read, for each warning, and for each setting given under a former name. Names
-     * that come from files are shortened, and their control characters escaped, so that a line can safely be printed to
-     * a terminal.
+     * Sets a receiver of messages: one line for each file read, each warning, and each setting given under a former
+     * name. Names that come from files are shortened, and their control characters escaped, so that a line can safely
+     * be printed to a terminal.
      */
     public SceneRunner notes(Consumer<String> target) {
         this.notes = note -> target.accept(PlainText.line(note));
@@ -198,7 +198,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Settings as the text of a scene file, which has the same results.
+     * The text of a scene file with these settings, which gives the same results.
      *
      * @param settings those of the scene, or of one of its runs
      * @param file that is to hold the text; models must be beside it or below
@@ -222,8 +222,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Warns, once, of weather and light in the settings that change nothing that is detected; a run does so by itself.
-     * A picture of the site shows them whether they change what is detected or not.
+     * Warns, once, of weather and light in the settings that no sensor of the scene takes into account; a run does so
+     * by itself. A picture of the site shows them in any case.
      */
     public void adviseOnConditions() {
         models().adviseOnConditions();
@@ -258,9 +258,9 @@ public final class SceneRunner {
     }
 
     /**
-     * The position of a place on the site of one of the scene's runs, of which no more is loaded than that takes.
+     * The position of a place on the site of one of the scene's runs; only what this needs is loaded.
      *
-     * @param option what messages call it
+     * @param option its name in messages
      * @param text as in a scene file, or latitude and longitude in degrees with a comma between
      * @param settings one of {@link #settingsOfRuns()}
      * @throws InputException in one line when it is not a place, or has no position

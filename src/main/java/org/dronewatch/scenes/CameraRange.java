@@ -11,10 +11,10 @@ import org.dronewatch.sensor.camera.CameraSettings;
 
 /**
  * How far away does a full HD camera detect a small quadrotor? The camera stands on a hill and looks north; the drone
- * comes along its axis at 5 m/s. The flight is repeated for five fields of view.
+ * approaches along its axis at 5 m/s. The flight is repeated for five fields of view.
  */
 public final class CameraRange extends Scene {
-    /** The quadrotor's silhouette from the front, as the camera sees it, m2. */
+    /** The area of the quadrotor's silhouette from the front, m2. */
     public static final double FRONTAL_AREA = 0.0528;
 
     /** On a mast of 12 m on the hill's level top, from where it sees over the edge into the valleys. */

@@ -15,8 +15,8 @@ import org.dronewatch.sensor.camera.CameraSettings;
 
 /**
  * At what range does a house on a hill detect a quadrotor? It has twelve cameras, three at each corner of its roof, and
- * a microphone in the middle; the drone comes from the north at 5 m/s. Another direction, height, loudness or model of
- * the drone is a {@code --set} away: {@code drones.quadrotor.flight.bearing}, {@code ...flight.height},
+ * a microphone in the middle; the drone approaches from the north at 5 m/s. Direction, height, loudness and model of
+ * the drone can be changed with {@code --set}: {@code drones.quadrotor.flight.bearing}, {@code ...flight.height},
  * {@code ...soundLevel}, {@code ...model.file}.
  */
 public final class MultiSensor extends Scene {

@@ -6,10 +6,10 @@ import java.util.function.Supplier;
 import org.dronewatch.scene.Scene;
 
 /**
- * The scenes that can be run by name.
+ * A scene of the library, which can be run by its name.
  *
- * @param name what a user types
- * @param summary one line that says what it shows
+ * @param name its name on the command line
+ * @param summary one line on what it shows
  * @param factory creates a new instance
  */
 public record PackagedScene(String name, String summary, Supplier<Scene> factory) {
@@ -31,7 +31,7 @@ public record PackagedScene(String name, String summary, Supplier<Scene> factory
                     "a quadrotor flies towards a house on a hill with twelve cameras and a microphone on its roof",
                     MultiSensor::new));
 
-    /** All of them, in the order in which to show them. */
+    /** All of them, in the order in which they are listed. */
     public static List<PackagedScene> all() {
         return ALL;
     }

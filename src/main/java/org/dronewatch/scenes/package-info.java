@@ -1,2 +1,2 @@
-/** The scenes that come with the library: each a short example of how to write another. */
+/** The scenes of the library: each a short example of how to write another. */
 package org.dronewatch.scenes;

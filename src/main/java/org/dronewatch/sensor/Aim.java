@@ -7,13 +7,13 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** Where a sensor points: at a position, or in a direction. */
+/** The aim of a sensor: a position at which it points, or a direction. */
 public sealed interface Aim {
     /** The least distance from a sensor to the point at which it aims, m. */
     double NEAREST = 0.001;
 
     /**
-     * A vector from a sensor to where it points, of any non-zero length.
+     * A vector from a sensor in the direction in which it points, of any non-zero length.
      *
      * @param sensor where the sensor is, m
      * @throws IllegalArgumentException when the point at which it aims is less than a millimetre away
@@ -21,12 +21,12 @@ public sealed interface Aim {
     Position from(Position sensor);
 
     /**
-     * Points at a given point, wherever the sensor is.
+     * An aim at a point, wherever the sensor is.
      *
      * @param lookAt the point, m
      */
     record Target(Position lookAt) implements Aim {
-        /** Checks that there is one. */
+        /** Checks that the point is not null. */
         public Target {
             Limits.check(Target.class, lookAt);
         }
@@ -40,7 +40,7 @@ public sealed interface Aim {
     }
 
     /**
-     * Points in a direction.
+     * An aim in a direction.
      *
      * @param azimuth clockwise from north as on a compass, rad
      * @param elevation above the horizon, -pi/2 to pi/2, rad
@@ -49,7 +49,7 @@ public sealed interface Aim {
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,
             @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation)
             implements Aim {
-        /** Level to the north. */
+        /** Horizontal, to the north. */
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 

@@ -1,13 +1,13 @@
 package org.dronewatch.sensor;
 
-/** Settings of a sensor that points somewhere. A capability: {@link SensorSettings#as}. */
+/** Settings of a sensor that can be aimed. A capability: {@link SensorSettings#as}. */
 public interface Aimed {
 
-    /** Where it points on its own, without a positioner. */
+    /** Its aim, in effect when no positioner turns it. */
     Aim aim();
 
     /**
-     * These settings pointing elsewhere, with everything else as it is.
+     * These settings with another aim, and everything else unchanged.
      *
      * @throws IllegalArgumentException when the point at which to aim is less than a millimetre away
      */

@@ -7,10 +7,10 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * A sensor that can state what signal it receives from a drone, and why that is not enough, before any random decision.
- * Its looks draw from the same signal: a field of assessments and a run agree exactly, unless a kind of sensor states
- * otherwise. A drone is assessed alone: only looks take into account that other drones may hide it. All kinds that come
- * with the library are assessable; others are assessed by an {@link Assessor}.
+ * A sensor that can compute the signal it receives from a drone, and why that is not sufficient, before any random
+ * decision. Its looks draw from the same signal: a field of assessments and a run agree exactly, unless a kind of
+ * sensor states otherwise. A drone is assessed alone: only looks take into account that other drones may hide it. All
+ * kinds of the library are assessable; an {@link Assessor} assesses others.
  */
 public interface AssessableSensor extends Sensor {
 
@@ -26,8 +26,8 @@ public interface AssessableSensor extends Sensor {
     Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom);
 
     /**
-     * Why a drone is missed: the first {@link Cause} that holds. Costs no more than a few looks of a camera, whatever
-     * the kind.
+     * The reason why a drone is missed: the first {@link Cause} that holds. For any kind of sensor, the cost is at most
+     * that of a few looks of a camera.
      *
      * @param world the site
      * @param drone that the sensor does not detect, as it appears at the sensor
@@ -37,7 +37,8 @@ public interface AssessableSensor extends Sensor {
     Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing);
 
     /**
-     * The signal that the sensor receives from a drone, and why that is not enough; parameters as for {@link #signal}.
+     * The signal that the sensor receives from a drone, and why that is not sufficient; parameters as for
+     * {@link #signal}.
      */
     default Assessment assess(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         Signal signal = signal(world, drone, pointing, rayRandom);

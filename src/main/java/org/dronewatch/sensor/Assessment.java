@@ -5,17 +5,17 @@ import java.util.OptionalDouble;
 import org.dronewatch.world.Obstacle;
 
 /**
- * The deterministic half of a look: how likely a sensor is to detect a drone in a given state of flight, and, if the
- * drone is missed, why. The other half draws from it.
+ * The deterministic part of a look: the probability that a sensor detects a drone in a given state of flight and, if
+ * the drone is missed, the reason. The random part of the look draws from it.
  *
- * @param signal what the sensor receives from the drone
- * @param explanation why that is not enough; {@link Explanation#DETECTED} when it is
+ * @param signal the signal that the sensor receives from the drone
+ * @param explanation why it is not sufficient; {@link Explanation#DETECTED} when it is
  */
 public record Assessment(Signal signal, Explanation explanation) {
     private static final String DECIBELS = "dB";
 
     /**
-     * Checks that both halves agree.
+     * Checks that signal and explanation agree.
      *
      * @throws IllegalArgumentException when a drone is detected with a cause other than {@link Cause#UNKNOWN}, or
      *     missed without one
@@ -28,8 +28,8 @@ public record Assessment(Signal signal, Explanation explanation) {
     }
 
     /**
-     * The probability that one look detects the drone or, of a sensor of {@link Chance#PER_ENCOUNTER}, that its
-     * observer can, 0 to 1.
+     * The probability that one look detects the drone or, for a sensor of {@link Chance#PER_ENCOUNTER}, that its
+     * observer can detect it, 0 to 1.
      */
     public double probability() {
         return signal.probability();
@@ -39,14 +39,14 @@ public record Assessment(Signal signal, Explanation explanation) {
      * The rate of the first detection, given that there has been none yet, 1/s; see {@link Chance#hazard}.
      *
      * @param settings of the sensor that was assessed
-     * @param draw of the observer, above 0 and at most 1; of no effect for a sensor of {@link Chance#PER_LOOK}. Whoever
-     *     predicts what an unknown observer detects averages over many draws, such as 1/32, 3/32, ... 31/32
+     * @param draw of the observer, above 0 and at most 1; of no effect for a sensor of {@link Chance#PER_LOOK}. to
+     *     predict the detections of an observer drawn at random, average over many draws, such as 1/32, 3/32, ... 31/32
      */
     public double hazard(SensorSettings<?> settings, double draw) {
         return settings.chance().hazard(probability(), settings.rate(), draw);
     }
 
-    /** What is measured, in the unit. */
+    /** The measured quantity, in the unit. */
     public double quantity() {
         return signal.quantity();
     }
@@ -57,7 +57,8 @@ public record Assessment(Signal signal, Explanation explanation) {
     }
 
     /**
-     * What the quantity must reach; for a probabilistic sensor, the value at which the detection probability is 0.5.
+     * The threshold of the quantity for a detection; for a probabilistic sensor, the value at which the detection
+     * probability is 0.5.
      */
     public double threshold() {
         return signal.threshold();
@@ -65,7 +66,7 @@ public record Assessment(Signal signal, Explanation explanation) {
 
     /**
      * Quantity minus threshold: negative where the signal is insufficient, minus infinity where nothing reaches the
-     * sensor in dB.
+     * sensor and the unit is dB.
      */
     public double margin() {
         return signal.quantity() - signal.threshold();
@@ -94,17 +95,19 @@ public record Assessment(Signal signal, Explanation explanation) {
         return standardError() > 0.0 || probabilityError() > 0.0;
     }
 
-    /** Why the drone is not detected. */
+    /** The reason why the drone is not detected. */
     public Cause cause() {
         return explanation.cause();
     }
 
-    /** What hides it, for a cause that is {@link Cause#isHidden() hidden}. */
+    /** The obstacle that hides it, for a cause that is {@link Cause#isHidden() hidden}. */
     public Optional<Obstacle> obstacle() {
         return explanation.obstacle();
     }
 
-    /** The range, m, or radial speed, m/s, that it is beyond, for causes that have such a limit. */
+    /**
+     * The limit of range, m, or radial speed, m/s, that it exceeds or falls below, for causes that have such a limit.
+     */
     public OptionalDouble limit() {
         return explanation.limit();
     }

@@ -10,10 +10,10 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * Assesses sensors of every kind. For one that is not an {@link AssessableSensor} it takes one look, and finds the
- * cause of a miss from the sensor's field of view and from what hides the drone: then the probability is that of the
- * look, 0 or 1 where it states none; for a drone that the look omits the quantity is 0 and the threshold 1. One thread
- * at a time.
+ * Assesses sensors of every kind. If a sensor is not an {@link AssessableSensor}, the assessor takes one look, and
+ * derives the cause of a miss from the sensor's field of view and from occlusion. The probability is then that of the
+ * look, or 0 or 1 if the look states none; for a drone that the look omits, the quantity is 0 and the threshold 1. One
+ * thread at a time.
  */
 public final class Assessor {
     private static final double EVEN_CHANCE = 0.5;
@@ -38,8 +38,8 @@ public final class Assessor {
     }
 
     /**
-     * As {@link AssessableSensor#assess}, in this assessor's world. Where its ground is not known everywhere below the
-     * line of sight, the signal is what it would be if nothing were there, and the cause is {@link Cause#UNKNOWN}.
+     * As {@link AssessableSensor#assess}, in this assessor's world. Where the ground is not known everywhere below the
+     * line of sight, the signal is computed as if nothing were there, and the cause is {@link Cause#UNKNOWN}.
      */
     public Assessment assess(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         Assessment known = assessAsIfKnown(drone, pointing, rayRandom);

@@ -2,29 +2,25 @@ package org.dronewatch.sensor;
 
 import org.dronewatch.mesh.io.ModelRole;
 
-/**
- * Why a sensor does not detect a drone. Where several causes hold, the first in this order counts; reports put them
- * into words.
- */
+/** The cause for which a sensor does not detect a drone. Where several causes hold, the first in this order counts. */
 public enum Cause {
     /**
-     * The line of sight leaves the known ground, at a rim or over a hole of the terrain: something may hide the
-     * drone there. It counts before all others, also before a detection.
+     * The line of sight leaves the known ground, at a rim or over a hole of the terrain: something may hide the drone
+     * there. It takes precedence over all others, and over a detection.
      */
     UNKNOWN,
     /** Nearer than the sensor's minimum range, or beyond its maximum range. */
     OUT_OF_RANGE,
     /** Outside the sensor's field of view. */
     OUT_OF_VIEW,
-    /** It emits nothing that the sensor could receive, or know for a drone's. */
+    /** It emits nothing that the sensor could receive, or recognise as a drone's. */
     SILENT,
     /** Its radial speed is too low for the sensor to separate it from stationary clutter. */
     TOO_SLOW,
     /** Its radial speed is more than the sensor can follow. */
     TOO_FAST,
     /**
-     * Nothing of it is visible, or it would be detected if nothing hid it; terrain is what the line of sight hits
-     * first.
+     * Nothing of it is visible, or it would be detected if nothing hid it, and the line of sight hits terrain first.
      */
     HIDDEN_BY_TERRAIN,
     /** The same with a building. */
@@ -33,7 +29,7 @@ public enum Cause {
     HIDDEN_BY_VEGETATION,
     /** The same with any other model. */
     HIDDEN_BY_OTHER,
-    /** What reaches the sensor is not enough: too small, too faint, too quiet. */
+    /** Its signal at the sensor is insufficient: too small, too faint, too quiet. */
     TOO_WEAK,
     /** It is detected: there is nothing to explain. */
     DETECTED;

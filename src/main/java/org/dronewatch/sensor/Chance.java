@@ -1,9 +1,11 @@
 package org.dronewatch.sensor;
 
-/** When chance decides whether a sensor detects a drone, and so how a probability becomes a rate of detection. */
+/**
+ * How often a random draw decides whether a sensor detects a drone, which relates a probability to a rate of detection.
+ */
 public enum Chance {
     /**
-     * Anew in each look, as an echo fluctuates and noise does. A sensor that compares an exact value with a threshold
+     * In each look independently, as echoes and noise fluctuate. A sensor that compares an exact value with a threshold
      * belongs here, too: its looks detect with a probability of 0 or 1.
      */
     PER_LOOK {
@@ -26,7 +28,7 @@ public enum Chance {
     /**
      * The rate of the first detection, given that there has been none yet, 1/s. The probability of a detection within
      * some time is {@code 1 - exp(-integral of the hazard)}; where chance decides once per encounter, that is the
-     * probability for one observer, and its mean over all draws is the probability for an observer who is not known.
+     * probability for one observer, and its mean over all draws is the probability for an observer drawn at random.
      *
      * @param probability of the sensor's {@link Signal}, 0 to 1
      * @param rate looks per second, Hz

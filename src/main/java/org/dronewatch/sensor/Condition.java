@@ -3,37 +3,35 @@ package org.dronewatch.sensor;
 import java.util.Optional;
 
 /**
- * A condition that a scene sets for the whole site, weather and light, or for its drones, and that a sensor's model may
- * or may not take into account.
+ * A condition that the model of a sensor may or may not take into account: weather and light of the site, or the sound
+ * of its drones.
  */
 public enum Condition {
     /** Visibility: {@code world.light.visibility} and {@code world.light.contrastAtVisibility}. */
     VISIBILITY,
     /** Illuminance: {@code world.light.illuminance}. */
     ILLUMINANCE,
-    /** Where the sun is: {@code world.light.sun}. */
+    /** The position of the sun: {@code world.light.sun}. */
     SUN,
     /** Turbulence of the air: {@code world.light.cn2}. */
     TURBULENCE,
-    /** How bright the ground is behind a drone: {@code world.light.skyToGroundRatio}. */
+    /** The brightness of the ground behind a drone: {@code world.light.skyToGroundRatio}. */
     GROUND_BRIGHTNESS,
-    /** How hard it rains: {@code world.rain}. */
+    /** The rain rate: {@code world.rain}. */
     RAIN,
     /** Temperature, humidity and pressure of the air: {@code world.atmosphere}. */
     AIR,
-    /**
-     * Wind, and how the temperature changes with height: {@code world.atmosphere.wind}, {@code temperatureGradient}.
-     */
+    /** Wind, and the change of temperature with height: {@code world.atmosphere.wind}, {@code temperatureGradient}. */
     WIND,
-    /** What makes noise on the site: {@code world.noiseSources} that state no level for the level model. */
+    /** The sources of noise on the site: {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,
-    /** How loud a drone is by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
+    /** The loudness of a drone by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
     SOUND_LEVEL("soundLevel"),
-    /** How loud a drone is by its sound power: {@code drones.ID.soundPowerLevel}, where only that is set. */
+    /** The loudness of a drone by its sound power: {@code drones.ID.soundPowerLevel}, where only that is set. */
     SOUND_POWER_LEVEL("soundPowerLevel"),
     /** The spectrum of a drone by its name in the library's table: {@code drones.ID.sound}. */
     SOUND("sound"),
-    /** How a drone's sound depends on the direction: {@code drones.ID.directivity}. */
+    /** The dependence of a drone's sound on direction: {@code drones.ID.directivity}. */
     DIRECTIVITY("directivity"),
     /** A drone's own spectrum: {@code drones.ID.spectrum}. */
     SPECTRUM("spectrum"),
@@ -50,7 +48,7 @@ public enum Condition {
         this.droneSetting = droneSetting;
     }
 
-    /** The setting in {@code drones.ID} that is this condition; none for a condition of the whole site. */
+    /** The setting in {@code drones.ID} that states this condition; none for a condition of the whole site. */
     public Optional<String> droneSetting() {
         return Optional.of(droneSetting).filter(name -> !name.isEmpty());
     }

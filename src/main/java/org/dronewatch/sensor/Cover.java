@@ -9,7 +9,7 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** What hides drones from a sensor. Keeps scratch memory: one thread at a time. */
+/** Finds the obstacles that hide drones from a sensor. Keeps scratch memory: one thread at a time. */
 public final class Cover {
     private final Visibility visibility;
     private final Position sensor;
@@ -29,12 +29,12 @@ public final class Cover {
         return visibility.world();
     }
 
-    /** What lies between the sensor and the drone's origin. */
+    /** The obstacle between the sensor and the drone's origin. */
     public Optional<Obstacle> ofOrigin(Drone drone) {
         return visibility.obstacle(sensor, drone.origin());
     }
 
-    /** What hides the drone's origin or, where nothing does, the first vertex of its mesh that is hidden. */
+    /** The obstacle that hides the drone's origin or, if none does, the first hidden vertex of its mesh. */
     public Optional<Obstacle> of(Drone drone) {
         Optional<Obstacle> before = ofOrigin(drone);
         TriangleMesh mesh = drone.tree().mesh();
@@ -47,8 +47,8 @@ public final class Cover {
     }
 
     /**
-     * Why a drone is missed that is in range and in view: hidden, or too weak. What costs more than a ray is computed
-     * only where it matters.
+     * The reason why a drone in range and in view is missed: hidden, or too weak. Conditions that cost more than a ray
+     * are evaluated only where they matter.
      *
      * @param invisible whether the sensor receives nothing from it
      * @param detectedInTheOpen whether it would be detected if nothing hid it

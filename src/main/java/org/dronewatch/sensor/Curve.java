@@ -3,7 +3,7 @@ package org.dronewatch.sensor;
 import java.util.List;
 
 /**
- * A curve that a sensor draws for one drone.
+ * A curve of a sensor for one drone, as data for a plot.
  *
  * @param name part of a file name: letters, digits and dashes
  * @param title what it shows, with its result

@@ -5,13 +5,13 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
-/** A sensor that can draw more about a drone than one value per look. */
+/** A sensor that can plot curves for a drone, such as a spectrum. */
 public interface CurveSensor extends Sensor {
     /** The purpose of the random numbers of curves: {@link Look#random}. */
     String CURVES = "curves";
 
     /**
-     * The curves to draw; often none.
+     * The curves for a drone; often none.
      *
      * @param world the site
      * @param drone the drone as it is now

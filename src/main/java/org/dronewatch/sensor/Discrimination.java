@@ -3,17 +3,17 @@ package org.dronewatch.sensor;
 /**
  * The discrimination level required of a drone's image, with the line pairs across it that give a probability of 0.5
  * (N50), and the probability for more or fewer. Johnson (1958) counted 1, 4 and 6.4 line pairs across the smaller
- * dimension of a target. Here line pairs are counted across the square root of its area, and then it takes three
- * quarters as many (Kennedy, "Recognition criterion for two-dimensional minimum resolvable temperature difference",
- * SPIE 1488, 1991). For more or fewer, the target transfer probability function holds (Howe, in "The
- * Infrared and Electro-Optical Systems Handbook", vol. 4, 1993).
+ * dimension of a target. Here line pairs are counted across the square root of its area, and three quarters as many
+ * suffice (Kennedy, "Recognition criterion for two-dimensional minimum resolvable temperature difference", SPIE 1488,
+ * 1991). For more or fewer, the target transfer probability function holds (Howe, in "The Infrared and Electro-Optical
+ * Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
-    /** Something is there: 0.75 line pairs. */
+    /** Something is recognised as present: 0.75 line pairs. */
     DETECTION(0.75),
-    /** It is a drone: 3 line pairs. */
+    /** It is recognised as a drone: 3 line pairs. */
     RECOGNITION(3.0),
-    /** Which drone: 4.8 line pairs. */
+    /** The type of drone is identified: 4.8 line pairs. */
     IDENTIFICATION(4.8);
 
     private final double linePairs;
@@ -28,7 +28,7 @@ public enum Discrimination {
     }
 
     /**
-     * The probability that it succeeds, 0 to 1.
+     * The probability that the task succeeds, 0 to 1.
      *
      * @param resolved line pairs that are resolved across the square root of the target's area, 0 or more
      */

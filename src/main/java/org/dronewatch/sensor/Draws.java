@@ -5,7 +5,8 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 
 /**
- * Random numbers by name. Each purpose of each look of a sensor at a drone has a separate stream, whose key is
+ * Streams of random numbers, keyed by names. Each purpose of each look of a sensor at a drone has a separate stream,
+ * whose key is
  *
  * <pre>
  * mix(mix(mix(mix(seed, hash(sensor)), hash(drone)), look), hash(purpose))
@@ -44,7 +45,7 @@ public final class Draws {
      * The seed of one of several runs or replications: the given one for the first, and
      * {@code mix(mix(seed, hash(of)), number)} shifted right to its upper 53 bits for the others.
      *
-     * @param of what is numbered, such as {@code run}
+     * @param of the kind of number, such as {@code run}
      * @param number from 0
      */
     public static long derivedSeed(long seed, String of, long number) {

@@ -1,21 +1,20 @@
 package org.dronewatch.sensor;
 
 /**
- * An encounter of a drone with the observer who watches a sensor's pictures: a person, or a program as good as one. The
- * probability P of a target task is a fraction of observers who have all the time they want, not a chance that each
- * picture offers anew. So the observer draws one number u for the encounter, and can find the drone only while
- * {@code P >= u}. Then he searches, and finds it at the rate {@code P / 3.4 s}. Averaged over observers, with a
- * constant P,
+ * An encounter of a drone with the observer of a sensor's pictures: a person, or a program that performs equally well.
+ * The probability P of a target task is the fraction of observers who can perform it with unlimited time, not an
+ * independent chance in each picture. So one number u is drawn for each encounter, and the observer can find the drone
+ * only while {@code P >= u}. The observer then searches, and finds it at the rate {@code P / 3.4 s}. Averaged over
+ * observers, with a constant P,
  *
  * <pre>
  * P(t) = P (1 - exp(-P t / 3.4 s))
  * </pre>
  *
- * <p>whatever the frame rate: each picture stands for the time since the last one, and a search does not remember, so
- * the success of each picture can be drawn independently. Search time as in the ACQUIRE model (Howe, in "The Infrared
- * and Electro-Optical Systems Handbook", vol. 4, 1993). That observers differ, and that each of them searches at
- * random, are two sources of chance, and tests of observers show both ("Modeling the observer in target acquisition",
- * SPIE).
+ * <p>at any frame rate: each picture covers the time since the last one, and the search is memoryless, so the success
+ * in each picture can be drawn independently. Search time as in the ACQUIRE model (Howe, in "The Infrared and
+ * Electro-Optical Systems Handbook", vol. 4, 1993). That observers differ, and that each of them searches at random,
+ * are two sources of chance, and tests of observers show both ("Modeling the observer in target acquisition", SPIE).
  *
  * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can
  * be seen at all (P above 0), and ends when it could not be seen for more than {@link #GAP}: if it comes back later,
@@ -32,9 +31,8 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     public static final double SEARCH_TIME = 3.4;
 
     /**
-     * How long a drone may be out of sight within one encounter, s: three times the search time, after which a drone
-     * that nobody could see has to be found anew. Assumed. For a sensor that takes its time, 1.5 times the interval
-     * between two looks.
+     * How long a drone may be out of sight within one encounter, s: three times the search time, after which the
+     * observer has to search again. Assumed. For a sensor with a low rate, 1.5 times the interval between two looks.
      */
     public static final double GAP = 10.0;
 
@@ -71,9 +69,10 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     }
 
     /**
-     * What the observer drew for this encounter, u: he can find the drone while the probability is at least this.
+     * The number u drawn for the observer in this encounter, who can find the drone while the probability is at least
+     * u.
      *
-     * @return above 0 and at most 1, so that what cannot be seen is never found
+     * @return above 0 and at most 1, so that an invisible drone is never found
      */
     public double draw(long seed, String sensor, String drone) {
         return 1.0 - Draws.stream(seed, sensor, drone, index, OBSERVER).nextDouble();

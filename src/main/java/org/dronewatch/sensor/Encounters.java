@@ -4,11 +4,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/**
- * A sensor's encounters with drones, as they are before one of its looks. Immutable: looks lead from one to the next.
- */
+/** A sensor's encounters with drones before one of its looks. Immutable. */
 public final class Encounters {
-    /** Nothing has been encountered yet. */
+    /** No encounters yet. */
     public static final Encounters NONE = new Encounters(Map.of());
 
     private final Map<String, Met> latest;
@@ -48,7 +46,7 @@ public final class Encounters {
     /**
      * The encounters after a look.
      *
-     * @param look what it was, with the encounters before it
+     * @param look the look, with the encounters before it
      * @param rate looks per second, Hz
      * @param observations of the look
      */

@@ -8,12 +8,12 @@ import org.dronewatch.world.Obstacle;
  * A cause with its evidence.
  *
  * @param cause why a drone is not detected
- * @param obstacle what hides it; present exactly for the causes that are {@link Cause#isHidden() hidden}
- * @param limit that it is beyond: range in m where it is out of range, radial speed in m/s where it is too slow or too
- *     fast; empty for other causes, and for a sensor that does not know
+ * @param obstacle the obstacle that hides it; present exactly for the causes that are {@link Cause#isHidden() hidden}
+ * @param limit the limit that it violates: range in m where it is out of range, radial speed in m/s where it is too
+ *     slow or too fast; empty for other causes, and where the limit is unknown
  */
 public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDouble limit) {
-    /** Of a drone that is detected. */
+    /** The explanation for a drone that is detected. */
     public static final Explanation DETECTED = of(Cause.DETECTED);
 
     /**
@@ -33,13 +33,13 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
         return new Explanation(cause, Optional.empty(), OptionalDouble.empty());
     }
 
-    /** A drone that is hidden. */
+    /** The explanation for a hidden drone. */
     public static Explanation hiddenBy(Obstacle obstacle) {
         return new Explanation(Cause.hiddenBy(obstacle.model().role()), Optional.of(obstacle), OptionalDouble.empty());
     }
 
     /**
-     * A drone beyond a limit.
+     * The explanation for a drone beyond a limit.
      *
      * @param limit m or m/s
      */

@@ -1,11 +1,11 @@
 package org.dronewatch.sensor;
 
 /**
- * The drone that an observation came from: for scoring, and never read by code that evaluates measurements.
+ * The drone that caused an observation: for scoring, and never read by code that evaluates measurements.
  *
  * @param drone name of the drone; empty for a false measurement
  * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement
- * @param time when what was measured left the drone, seconds since the start of the run: earlier than the look for
+ * @param time when the measured signal left the drone, seconds since the start of the run: earlier than the look for
  *     sound
  */
 public record GroundTruth(String drone, double range, double time) {

@@ -6,7 +6,7 @@ import org.dronewatch.positioner.Pointing;
 
 /**
  * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index
- * and their purpose: they are the same in whatever order, and on however many threads, the work is done.
+ * and their purpose: they do not depend on the order of the work, or on the number of threads.
  *
  * @param sensor name of the sensor in the scene
  * @param index number of the look, from 0
@@ -14,7 +14,7 @@ import org.dronewatch.positioner.Pointing;
  * @param seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
  *     along its own aim
- * @param encounters the sensor's encounters with drones before this look: of effect where chance decides once per
+ * @param encounters the sensor's encounters with drones before this look: only used where chance decides once per
  *     encounter
  */
 public record Look(
@@ -25,7 +25,7 @@ public record Look(
     /** The purpose of the numbers that determine measurement errors. */
     public static final String ERROR = "error";
 
-    /** A look along the sensor's own aim, which has encountered nothing before. */
+    /** A look along the sensor's own aim, without encounters before it. */
     public static Look of(long seed, String sensor, long index, double time) {
         return new Look(sensor, index, time, seed, Optional.empty(), Encounters.NONE);
     }
@@ -35,13 +35,13 @@ public record Look(
         return new Look(sensor, index, time, seed, where, encounters);
     }
 
-    /** This look after other encounters. */
+    /** This look with other encounters before it. */
     public Look withEncounters(Encounters before) {
         return new Look(sensor, index, time, seed, pointing, before);
     }
 
     /**
-     * Which look this is, for its observations.
+     * The identity of this look, for its observations.
      *
      * @param kind of the sensor
      */
@@ -52,7 +52,7 @@ public record Look(
     /**
      * The random numbers of this look for one purpose, from their beginning; see {@link Draws}.
      *
-     * @param drone name of the drone that is looked at; empty for what concerns none
+     * @param drone name of the drone that is looked at; empty if no drone is concerned
      * @param purpose what is drawn, such as {@code detection}
      */
     public RandomGenerator random(String drone, String purpose) {
@@ -70,7 +70,7 @@ public record Look(
     }
 
     /**
-     * What the probability of this look at a drone must reach for a detection, for a sensor whose observer decides once
+     * The probability that this look at a drone must reach for a detection, for a sensor whose observer decides once
      * per {@link Encounter}.
      *
      * @param drone name of the drone
@@ -84,7 +84,8 @@ public record Look(
     }
 
     /**
-     * As {@link #observerThreshold}, for the observer to know where the drone is, so that a positioner can follow it.
+     * The probability that this look at a drone must reach for the observer to locate it, so that a positioner can
+     * follow it; otherwise as {@link #observerThreshold}.
      *
      * @param probability of the task of detection, 0 to 1
      */

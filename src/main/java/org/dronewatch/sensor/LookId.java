@@ -1,11 +1,11 @@
 package org.dronewatch.sensor;
 
 /**
- * Identifies the look of a sensor in which something was observed.
+ * The identity of the look in which something was observed.
  *
  * @param sensor name of the sensor in the scene
  * @param kind its kind, such as {@code camera}
  * @param index number of the look, from 0
- * @param time when what it received reached the sensor, seconds since the start of the run
+ * @param time when the signal reached the sensor, seconds since the start of the run
  */
 public record LookId(String sensor, String kind, long index, double time) {}

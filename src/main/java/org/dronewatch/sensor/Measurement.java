@@ -4,12 +4,12 @@ import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 
 /**
- * What a sensor reports from one look, without the truth: it does not say which drone was measured, or whether it was a
- * drone at all.
+ * A measurement that a sensor reports from one look, without the truth: it does not identify the drone, and it may be
+ * false.
  *
- * @param look which look of which sensor it was made in
+ * @param look the look in which it was made
  * @param reading the measured value, and its threshold
- * @param sighting where the sensor believes the source to be, with its errors; empty for a sensor that reports no
+ * @param sighting the estimated position or direction of its source, with errors; empty for a sensor that reports no
  *     direction
  */
 public record Measurement(LookId look, Reading reading, Optional<Sighting> sighting) {

@@ -19,7 +19,7 @@ public interface Mounted {
     Optional<Positioner> createPositioner();
 
     /**
-     * Where its positioner points once it has turned to a position; empty for a sensor on a fixed mount.
+     * The pointing of its positioner once it has turned to a position; empty for a sensor on a fixed mount.
      *
      * @param target position, m
      */
@@ -32,13 +32,13 @@ public interface Mounted {
      */
     SensorSettings<?> pointed(Pointing pointing);
 
-    /** The positioner that turns any sensor; empty for one on a fixed mount. */
+    /** The positioner of any sensor; empty for one on a fixed mount. */
     static Optional<PositionerSettings> positioner(SensorSettings<?> sensor) {
         return sensor.as(Mounted.class).flatMap(mounted -> mounted.positioner());
     }
 
     /**
-     * Where the positioner of any sensor points once it has turned to a position; empty for one on a fixed mount.
+     * The pointing of any sensor's positioner once it has turned to a position; empty for one on a fixed mount.
      *
      * @param target position, m
      */
@@ -47,7 +47,7 @@ public interface Mounted {
     }
 
     /**
-     * Any sensor's settings as its positioner points it.
+     * The settings of any sensor, pointed as its positioner points it.
      *
      * @param pointing where that points; empty for a sensor's own aim
      * @return the same settings without a pointing, and for a sensor that no positioner can turn

@@ -8,26 +8,26 @@ import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 
 /**
- * The record of one look of a sensor at a drone, with the truth beside what was measured, for scoring. What the sensor
- * itself reports are its {@link #measurements()}. A sensor may record several looks at one drone at the same time,
- * leave drones out, and report false alarms.
+ * The record of one look of a sensor at a drone, with the truth beside the measurement, for scoring. The sensor itself
+ * reports the {@link #measurements()} alone. A sensor may record several looks at one drone at the same time, leave
+ * drones out, and report false alarms.
  *
- * @param look which look of which sensor it was made in
- * @param truth the drone that it came from
+ * @param look the look in which it was made
+ * @param truth the drone that caused it
  * @param reading the measured value, and its threshold
  * @param figures further results of this look, by name with unit, such as {@code rays} or {@code energy_db}; none for
  *     most sensors
- * @param sighting where the sensor believes the drone to be; empty for a sensor that reports no direction
+ * @param sighting the estimated position or direction of the drone; empty for a sensor that reports no direction
  */
 public record Observation(
         LookId look, GroundTruth truth, Reading reading, Map<String, Double> figures, Optional<Sighting> sighting) {
 
-    /** The figure of a sensor that knows how likely its look was to detect the drone. */
+    /** The name of the figure for the probability that the look detects the drone. */
     public static final String PROBABILITY = "probability";
 
     /**
-     * The figure, 1, of a look whose line of sight leaves the known ground: that nothing hid the drone is not
-     * known either.
+     * The name of the figure, 1, for a look whose line of sight leaves the known ground, where something may have
+     * hidden the drone.
      */
     public static final String UNKNOWN = "unknown";
 
@@ -48,10 +48,10 @@ public record Observation(
     }
 
     /**
-     * A false alarm: what a sensor reports although no drone caused it, such as noise, a bird or an echo.
+     * A false alarm: a report that no drone caused, but noise, a bird or an echo.
      *
      * @param look of the sensor: {@link Look#id}
-     * @param sighting where the sensor believes the source to be
+     * @param sighting the estimated position or direction of its source
      */
     public static Observation ofNothing(LookId look, Reading reading, Optional<Sighting> sighting) {
         return new Observation(look, GroundTruth.ofNothing(look.time()), reading, Map.of(), sighting);
@@ -87,7 +87,7 @@ public record Observation(
         return truth.time();
     }
 
-    /** When that reached the sensor, seconds since the start of the run: later than {@link #time} for sound. */
+    /** When it reached the sensor, seconds since the start of the run: later than {@link #time} for sound. */
     public double arrival() {
         return look.time();
     }
@@ -102,7 +102,7 @@ public record Observation(
         return reading.value();
     }
 
-    /** What the value must reach for a detection. */
+    /** The value required for a detection. */
     public double threshold() {
         return reading.threshold();
     }
@@ -117,12 +117,17 @@ public record Observation(
         return truth.isNothing();
     }
 
-    /** What the sensor reports from this look: nothing about a drone that it neither detected nor sighted. */
+    /**
+     * The measurements that the sensor reports from this look: none of a drone that it neither detected nor sighted.
+     */
     public List<Measurement> measurements() {
         return isDetected() || sighting.isPresent() ? List.of(new Measurement(look, reading, sighting)) : List.of();
     }
 
-    /** The probability that this look detects the drone, 0 to 1; for a sensor that does not know it, whether it did. */
+    /**
+     * The probability that this look detects the drone, 0 to 1; for a sensor that does not estimate it, 0 or 1: whether
+     * it did.
+     */
     public double probability() {
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
     }

@@ -16,7 +16,7 @@ public sealed interface Outline {
     double ROUNDING = 1e-9;
 
     /**
-     * Whether a point is inside.
+     * Whether a point is within it.
      *
      * @param vector vector from the sensor, m
      */
@@ -34,7 +34,7 @@ public sealed interface Outline {
      *     shifted
      * @param middleUp how far it is above the axis there, m
      * @param near where it begins, as a distance along the axis, m
-     * @param far where it ends, as a distance along the axis, m; infinity for no end
+     * @param far where it ends, as a distance along the axis, m; infinity if it does not end
      */
     record Frustum(
             Position forward,
@@ -70,7 +70,7 @@ public sealed interface Outline {
             return ahead >= near && ahead <= far && spans(vector);
         }
 
-        /** Whether a vector leads into the field, at whatever distance. */
+        /** Whether the direction of a vector is within the field, at any distance. */
         public boolean spans(Position vector) {
             double ahead = vector.dot(forward);
             return ahead > 0.0
@@ -80,12 +80,12 @@ public sealed interface Outline {
     }
 
     /**
-     * Everything within given angles of a direction and between two distances.
+     * A field of view within given angles of a direction and between two distances.
      *
      * @param azimuth of its centre, clockwise from north, rad
      * @param elevation of its centre, above the horizon, rad
-     * @param azimuthWidth how wide it is, rad; 2 pi for all round
-     * @param elevationWidth how high it is, rad
+     * @param azimuthWidth its width, rad; 2 pi for all round
+     * @param elevationWidth its height, rad
      * @param minRange where it begins, m
      * @param maxRange where it ends, m
      */
@@ -97,7 +97,7 @@ public sealed interface Outline {
             double minRange,
             double maxRange)
             implements Outline {
-        /** Whether something is neither too near nor too far. */
+        /** Whether a point is between the two distances. */
         public boolean reaches(Position vector) {
             double range = vector.length();
             return range >= minRange && range <= maxRange;

@@ -6,17 +6,17 @@ import org.dronewatch.positioner.Pointing;
 /** Settings of a sensor whose field of view has a shape that can be drawn. A capability: {@link SensorSettings#as}. */
 public interface Outlined {
 
-    /** The shape, as the sensor points on its own. */
+    /** The shape for the sensor's own aim. */
     Outline outline();
 
-    /** The shape of any sensor, as it points on its own; empty for a sensor that has none. */
+    /** The shape of any sensor's field of view for its own aim; empty for a sensor that has none. */
     static Optional<Outline> outline(SensorSettings<?> sensor) {
         return sensor.as(Outlined.class).map(Outlined::outline);
     }
 
     /**
      * The field of view of any sensor, outside which it detects nothing; empty for a sensor without one. A
-     * {@linkplain Outline.Ball sphere} around a microphone is not a field of view: it also hears what is outside.
+     * {@linkplain Outline.Ball sphere} around a microphone is not a field of view: it also hears drones outside.
      *
      * @param pointing where a positioner points the sensor; empty for its own aim
      */

@@ -3,7 +3,7 @@ package org.dronewatch.sensor;
 /** Receives every segment of every ray that a sensor traces. */
 @FunctionalInterface
 public interface RayRecorder {
-    /** Records nothing. */
+    /** A recorder that ignores everything. */
     RayRecorder NONE = (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {};
 
     /**
@@ -15,7 +15,7 @@ public interface RayRecorder {
      * @param toX where it ends: at a surface, at the sensor, or after 1 km if it hits nothing, m
      * @param toY where it ends, m
      * @param toZ where it ends, m
-     * @param level its level where it ends, dB
+     * @param level its level at its end, dB
      * @param order how many surfaces the ray has hit before it
      * @param received whether it ends at the sensor
      */

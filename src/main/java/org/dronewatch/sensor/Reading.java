@@ -1,7 +1,7 @@
 package org.dronewatch.sensor;
 
 /**
- * What a sensor measured, and what that must reach.
+ * A measured value with its threshold.
  *
  * @param value the measured value, in the unit
  * @param threshold at and above which it is a detection, in the unit

@@ -5,20 +5,20 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**
- * Something that looks at a world with drones in it. A sensor may keep scratch memory and caches, so it is used by one
- * thread at a time; what it observes depends only on its settings and its arguments.
+ * A sensor: it looks at drones in a world, and returns observations. It may keep scratch memory and caches, so it is
+ * used by one thread at a time; its observations depend only on its settings and its arguments.
  */
 public interface Sensor {
 
     /**
-     * One look.
+     * Takes one look.
      *
      * @param world the site
      * @param drones the drones as they appear at the sensor at the look's time: as they are, or, for a signal that
      *     takes time to arrive, as they were when it left them
-     * @param look which look of which sensor this is, when, and with which random numbers
-     * @return what was observed: usually one observation of each drone, in the same order; a sensor may leave drones
-     *     out, observe one several times, and report false alarms ({@link Observation#ofNothing})
+     * @param look identity, time and random numbers of the look
+     * @return the observations: usually one of each drone, in the same order; a sensor may leave drones out, observe
+     *     one several times, and report false alarms ({@link Observation#ofNothing})
      */
     List<Observation> observe(World world, List<Drone> drones, Look look);
 }

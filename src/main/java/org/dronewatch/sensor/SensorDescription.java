@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What reports say about a sensor with its settings.
+ * The texts about a kind of sensor, for reports.
  *
- * @param measures what the values of its observations mean, in words for a plot: {@code sound level}
+ * @param measures the quantity that its observations measure, as the label of an axis: {@code sound level}
  * @param weakness the words for a drone whose signal is insufficient, such as {@code too quiet}
- * @param leavesOut what the model of this sensor leaves out, in sentences for a report
+ * @param leavesOut effects that the model of this sensor leaves out, in sentences for a report
  * @param ignoredConditions conditions of the site that would matter to a real sensor of this kind, but that its model
- *     does not take into account; by condition what to do instead, in words such as
+ *     does not take into account; by condition the advice for the user, such as
  *     {@code set its 'transmission' for such weather}. A scene that sets one of them gets a warning
  */
 public record SensorDescription(
@@ -22,7 +22,10 @@ public record SensorDescription(
         ignoredConditions = Map.copyOf(ignoredConditions);
     }
 
-    /** For a sensor that misses drones whose signal is too weak, and whose model leaves out nothing worth stating. */
+    /**
+     * The description of a sensor whose weak drones are {@code too weak}, and whose model leaves out nothing worth
+     * stating.
+     */
     public static SensorDescription measuring(String measures) {
         return new SensorDescription(measures, "too weak", List.of(), Map.of());
     }
@@ -37,7 +40,7 @@ public record SensorDescription(
         return new SensorDescription(measures, weakness, List.of(sentences), ignoredConditions);
     }
 
-    /** This description with conditions that the model does not take into account, each with what to do instead. */
+    /** This description with conditions that the model does not take into account, each with advice for the user. */
     public SensorDescription withIgnoredConditions(Map<Condition, String> others) {
         return new SensorDescription(measures, weakness, leavesOut, others);
     }

@@ -7,16 +7,16 @@ import org.dronewatch.setting.Settings;
 import org.dronewatch.world.World;
 
 /**
- * Settings of a sensor of any kind: what every sensor has. Implementations are records, so that a scene file and
- * {@code --set} reach every field. What only some sensors have is a capability, an interface that the record implements
- * as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging}, {@link DirectionFinding},
- * {@link SoundTracing}. Obtain one by {@link #as}.
+ * Settings of a sensor of any kind, with the properties that all sensors share. Implementations are records, so that a
+ * scene file and {@code --set} reach every field. Properties of some sensors only are capabilities, interfaces that the
+ * record implements as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging},
+ * {@link DirectionFinding}, {@link SoundTracing}. Obtain one by {@link #as}.
  *
  * @param <S> the sensor that they create
  */
 public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
-    /** Where the sensor is, m. */
+    /** The position of the sensor, m. */
     Position position();
 
     /**
@@ -29,25 +29,23 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
      */
     SensorSettings<S> withPosition(Position other);
 
-    /** How often it looks, Hz, above 0: frames, updates or scans per second. */
+    /** The rate of its looks, Hz, above 0: frames, updates or scans per second. */
     double rate();
 
-    /** The word for its kind in results: {@code camera}. */
+    /** The name of its kind in results, such as {@code camera}. */
     String kind();
 
-    /** When chance decides whether it detects a drone: anew in each look unless stated otherwise. */
+    /** How often a random draw decides whether it detects a drone: in each look unless overridden. */
     default Chance chance() {
         return Chance.PER_LOOK;
     }
 
-    /**
-     * What looks odd about these settings, although it is not refused: one line each, which a scene prints as warnings.
-     */
+    /** Warnings about settings that are valid, but implausible: one line each, which a scene prints. */
     default List<String> advice() {
         return List.of();
     }
 
-    /** What reports say about it. */
+    /** The texts about it for reports. */
     default SensorDescription description() {
         return SensorDescription.measuring("value");
     }

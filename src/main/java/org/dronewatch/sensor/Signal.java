@@ -3,9 +3,10 @@ package org.dronewatch.sensor;
 /**
  * The signal that a sensor receives from a drone, before any random decision.
  *
- * @param probability that one look detects the drone or, of a sensor of {@link Chance#PER_ENCOUNTER}, that its observer
- *     can, given time, 0 to 1
- * @param quantity what is measured, in the unit; minus infinity where nothing reaches the sensor and the unit is dB
+ * @param probability that one look detects the drone or, for a sensor of {@link Chance#PER_ENCOUNTER}, that its
+ *     observer can detect it, given time, 0 to 1
+ * @param quantity the measured quantity, in the unit; minus infinity where nothing reaches the sensor and the unit is
+ *     dB
  * @param unit of quantity, threshold and standard error; empty for a ratio
  * @param threshold that the quantity must reach; for a probabilistic sensor, the value at which the detection
  *     probability is 0.5
@@ -25,7 +26,7 @@ public record Signal(
         return new Signal(quantity >= threshold ? 1.0 : 0.0, quantity, unit, threshold, 0.0, 0.0);
     }
 
-    /** An exact signal of a sensor that knows how likely it is to detect. */
+    /** An exact signal of a sensor that detects with a probability. */
     public static Signal of(double probability, double quantity, String unit, double threshold) {
         return new Signal(probability, quantity, unit, threshold, 0.0, 0.0);
     }

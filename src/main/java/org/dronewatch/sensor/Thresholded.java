@@ -3,8 +3,8 @@ package org.dronewatch.sensor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Settings of a sensor that compares what it receives with a threshold, which can be fitted to a range that the sensor
- * is known to have. A capability: {@link SensorSettings#as}.
+ * Settings of a sensor whose detection threshold can be fitted to a known detection range. A capability:
+ * {@link SensorSettings#as}.
  */
 public interface Thresholded {
 
@@ -22,7 +22,7 @@ public interface Thresholded {
      * The values of a threshold.
      *
      * @param setting path of the setting within those of the sensor, such as {@code detection.pixels}
-     * @param quantity what it is
+     * @param quantity its quantity
      * @param lowest least value, in the unit of the quantity
      * @param highest greatest value, in the unit of the quantity
      * @param step distance from one value to the next, above 0; 1 for whole numbers
@@ -32,7 +32,7 @@ public interface Thresholded {
         public static final double FINE = 1e-6;
 
         /**
-         * Checks that there are values.
+         * Checks that the range is not empty.
          *
          * @throws IllegalArgumentException when the highest is not above the lowest, or the step not above 0
          */

@@ -1,5 +1,5 @@
 /**
- * What all kinds of sensors have in common: settings and their capabilities, looks, observations, assessments and
+ * The common parts of all kinds of sensors: settings and their capabilities, looks, observations, assessments and
  * detections.
  */
 package org.dronewatch.sensor;

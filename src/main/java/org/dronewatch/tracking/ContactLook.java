@@ -4,15 +4,15 @@ import java.util.List;
 import org.dronewatch.sensor.Measurement;
 
 /**
- * One look of a sensor at a contact: what it measured of it, if anything. Positioners, alerts and fusion receive these;
- * no truth can be reached from them.
+ * One look of a sensor at a contact, with its measurements, if any. Positioners, alerts and fusion receive these; no
+ * truth can be reached from them.
  *
  * @param contact number of the contact
  * @param sensor name of the sensor
  * @param time time of reception at the sensor, seconds since the start of the run
  * @param probability how likely the look was to detect the contact, 0 to 1; 0 or 1 (whether it detected) for a sensor
  *     that does not estimate a probability
- * @param measurements what the sensor reports of the contact: none, one or several
+ * @param measurements of the contact: none, one or several
  */
 public record ContactLook(int contact, String sensor, double time, double probability, List<Measurement> measurements) {
     /** Copies the list: later changes by the caller have no effect. */

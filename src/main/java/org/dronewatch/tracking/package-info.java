@@ -1,5 +1,5 @@
 /**
- * From measurements to contacts: which measurements belong together. Only
- * {@link org.dronewatch.tracking.PerfectAssociation} reads the truth; nothing of it can be reached from what it gives.
+ * The association of measurements with contacts. Only {@link org.dronewatch.tracking.PerfectAssociation} reads the
+ * truth; it cannot be reached from the results.
  */
 package org.dronewatch.tracking;
