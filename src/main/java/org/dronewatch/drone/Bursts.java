@@ -7,13 +7,13 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A transmission in bursts, each on a channel that is drawn anew: frequency hopping; with one channel, a duty cycle
+ * A transmission in bursts, each on a channel chosen at random: frequency hopping; with one channel, a duty cycle
  * alone.
  *
  * @param rate bursts per second, 0.001 Hz to 1 MHz, Hz
  * @param dutyCycle fraction of the time in which it transmits, above 0 and at most 1
- * @param channels among which it hops, 1 to 1,000,000
- * @param span of all channels together, 1 Hz to 10 GHz, Hz; it does not matter for one channel
+ * @param channels number of channels among which it hops, 1 to 1,000,000
+ * @param span total width of all channels, 1 Hz to 10 GHz, Hz; of no effect for one channel
  */
 public record Bursts(
         @In(value = Quantity.FREQUENCY, from = 1e-3, to = 1e6) double rate,
@@ -35,12 +35,12 @@ public record Bursts(
         return new Bursts(rate, 1.0, 1, 1e6);
     }
 
-    /** These bursts with another fraction of the time in which they last. */
+    /** These bursts with another duty cycle. */
     public Bursts withDutyCycle(double fraction) {
         return SettingsForm.with(this, "dutyCycle", fraction);
     }
 
-    /** These bursts on one of several channels each, with the span of all of them, Hz. */
+    /** These bursts on a number of channels, with the total width of all of them, Hz. */
     public Bursts withChannels(int count, double all) {
         return SettingsForm.with(this, java.util.Map.of("channels", count, "span", all));
     }

@@ -14,9 +14,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A drone at one moment: a mesh with a tree in its own model space, and the matrix that transforms it to the world.
- * Moving it changes the matrix only, and returns a new drone that shares the tree. Immutable, hence safe for any
- * thread.
+ * A drone at one time: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving it
+ * changes the matrix only, and returns a new drone that shares the tree. Immutable and thread-safe.
  *
  * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, as
  * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
@@ -30,7 +29,7 @@ public final class Drone {
     private final Vector3d velocity;
     private final OptionalDouble gliding;
 
-    /** A drone whose model space is the world's: at the origin, nose to the north, at rest. */
+    /** A drone at the origin of the world, its nose to the north, at rest. */
     public Drone(String id, DroneSettings settings, KDTree tree) {
         this(id, settings, tree, identity(), new Vector3d(), OptionalDouble.empty());
     }
@@ -94,7 +93,7 @@ public final class Drone {
         return new Drone(id, settings, tree, next, velocity, gliding);
     }
 
-    /** This drone in a given state of its flight: its model unscaled, turned by the {@link Attitude}. */
+    /** This drone in a given state of its flight: its model unscaled, rotated by the {@link Attitude}. */
     public Drone at(FlightState state) {
         Attitude attitude = state.attitude();
         Matrix4d pose = new Matrix4d();
@@ -159,22 +158,22 @@ public final class Drone {
         return new Matrix4d(worldToModel);
     }
 
-    /** Where its origin is in the world, m. */
+    /** The position of its origin in the world, m. */
     public Point3d position() {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** Where its origin is in the world, m: {@link #position()} as an immutable value. */
+    /** The position of its origin in the world, m: {@link #position()} as an immutable value. */
     public Position origin() {
         return new Position(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** Where a point of its model is in the world, m. */
+    /** The position in the world of a point of its model, m. */
     public Position toWorld(Position point) {
         return transformed(modelMatrix, point);
     }
 
-    /** Where a point of the world is in its model's space, m. */
+    /** The position in model space of a point of the world, m. */
     public Position toModel(Position point) {
         return transformed(worldToModel, point);
     }
@@ -190,8 +189,8 @@ public final class Drone {
     }
 
     /**
-     * No part of its mesh is farther from its origin than this, m: the reach of its model box times the largest stretch
-     * of the matrix.
+     * An upper bound on the distance of its mesh from its origin, m: the reach of its model box times the largest
+     * stretch of the matrix.
      */
     public double reach() {
         AABB box = tree.bounds();
@@ -215,24 +214,27 @@ public final class Drone {
         return gliding.isEmpty();
     }
 
-    /** Its source level for the level model as it flies now, dB. */
+    /** Its source level for the level model in its present state of flight, dB. */
     public double soundLevel() {
         return settings.emission().soundLevel(this);
     }
 
-    /** Its sound power levels by octave band as it flies now, dB re 1e-12 W. */
+    /** Its sound power levels by octave band in its present state of flight, dB re 1e-12 W. */
     public List<Double> soundPower() {
         return Arrays.stream(settings.emission().soundPower(this).toArray())
                 .boxed()
                 .toList();
     }
 
-    /** The lines in its sound as it flies now. */
+    /** The tones in its sound in its present state of flight. */
     public List<Tone> tones() {
         return settings.emission().tones(this);
     }
 
-    /** Its apparent temperature difference from the background as it flies now, K: with its motors off it cools. */
+    /**
+     * Its apparent temperature difference from the background in its present state of flight, K: with its motors off it
+     * cools.
+     */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));
     }

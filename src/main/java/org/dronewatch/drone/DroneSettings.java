@@ -30,15 +30,15 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.World;
 
 /**
- * A drone: its shape, its flight, and what each kind of sensor needs to know about it.
+ * A drone: its shape, its flight, and its signatures for each kind of sensor.
  *
  * @param model its mesh, whose nose points to the model's north (y after loading) and whose origin is the drone's
- * @param flight how it flies
+ * @param flight its flight path
  * @param speed cruise speed, 0.001 to 400 m/s
  * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
- * @param airframe type of airframe, which determines how it leans
- * @param lean whether it tilts as its type of airframe tilts in flight: a multirotor into its acceleration, a
- *     fixed-wing into its turn; otherwise it stays level, unless its flight states an attitude
+ * @param airframe type of airframe, which determines how it tilts
+ * @param lean whether it tilts in flight like its type of airframe: a multirotor into its acceleration, a fixed-wing
+ *     into its turn; otherwise it stays level, unless its flight states an attitude
  * @param radar its radar signature
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
@@ -46,15 +46,15 @@ import org.dronewatch.world.World;
  *     dB; 50 to 55 in the thesis
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
- * @param glideReduction how much quieter it is with its motors off, when only airflow is heard, 0 to 100 dB
+ * @param glideReduction reduction of its level with the motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any
- *     other name for it; {@code soundPowerLevel} and {@code directivity} are set apart from it
- * @param spectrum the drone's own spectrum in place of the table's: A-weighted levels of the octave bands relative to
- *     one another, as in the table; {@code soundPowerLevel} sets how loud it is
- * @param directivity how the sound radiated depends on elevation, for the energy model
- * @param tones the lines in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
- * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
- * @param swarm how many such drones fly in formation; a single drone if empty
+ *     other name for it; {@code soundPowerLevel} and {@code directivity} are set separately
+ * @param spectrum a spectrum in place of one of the table: A-weighted levels of the octave bands relative to one
+ *     another, as in the table; {@code soundPowerLevel} sets the loudness
+ * @param directivity dependence of the radiated sound on elevation, for the energy model
+ * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
+ * @param emission model of its sound, given these settings and its flight: steady, or a kind from another jar
+ * @param swarm number and formation of a swarm of such drones; a single drone if empty
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
 public record DroneSettings(
@@ -182,7 +182,7 @@ public record DroneSettings(
         return SettingsForm.with(this, "airframe", other);
     }
 
-    /** These settings, leaning into accelerations and turns or always level. */
+    /** These settings, tilting in accelerations and turns, or always level. */
     public DroneSettings withLean(boolean leaning) {
         return SettingsForm.with(this, "lean", leaning);
     }
@@ -213,11 +213,11 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another kind of drone, spectrum and loudness: one from the library's table, with
-     * its directivity if that was measured, or a sound of your own.
+     * These settings with the sound of another type of drone, spectrum and loudness: one from the library's table, with
+     * its directivity if that was measured, or a sound that you define.
      *
-     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound of
-     *     your own has a name of the table
+     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound that
+     *     you define has a name of the table
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));
@@ -232,7 +232,7 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with their own spectrum, and the loudness as it is.
+     * These settings with a spectrum in place of one of the table, and the loudness unchanged.
      *
      * @param shape A-weighted levels of the octave bands relative to one another, -200 to 200 dB
      */
@@ -250,12 +250,12 @@ public record DroneSettings(
         return SettingsForm.with(this, "directivity", other);
     }
 
-    /** These settings with lines in the spectrum. */
+    /** These settings with tones in the spectrum. */
     public DroneSettings withTones(RotorTones other) {
         return SettingsForm.with(this, "tones", Optional.of(Check.present("tones", other)));
     }
 
-    /** These settings with another emission, such as one of your own. */
+    /** These settings with another model of the emission. */
     public DroneSettings withEmission(SoundEmission other) {
         return SettingsForm.with(this, "emission", Check.present("emission", other));
     }
@@ -270,7 +270,7 @@ public record DroneSettings(
         return SettingsForm.with(this, "label", other);
     }
 
-    /** What flies: this drone, or the individual drones of its swarm, the leader first. */
+    /** The individual drones: this one, or those of its swarm, the leader first. */
     public List<DroneSettings> members() {
         if (swarm.isEmpty()) {
             return List.of(this);
@@ -282,8 +282,8 @@ public record DroneSettings(
     }
 
     /**
-     * Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's own loudness, as a drone of steady
-     * emission radiates it with its motors running.
+     * Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's loudness, as radiated by a drone of
+     * steady emission with its motors running.
      */
     public List<Double> soundPower() {
         return soundPower(soundPowerLevel);
@@ -305,14 +305,14 @@ public record DroneSettings(
     /**
      * The path of this drone, or of the leader of its swarm.
      *
-     * @param ground what lies below, as {@link World#newGround()} returns it
+     * @param ground the ground below, as {@link World#newGround()} returns it
      * @throws IllegalArgumentException when the flight follows the ground and there is none
      */
     public FlightPath createFlight(Ground ground) {
         return leaning(flight.create(speed, acceleration, ground));
     }
 
-    /** A path as this drone flies it: leaning, if it does. */
+    /** A path with this drone's tilt, if it tilts. */
     public FlightPath leaning(FlightPath path) {
         return lean ? airframe.leaning(path) : path;
     }

@@ -16,7 +16,7 @@ import org.dronewatch.setting.SettingsForm;
 public record HeatSignature(
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = -100, to = 1000) double excess,
         @In(value = Quantity.DURATION, above = 0, to = 10_000) double coolingTime) {
-    /** 5 K, two minutes: assumed. */
+    /** 5 K and two minutes, which are assumed. */
     @Defaults
     public static final HeatSignature DEFAULT = new HeatSignature(5.0, 120.0);
 
@@ -31,7 +31,7 @@ public record HeatSignature(
     }
 
     /**
-     * The excess after a time without motors, by Newton's law of cooling, K.
+     * The excess after a time with the motors off, by Newton's law of cooling, K.
      *
      * @param seconds since the motors were stopped; 0 while they run
      */

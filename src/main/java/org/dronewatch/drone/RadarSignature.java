@@ -13,14 +13,14 @@ import org.dronewatch.setting.SettingsForm;
  * A drone's radar signature.
  *
  * @param crossSection mean radar cross-section, 1e-9 to 1e6 m2
- * @param fluctuation how the cross-section changes from look to look
+ * @param fluctuation fluctuation of the cross-section from look to look
  * @param aspects cross-section by aspect relative to the mean, dB: values at equal steps of azimuth, clockwise from the
- *     nose as seen from above; 1 to 360 of them, one if it is the same from all sides
+ *     nose as seen from above; 1 to 360 of them, a single one if it is the same for all aspects
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
- *     above 0 and at most 20 dB; omit it for a {@code fluctuation}
- * @param droneClass a class of drones that gives {@code crossSection} and {@code spread}; omit it for your own
- * @param rotorLevel by how much the echo of its rotors lies below that of its body, 0 to 100 dB: while its motors run,
- *     that part of the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for none
+ *     above 0 and at most 20 dB; omit it to use {@code fluctuation}
+ * @param droneClass a class of drones, which sets {@code crossSection} and {@code spread}; omit it to state your own
+ * @param rotorLevel level of its rotors' echo below that of its body, 0 to 100 dB: while its motors run, that part of
+ *     the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for rotors without an echo
  */
 public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
@@ -31,7 +31,7 @@ public record RadarSignature(
         @Minor @In(value = Quantity.LEVEL, from = 0, to = 100) Optional<Double> rotorLevel) {
     private static final double USUAL_AREA = 0.01;
 
-    /** A small quadrotor: 0.01 m2, steady, the same from all sides. */
+    /** A small quadrotor: 0.01 m2, steady, the same for all aspects. */
     @Defaults
     public static final RadarSignature DEFAULT = new RadarSignature(
             USUAL_AREA, Fluctuation.STEADY, List.of(0.0), Optional.empty(), Optional.empty(), Optional.empty());
@@ -39,23 +39,20 @@ public record RadarSignature(
     private static final int MAX_ASPECTS = 360;
 
     /**
-     * How a cross-section changes: Swerling's cases (P. Swerling, "Probability of detection for fluctuating targets",
-     * IRE Transactions on Information Theory 6, 1960). Cases 2 and 4 differ from 1 and 3 only where a radar adds up
-     * several pulses.
+     * The fluctuation of a cross-section: Swerling's cases (P. Swerling, "Probability of detection for fluctuating
+     * targets", IRE Transactions on Information Theory 6, 1960). Cases 2 and 4 differ from 1 and 3 only where a radar
+     * integrates several pulses.
      */
     public enum Fluctuation {
-        /** Not at all: Swerling's case 0. */
+        /** No fluctuation: Swerling's case 0. */
         STEADY,
-        /** As of many similar scatterers, from look to look: exponentially distributed, case 1. */
+        /** Many similar scatterers, from look to look: exponentially distributed, case 1. */
         SWERLING_1,
-        /** As of many similar scatterers, from pulse to pulse: exponentially distributed, case 2. */
+        /** Many similar scatterers, from pulse to pulse: exponentially distributed, case 2. */
         SWERLING_2,
-        /**
-         * As of one large scatterer with many small ones, from look to look: chi-square, four degrees of freedom, case
-         * 3.
-         */
+        /** One large scatterer with many small ones, from look to look: chi-square, four degrees of freedom, case 3. */
         SWERLING_3,
-        /** As of one large scatterer with many small ones, from pulse to pulse: case 4. */
+        /** One large scatterer with many small ones, from pulse to pulse: case 4. */
         SWERLING_4
     }
 
@@ -117,14 +114,14 @@ public record RadarSignature(
         return SettingsForm.with(this, "rotorLevel", Optional.of(decibels));
     }
 
-    /** The fraction of the cross-section that its rotors have while they turn, 0 to 0.5. */
+    /** The fraction of the cross-section due to its rotors while they turn, 0 to 0.5. */
     public double rotorFraction() {
         return rotorLevel
                 .map(level -> 1.0 / (1.0 + Math.pow(10.0, 0.1 * level)))
                 .orElse(0.0);
     }
 
-    /** The signature of a class of drones, the same from all sides. */
+    /** The signature of a class of drones, the same for all aspects. */
     public static RadarSignature of(DroneClass drones) {
         return SettingsForm.with(DEFAULT, "droneClass", Optional.of(drones));
     }
@@ -142,7 +139,7 @@ public record RadarSignature(
     /**
      * The cross-section at one aspect, m2: interpolated linearly in decibels between two aspects.
      *
-     * @param aspect where the radar is, clockwise from the drone's nose as seen from above, rad
+     * @param aspect bearing of the radar, clockwise from the drone's nose as seen from above, rad
      */
     public double towards(double aspect) {
         double turns = aspect / (2.0 * Math.PI);

@@ -10,16 +10,16 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How a drone is controlled, and which radio signals can be received. One that flies autonomously, or on a fibre,
- * transmits nothing.
+ * A drone's control link, and the radio signals that can be received from it. A drone that flies autonomously, or on a
+ * fibre, transmits nothing.
  *
- * @param control how it is controlled
+ * @param control type of control
  * @param frequency carrier, 1 MHz to 100 GHz, Hz
  * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
  * @param pilot position of the pilot's transmitter, or empty if it cannot be received, m
  * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm
- * @param emission what kind of signal it is, by which a receiver may know it for a drone's
- * @param bursts how it transmits in bursts or hops; omit it for a transmission without pauses on one channel
+ * @param emission type of signal, by which a receiver can recognise it as a drone's
+ * @param bursts bursts and hops of the transmission; omit it for a transmission without pauses on one channel
  */
 public record RadioLink(
         Control control,
@@ -29,14 +29,14 @@ public record RadioLink(
         @In(value = Quantity.LEVEL, from = -100, to = 100) double pilotPower,
         @Minor Emission emission,
         @Minor Optional<Bursts> bursts) {
-    /** Remote control at 2.4 GHz, 20 dBm from the drone; where the pilot stands is not known. */
+    /** Remote control at 2.4 GHz, 20 dBm from the drone; the pilot cannot be received. */
     @Defaults
     public static final RadioLink DEFAULT =
             new RadioLink(Control.RADIO, 2.4e9, 20.0, Optional.empty(), 20.0, Emission.DEDICATED, Optional.empty());
 
-    /** Who controls a drone, and how. */
+    /** A type of control of a drone. */
     public enum Control {
-        /** A pilot by radio: video and telemetry come back. */
+        /** A pilot by radio, to whom the drone sends video and telemetry. */
         RADIO,
         /** No pilot: it flies as programmed, and transmits nothing. */
         AUTONOMOUS,
@@ -44,13 +44,13 @@ public record RadioLink(
         FIBRE
     }
 
-    /** What kind of signal a drone and its pilot transmit. */
+    /** A type of signal that a drone and its pilot transmit. */
     public enum Emission {
-        /** That of a remote control or a video link made for drones. */
+        /** The signal of a remote control or a video link made for drones. */
         DEDICATED,
-        /** That of a WLAN, which names its maker. */
+        /** The signal of a WLAN, which identifies its manufacturer. */
         WLAN,
-        /** That of a phone, over a mobile network (LTE, 5G): nothing in it tells it from other phones. */
+        /** The signal of a phone, over a mobile network (LTE, 5G): nothing in it distinguishes it from other phones. */
         CELLULAR
     }
 
@@ -59,7 +59,7 @@ public record RadioLink(
         Limits.check(RadioLink.class, control, frequency, power, pilot, pilotPower, emission, bursts);
     }
 
-    /** This link with another kind of control. */
+    /** This link with another type of control. */
     public RadioLink withControl(Control other) {
         return SettingsForm.with(this, "control", other);
     }
@@ -79,7 +79,7 @@ public record RadioLink(
         return SettingsForm.with(this, "pilot", Optional.of(position));
     }
 
-    /** This link with another kind of signal. */
+    /** This link with another type of signal. */
     public RadioLink withEmission(Emission other) {
         return SettingsForm.with(this, "emission", other);
     }

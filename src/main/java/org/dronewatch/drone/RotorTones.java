@@ -12,8 +12,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.Tone;
 
 /**
- * The lines in the spectrum of a drone: the blade-passing frequency of its rotors and its harmonics. They are part of
- * the drone's sound power, not additional to it; the rest of each octave band is broadband noise.
+ * The tones of a drone: the blade-passing frequency of its rotors and its harmonics. They are part of the drone's sound
+ * power, not additional to it; the rest of each octave band is broadband noise.
  *
  * @param rotorSpeed revolutions of a rotor, above 0 to 1000 Hz; also with {@code rpm}, as in {@code 6150 rpm}
  * @param blades number of blades of a rotor, 1 to 12; two on most quadrotors
@@ -69,12 +69,12 @@ public record RotorTones(
         return SettingsForm.with(this, "blades", number);
     }
 
-    /** These tones with other shares of the octave bands' power. */
+    /** These tones with other fractions of the octave bands' power. */
     public RotorTones withShares(List<Double> fractions) {
         return SettingsForm.with(this, "shares", fractions);
     }
 
-    /** How often a blade passes, Hz. */
+    /** The blade-passing frequency, Hz. */
     public double bladePassingFrequency() {
         return rotorSpeed * blades;
     }

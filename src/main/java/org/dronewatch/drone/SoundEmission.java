@@ -5,14 +5,13 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Tone;
 
 /**
- * How the sound that a drone radiates follows from its settings and its flight; how it then travels is for the
- * propagation model of each microphone. Implementations are immutable records, asked by any thread; {@link
- * org.dronewatch.setting.Kind} explains how scene files can choose a new one. What they are asked about is the drone as
- * it was when the sound left it: its velocity, its attitude, and whether its motors run.
+ * A model of the sound that a drone radiates, given its settings and its flight; its propagation is left to the
+ * propagation model of each microphone. Implementations are immutable records, and may be called by any thread;
+ * {@link org.dronewatch.setting.Kind} explains how scene files can choose a new one. They are given the drone as it was
+ * when the sound left it: its velocity, its attitude, and whether its motors run.
  *
- * <p>The settings of a drone's sound mean whatever the emission makes of them. One that changes only the loudness takes
- * the rest from {@link SteadyEmission}; how the sound radiated depends on the direction remains the setting {@code
- * directivity}.
+ * <p>Each emission defines the meaning of a drone's sound settings. One that changes only the loudness can take the
+ * rest from {@link SteadyEmission}; the dependence on direction is always set by {@code directivity}.
  */
 public interface SoundEmission {
 
@@ -34,7 +33,7 @@ public interface SoundEmission {
     }
 
     /**
-     * The lines in its sound, which are part of its sound power: those of the settings, none with the motors off,
+     * The tones in its sound, which are part of its sound power: those of the settings, none with the motors off,
      * unless overridden.
      *
      * @param drone as it was when the sound left it

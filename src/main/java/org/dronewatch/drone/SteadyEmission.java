@@ -5,9 +5,9 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Tone;
 
-/** The same sound however the drone flies, as its settings state it; quieter and without tones with the motors off. */
+/** The sound that the settings state, however the drone flies; quieter and without tones with the motors off. */
 public record SteadyEmission() implements SoundEmission {
-    /** The only one. */
+    /** The only instance. */
     @Defaults
     public static final SteadyEmission DEFAULT = new SteadyEmission();
 

@@ -14,11 +14,11 @@ import org.dronewatch.setting.Quantity;
  * The role, purpose and properties of a drone, for readers of the results. No sensor uses it: it changes no detection.
  *
  * @param role its role in the scene
- * @param purpose what its owner intends
- * @param platform how it is built
- * @param powerSource how it is powered
+ * @param purpose intention of its owner
+ * @param platform type of aircraft
+ * @param powerSource source of its power
  * @param weight take-off weight, above 0 and at most 10 t, kg
- * @param size its largest dimension as built, above 0 and at most 100 m; what sensors see is the model
+ * @param size largest dimension of the real drone, above 0 and at most 100 m; sensors see the model
  */
 public record ThreatLabel(
         Role role,
@@ -27,7 +27,7 @@ public record ThreatLabel(
         PowerSource powerSource,
         @In(value = Quantity.MASS, above = 0, to = 10_000) Optional<Double> weight,
         @In(value = Quantity.LENGTH, above = 0, to = 100) Optional<Double> size) {
-    /** An attack of which nothing else is known. */
+    /** An attack, with nothing else known. */
     @Defaults
     public static final ThreatLabel DEFAULT = new ThreatLabel(
             Role.ATTACK, Purpose.UNKNOWN, Platform.UNKNOWN, PowerSource.UNKNOWN, Optional.empty(), Optional.empty());
@@ -42,7 +42,7 @@ public record ThreatLabel(
         BYSTANDER
     }
 
-    /** What the owner of a drone wants. */
+    /** The intention of a drone's owner. */
     public enum Purpose {
         /** Not known. */
         UNKNOWN,
@@ -52,33 +52,33 @@ public record ThreatLabel(
         SMUGGLING,
         /** Disruption of operations, such as air traffic. */
         DISRUPTION,
-        /** To destroy. */
+        /** Destruction. */
         STRIKE,
         /** Theft of intellectual property. */
         ESPIONAGE,
-        /** To annoy or frighten people. */
+        /** Harassment of people. */
         HARASSMENT
     }
 
-    /** How a drone is built. */
+    /** A type of aircraft. */
     public enum Platform {
         /** Not known. */
         UNKNOWN,
-        /** With several rotors. */
+        /** Several rotors. */
         MULTIROTOR,
-        /** With a wing and a motor. */
+        /** A wing and a motor. */
         FIXED_WING,
-        /** With a wing, and without a motor that runs. */
+        /** A wing, without a running motor. */
         GLIDER,
         /** A small fast multirotor that is flown by first-person view (FPV). */
         FPV,
-        /** With one main rotor. */
+        /** One main rotor. */
         HELICOPTER,
-        /** With rotors to climb and a wing to glide. */
+        /** Rotors for climbing and a wing for cruising. */
         HYBRID
     }
 
-    /** How a drone is powered: the thesis's section 2.1.3. */
+    /** A source of power: section 2.1.3 of the thesis. */
     public enum PowerSource {
         /** Not known. */
         UNKNOWN,
@@ -92,12 +92,12 @@ public record ThreatLabel(
         SOLAR
     }
 
-    /** Checks that no component is missing, and the limits. */
+    /** Checks that all components are present, and the limits. */
     public ThreatLabel {
         Limits.check(ThreatLabel.class, role, purpose, platform, powerSource, weight, size);
     }
 
-    /** What is known of the drone: {@code attack, strike, fixed-wing, battery, 5 kg, 1.5 m}. */
+    /** The label in words: {@code attack, strike, fixed-wing, battery, 5 kg, 1.5 m}. */
     public String inWords() {
         Stream<String> words = Stream.of(role, purpose, platform, powerSource)
                 .filter(part -> !part.name().equals(Purpose.UNKNOWN.name()))

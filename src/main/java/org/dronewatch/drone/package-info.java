@@ -1,2 +1,2 @@
-/** What flies: a mesh with an attitude, its sound, radar, thermal and radio signatures, and its intent. */
+/** Drones: a mesh with an attitude, its sound, radar, thermal and radio signatures, and its intent. */
 package org.dronewatch.drone;

@@ -8,8 +8,8 @@ import org.dronewatch.geometry.Position;
  */
 public enum Airframe {
     /**
-     * Rotors that push along the drone's own vertical: it tilts until their thrust is the acceleration minus gravity.
-     * In level flight that is by {@code tan(tilt) = a / g}, towards the acceleration.
+     * Rotors with a thrust along the drone's vertical axis: it tilts until the thrust per mass is the acceleration
+     * minus gravity. In level flight the tilt is {@code tan(tilt) = a / g}, towards the acceleration.
      */
     MULTIROTOR {
         @Override
@@ -25,8 +25,8 @@ public enum Airframe {
         }
     },
     /**
-     * A wing: its nose climbs and descends with the path, and it banks so that the lift has no sideways component, as
-     * in a coordinated turn. At the speed v, turning at the rate omega in level flight, that is by
+     * A wing: its nose follows the path up and down, and it banks so that the lift has no sideways component, as in a
+     * coordinated turn. At the speed v and the rate of turn omega in level flight, the bank angle is
      * {@code tan(bank) = v omega / g}.
      */
     FIXED_WING {
@@ -39,7 +39,7 @@ public enum Airframe {
         }
     },
     /**
-     * A wing with rotors for take-off, hover and landing: it leans like a fixed-wing while its horizontal speed exceeds
+     * A wing with rotors for take-off, hover and landing: it tilts like a fixed-wing while its horizontal speed exceeds
      * its vertical speed, and otherwise like a multirotor.
      */
     HYBRID {
@@ -69,9 +69,9 @@ public enum Airframe {
     abstract Attitude lean(double yaw, Position velocity, Position force);
 
     /**
-     * A path on which such a drone leans: the same positions, velocities and headings, with pitch and roll that follow
-     * from velocity and {@linkplain FlightPath#acceleration acceleration}. Where the path itself states a pitch or
-     * roll, these stay. How far a drone can tilt is not limited.
+     * A path with the tilt of such a drone: the same positions, velocities and headings, with pitch and roll that
+     * follow from velocity and {@linkplain FlightPath#acceleration acceleration}. If the path itself states a pitch or
+     * roll, that is kept. The tilt is not limited.
      */
     public FlightPath leaning(FlightPath path) {
         return new LeaningPath(path, this);

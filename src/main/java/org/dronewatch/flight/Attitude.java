@@ -3,15 +3,15 @@ package org.dronewatch.flight;
 import org.dronewatch.geometry.Position;
 
 /**
- * How a drone is turned in the world, whose x points east, y north and z up. A model's nose points along its y axis,
- * and its right side along x. The angles are applied in the order of the components: first the yaw about the vertical,
- * then the pitch about the drone's own right axis, then the roll about its nose. As a matrix from the model to the
- * world, with the right-handed rotations of vecmath, that is {@code rotZ(-yaw) rotX(pitch) rotY(roll)}. All zero is
- * level with the nose to the north.
+ * The orientation of a drone in the world, whose x points east, y north and z up. A model's nose points along its y
+ * axis, and its right side along x. The angles are applied in the order of the components: first the yaw about the
+ * vertical, then the pitch about the drone's own right axis, then the roll about its nose. The matrix from the model to
+ * the world, with the right-handed rotations of vecmath, is {@code rotZ(-yaw) rotX(pitch) rotY(roll)}. With all angles
+ * zero, the drone is level with its nose to the north.
  *
- * @param yaw where the nose points, clockwise from north as seen from above, rad, any finite angle
- * @param pitch how far the nose is above the horizontal, rad, any finite angle
- * @param roll how far the right side is below the horizontal in level flight, rad, any finite angle
+ * @param yaw heading of the nose, clockwise from north as seen from above, rad, any finite angle
+ * @param pitch angle of the nose above the horizontal, rad, any finite angle
+ * @param roll angle of the right side below the horizontal in level flight, rad, any finite angle
  */
 public record Attitude(double yaw, double pitch, double roll) {
     /** Level with the nose to the north. */
@@ -45,8 +45,8 @@ public record Attitude(double yaw, double pitch, double roll) {
     }
 
     /**
-     * A displacement of the drone's own frame (to its right, along its nose, upwards) in the world; its length stays
-     * the same.
+     * Transforms a displacement from the drone's frame (to its right, along its nose, upwards) to the world; its length
+     * is unchanged.
      */
     public Position toWorld(Position displacement) {
         double x = displacement.x() * Math.cos(roll) + displacement.z() * Math.sin(roll);
@@ -56,7 +56,10 @@ public record Attitude(double yaw, double pitch, double roll) {
         return new Position(x * Math.cos(yaw) + y * Math.sin(yaw), y * Math.cos(yaw) - x * Math.sin(yaw), up);
     }
 
-    /** A displacement of the world in the drone's own frame (to its right, along its nose, upwards): the inverse. */
+    /**
+     * Transforms a displacement from the world to the drone's frame (to its right, along its nose, upwards): the
+     * inverse.
+     */
     public Position toDrone(Position displacement) {
         double right = displacement.x() * Math.cos(yaw) - displacement.y() * Math.sin(yaw);
         double ahead = displacement.x() * Math.sin(yaw) + displacement.y() * Math.cos(yaw);

@@ -4,15 +4,15 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies as a leader does, displaced by a constant vector, as the drones of a {@link Swarm} do. It is not a record,
- * because no scene file may name it: a scene file has a swarm instead.
+ * A leader's flight, displaced by a constant vector: that of a drone of a {@link Swarm}. It is not a record, because
+ * scene files use a swarm instead.
  */
 public final class Displaced implements FlightPathSettings {
     private final FlightPathSettings leader;
     private final Position offset;
 
     /**
-     * A flight beside another.
+     * A flight displaced from another.
      *
      * @param leader the leader's flight
      * @param offset to the right of the leader, ahead of it and above it, by its heading at time 0, m
@@ -28,7 +28,8 @@ public final class Displaced implements FlightPathSettings {
     }
 
     /**
-     * The path beside a leader's path: what {@link #create} returns, for callers that already have the leader's path.
+     * The path displaced from a leader's path, for callers that already have the latter; {@link #create} returns the
+     * same.
      */
     public FlightPath beside(FlightPath leading) {
         Position displacement = turned(offset, leading.at(0.0).heading());

@@ -8,10 +8,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies at cruise speed from the start: level and straight towards a point, then in a dive onto it; stays there.
+ * A level and straight flight towards a point, then a dive onto it, at cruise speed from the start; the drone stays
+ * there.
  *
  * @param target the point, m
- * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
+ * @param bearing direction of the approach, from the target: clockwise from north, rad
  * @param distance horizontal distance from the target at time 0: more than that at which the dive begins, at most 100
  *     km, m
  * @param height height of the level flight above the target, above 0 and at most 100 km, m
@@ -34,7 +35,7 @@ public record Dive(
         }
     }
 
-    /** Comes from the north and dives at 60 degrees. */
+    /** A flight from the north, and a dive at 60 degrees. */
     @Defaults({"target", "distance", "height"})
     public static Dive from(Position target, double distance, double height) {
         return new Dive(target, 0.0, distance, height, Math.PI / 3);

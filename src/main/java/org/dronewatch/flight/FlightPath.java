@@ -3,8 +3,8 @@ package org.dronewatch.flight;
 import org.dronewatch.geometry.Position;
 
 /**
- * Where a drone is at any time. Immutable, except for {@link SteeredFlight}, which any thread may query nevertheless. A
- * path never changes a state that it has returned for a time.
+ * A path of a drone in space and time. Immutable, except for {@link SteeredFlight}, which any thread may nevertheless
+ * query. Once returned, the state at a time never changes.
  */
 @FunctionalInterface
 public interface FlightPath {
@@ -19,12 +19,12 @@ public interface FlightPath {
     FlightState at(double time);
 
     /**
-     * The drone's acceleration, from which its lean follows. By default, it is the mean over the half second around a
-     * time, from the velocities at its ends, whenever it is queried: {@code (v(t + h) - v(t - h)) / 2h}, h being a
-     * quarter of a second; in the first quarter the interval begins with the run. Where the velocity of a path jumps,
-     * that is a brief but finite acceleration. On a circle the mean points to its centre, and is smaller than
-     * {@code v omega} by the factor {@code sin(omega h) / (omega h)}. A path whose future is not known yet overrides
-     * this.
+     * The drone's acceleration, which determines its tilt. By default, it is the mean over the half second around a
+     * time, from the velocities at its ends, independently of when it is queried: {@code (v(t + h) - v(t - h)) / 2h}, h
+     * being a quarter of a second; in the first quarter the interval begins with the run. Where the velocity of a path
+     * jumps, that is a brief but finite acceleration. On a circle the mean points to its centre, and is smaller than
+     * {@code v omega} by the factor {@code sin(omega h) / (omega h)}. A path whose future is not known yet must
+     * override this method.
      *
      * @param time seconds since the start of the run, 0 or more
      * @return m/s2

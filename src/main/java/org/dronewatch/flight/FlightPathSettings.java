@@ -12,8 +12,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * How a drone flies; its speed is a setting of the drone itself. Anyone may implement it; {@link
- * org.dronewatch.setting.Kind} explains how scene files can then choose it.
+ * The flight of a drone; its speed is a setting of the drone itself. You can implement other flights;
+ * {@link org.dronewatch.setting.Kind} explains how scene files can then choose them.
  */
 public interface FlightPathSettings {
     /** The shortest leg of a flight, m. */
@@ -27,7 +27,7 @@ public interface FlightPathSettings {
      *
      * @param speed cruise speed, m/s, above 0
      * @param acceleration largest acceleration along the path, m/s2, above 0
-     * @param ground what lies below; queried only before this method returns
+     * @param ground the ground below; queried only before this method returns
      * @throws IllegalArgumentException when the path follows the ground and there is none
      */
     FlightPath create(double speed, double acceleration, Ground ground);
@@ -38,10 +38,10 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Stays at one point.
+     * A hover at one point.
      *
-     * @param position where it hovers, m
-     * @param heading where the nose points, clockwise from north, rad
+     * @param position of the hover, m
+     * @param heading of the nose, clockwise from north, rad
      */
     record Hover(Position position, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)
             implements FlightPathSettings {
@@ -50,7 +50,7 @@ public interface FlightPathSettings {
             Limits.check(Hover.class, position, heading);
         }
 
-        /** Hovers with the nose to the north. */
+        /** A hover with the nose to the north. */
         @Defaults("position")
         public static Hover at(Position position) {
             return new Hover(position, 0.0);
@@ -64,10 +64,10 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Flies straight from one point to another, at cruise speed from the start, and stays there.
+     * A straight flight from one point to another, at cruise speed from the start; the drone stays there.
      *
-     * @param from where it is at time 0, m
-     * @param to where it ends, m
+     * @param from position at time 0, m
+     * @param to position at the end, m
      */
     record Approach(Position from, Position to) implements FlightPathSettings {
         /** Checks that the two points differ. */
@@ -92,11 +92,11 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Flies level and straight towards a point, at cruise speed from the start, and stops there, or at the standoff
+     * A level and straight flight towards a point, at cruise speed from the start; it stops there, or at the standoff
      * distance.
      *
      * @param target the point, m
-     * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
+     * @param bearing direction of the approach, from the target: clockwise from north, rad
      * @param height height of the flight above the target, below it if negative, -100 to 100 km, m
      * @param distance horizontal distance from the target at time 0, above 0 and at most 100 km, m
      * @param standoff horizontal distance from the target at which it stops, 0 or more, less than the distance, m
@@ -117,7 +117,7 @@ public interface FlightPathSettings {
             }
         }
 
-        /** Comes from the north over the target. */
+        /** A flight from the north that ends over the target. */
         @Defaults({"target", "distance"})
         public static Inbound from(Position target, double distance) {
             return new Inbound(target, 0.0, 0.0, distance, 0.0);
@@ -134,8 +134,8 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Flies from waypoint to waypoint, starting and ending at rest, never faster than the cruise speed, stopping at
-     * each waypoint where the path bends; it stays at the last one.
+     * A flight from waypoint to waypoint, from rest to rest at no more than the cruise speed; it stops at each waypoint
+     * at which the path bends, and stays at the last one.
      *
      * @param points 2 to 10,000 waypoints, consecutive ones 1 mm or more apart, m
      */
@@ -163,12 +163,12 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Climbs under power, then stops its motors and glides: quietly, and too high for a camera that points at the
-     * horizon. It stays where the glide ends.
+     * A climb under power, then a glide with the motors off: quietly, and too high for a camera that points at the
+     * horizon. The drone stays at the end of the glide.
      *
-     * @param from where it is at time 0, m
-     * @param release where it stops its motors, m
-     * @param to where the glide ends, below the release, with a glide ratio of at most 30, m
+     * @param from position at time 0, m
+     * @param release position at which the motors stop, m
+     * @param to end of the glide, below the release, with a glide ratio of at most 30, m
      */
     record Glide(Position from, Position release, Position to) implements FlightPathSettings {
         /** More than the best gliders of a drone's size reach. */
@@ -206,11 +206,11 @@ public interface FlightPathSettings {
     }
 
     /**
-     * Flies a level circle, clockwise as seen from above.
+     * A level circle, clockwise as seen from above.
      *
      * @param centre centre of the circle, m
      * @param radius radius of the circle, 0.1 m to 100 km, m
-     * @param bearing where it is at time 0 as seen from the centre, clockwise from north, rad
+     * @param bearing from the centre at time 0, clockwise from north, rad
      */
     record Orbit(
             Position centre,
@@ -222,7 +222,7 @@ public interface FlightPathSettings {
             Limits.check(Orbit.class, centre, radius, bearing);
         }
 
-        /** Begins in the north. */
+        /** A circle that begins in the north. */
         @Defaults({"centre", "radius"})
         public static Orbit about(Position centre, double radius) {
             return new Orbit(centre, radius, 0.0);

@@ -4,12 +4,12 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * Where a drone is at one moment, how it moves, and how it is turned.
+ * The state of a drone at one time: position, velocity and attitude.
  *
  * @param position of the drone's origin, m
  * @param velocity m/s
  * @param attitude yaw, pitch and roll; independent of the velocity, since a multirotor can fly sideways
- * @param gliding how long its motors have been off, s; empty while they run
+ * @param gliding time since its motors were stopped, s; empty while they run
  */
 public record FlightState(Position position, Position velocity, Attitude attitude, OptionalDouble gliding) {
 
@@ -33,7 +33,7 @@ public record FlightState(Position position, Position velocity, Attitude attitud
         return new FlightState(position, velocity, other, gliding);
     }
 
-    /** Where its nose points, clockwise from north, rad: the yaw. */
+    /** The heading of its nose, clockwise from north, rad: the yaw. */
     public double heading() {
         return attitude.yaw();
     }

@@ -30,8 +30,8 @@ import org.dronewatch.setting.file.FileHash;
 
 /**
  * The flights of a run's {@code flights.csv}: one row for each leg and one for its end, with numbers at full precision.
- * Times are seconds since the start of the run, positions m, velocities m/s, angles rad, and {@code gliding_s} is how
- * long the motors have been off, empty while they run. Columns may be in any order.
+ * Times are seconds since the start of the run, positions m, velocities m/s, angles rad, and {@code gliding_s} is the
+ * time since the motors were stopped, empty while they run. Columns may be in any order.
  */
 public final class FlightsFile {
     /** The columns, in the order in which a run writes them. */
@@ -192,7 +192,7 @@ public final class FlightsFile {
         return name + ":" + row.getStartingLineNumber() + ": ";
     }
 
-    /** Its name and the hash of its bytes, as it was read. */
+    /** Its name and the hash of its bytes, as read. */
     public FileHash hash() {
         return hash;
     }
@@ -239,7 +239,7 @@ public final class FlightsFile {
         }
     }
 
-    /** The row of a leg, which reads back as the same numbers. */
+    /** The row of a leg; reading it gives the same numbers. */
     public static String[] row(int run, String drone, Leg leg) {
         FlightState state = leg.start();
         return new String[] {

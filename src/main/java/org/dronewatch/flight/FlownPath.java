@@ -4,15 +4,15 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
-/** A flight that is made of legs. */
+/** A flight that consists of legs. */
 public interface FlownPath extends FlightPath {
 
     /** The legs that have begun so far, in order of time; at least one, of which the first begins at time 0. */
     List<Leg> legs();
 
     /**
-     * The mean acceleration over the half second before a time, or since the start: what comes later is not known while
-     * a drone is steered, and a recorded flight leans as the steered one did.
+     * The mean acceleration over the half second before a time, or since the start: the future of a steered drone is
+     * not known, and a recorded flight must tilt like the steered one.
      */
     @Override
     default Position acceleration(double time) {
@@ -22,7 +22,7 @@ public interface FlownPath extends FlightPath {
                 : new Position(0, 0, 0);
     }
 
-    /** The legs that a path is made of, whether the drone leans on it or not; empty for any other path. */
+    /** The legs of a path, whether the drone tilts on it or not; empty for a path that does not consist of legs. */
     static Optional<FlownPath> in(FlightPath path) {
         if (path instanceof LeaningPath leaning) {
             return in(leaning.path());

@@ -3,7 +3,7 @@ package org.dronewatch.flight;
 import java.util.List;
 import org.dronewatch.world.GroundPoint;
 
-/** A path in plan, cut into short segments; all its corners are among the cuts. */
+/** A path in plan view, cut into short segments; all its corners are among the cuts. */
 public final class GroundTrack {
     /** Longest segment, m. */
     static final double STEP = 0.5;
@@ -15,7 +15,7 @@ public final class GroundTrack {
     private final double[] along;
     private final int[] corners;
 
-    /** The track from point to point, 1 mm or more apart, m. */
+    /** A track from point to point, 1 mm or more apart, m. */
     public GroundTrack(List<GroundPoint> points) {
         int pieces = 0;
         for (int i = 1; i < points.size(); i++) {
@@ -55,7 +55,7 @@ public final class GroundTrack {
         return x.length;
     }
 
-    /** The cut at one of the points between which the track leads. */
+    /** The cut at one of the given points. */
     public int corner(int point) {
         return corners[point];
     }
@@ -70,7 +70,7 @@ public final class GroundTrack {
         return y[cut];
     }
 
-    /** The distance along the path, in plan, from the start to a cut, m. */
+    /** The distance along the path, in plan view, from the start to a cut, m. */
     public double along(int cut) {
         return along[cut];
     }

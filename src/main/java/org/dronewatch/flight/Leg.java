@@ -5,9 +5,9 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * A part of a flight in which neither velocity nor attitude changes: from its start until the next leg begins. Steered
- * and recorded flights are made of legs, and compute where a drone is by the same arithmetic, so that a recorded flight
- * repeats the steered one bit by bit.
+ * A part of a flight with constant velocity and attitude, from its start until the next leg begins. Steered and
+ * recorded flights consist of legs, and compute positions by the same arithmetic, so that a recorded flight repeats the
+ * steered one bit for bit.
  *
  * @param time when it begins, seconds since the start of the run
  * @param start the drone's state then

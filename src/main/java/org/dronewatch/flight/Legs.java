@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
-/** Flights cut into legs, to be written down. */
+/** Divides flights into legs, for recording. */
 public final class Legs {
     /** A leg continues while the flight is within this distance of it, m. */
     private static final double CLOSE = 1e-6;
@@ -39,11 +39,11 @@ public final class Legs {
     }
 
     /**
-     * The legs of a flight. One that is made of legs has its own, before the drone leans. Of any other, samples at even
-     * steps are joined: where it flies straight at constant speed they become one leg, which is exact but for rounding.
-     * In a bend, or where it speeds up by the acceleration a, it is cut at each step, and between two cuts it is at
-     * most a step^2 / 8 away from where it was. The last leg begins at the end, so that the legs state how long the
-     * flight is known.
+     * The legs of a flight. A flight that consists of legs returns these, without the drone's tilt. Any other flight is
+     * sampled at even steps: samples on a straight line at constant speed are joined to one leg, which is exact except
+     * for rounding. In a bend, or with an acceleration a, the flight is divided at each step, and the position between
+     * two samples is at most a step^2 / 8 off. The last leg begins at the end, so that the legs also state the end of
+     * the known flight.
      *
      * @param path the flight
      * @param until its end, s

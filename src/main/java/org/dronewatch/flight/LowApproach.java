@@ -10,12 +10,12 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Flies straight towards a point, low over the ground, using whatever cover there is, and stops there, or at the
- * standoff distance. It climbs and descends at no more than 45 degrees, and keeps its height as
- * {@link TerrainFollowing} does.
+ * A straight flight towards a point, low over the ground, which uses the cover that the site offers; it stops there, or
+ * at the standoff distance. The drone climbs and descends at no more than 45 degrees, and keeps its height as with
+ * {@link TerrainFollowing}.
  *
- * @param target the point in plan, as a pair of east and north, m
- * @param bearing direction from which it comes, as seen from the target: clockwise from north, rad
+ * @param target the point in plan view, as a pair of east and north, m
+ * @param bearing direction of the approach, from the target: clockwise from north, rad
  * @param distance horizontal distance from the target at time 0, above 0 and at most 50 km, m
  * @param height height above the highest surface below, above 0 and at most 10 km, m
  * @param standoff horizontal distance from the target at which it stops, 0 or more, less than the distance, m
@@ -36,7 +36,7 @@ public record LowApproach(
         }
     }
 
-    /** Approaches from the north and stops above the target. */
+    /** An approach from the north that stops above the target. */
     @Defaults({"target", "distance", "height"})
     public static LowApproach from(GroundPoint target, double distance, double height) {
         return new LowApproach(target, 0.0, distance, height, 0.0);

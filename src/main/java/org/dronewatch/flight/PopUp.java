@@ -9,12 +9,12 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Hovers at a point, perhaps behind an obstacle, then rises straight up from rest to rest, never faster than the cruise
- * speed, and stays there; its nose points north.
+ * A hover at a point, such as behind an obstacle, then a vertical climb from rest to rest at no more than the cruise
+ * speed; the drone stays there, its nose to the north.
  *
- * @param position where it hovers first, m
- * @param hoverTime how long it hovers there before it rises, 0 to 1,000,000 s
- * @param height how far it rises, 1 mm to 100 km, m
+ * @param position of the first hover, m
+ * @param hoverTime duration of that hover, 0 to 1,000,000 s
+ * @param height height of the climb, 1 mm to 100 km, m
  */
 public record PopUp(
         Position position,

@@ -10,9 +10,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Flies as a drone flew in an earlier run, which wrote its {@code flights.csv}: a steered flight is repeated bit for
- * bit. After the last row, where the recording ends, it flies on with the velocity and the attitude of that row. The
- * drone's speed does not matter.
+ * A flight of an earlier run, from its {@code flights.csv}: a steered flight is repeated bit for bit. After the last
+ * row, the drone continues with the velocity and the attitude of that row. The setting {@code speed} has no effect.
  *
  * @param file path of the {@code flights.csv}
  * @param drone id of the drone in the file; this drone's own id by default
@@ -36,8 +35,8 @@ public record Recorded(
     }
 
     /**
-     * The flight of a named drone, from a file that is found from the working directory. A run, which finds the file
-     * from its scene's directory and knows the drone's id, does not use this.
+     * The flight of a named drone, from a file relative to the working directory. A run does not use this method, since
+     * its files are relative to the scene's directory.
      *
      * @throws IllegalArgumentException when no drone is named
      * @throws org.dronewatch.setting.InputException when the file cannot be read, is wrong or has no such flight

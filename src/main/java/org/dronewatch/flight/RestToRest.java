@@ -1,8 +1,8 @@
 package org.dronewatch.flight;
 
 /**
- * Motion over a distance from rest to rest: constant acceleration, cruise, constant deceleration. A short distance is
- * over before the cruise speed is reached.
+ * A motion over a distance from rest to rest: constant acceleration, cruise, constant deceleration. Over a short
+ * distance the cruise speed is not reached.
  */
 public final class RestToRest {
     private final double length;
@@ -27,7 +27,7 @@ public final class RestToRest {
         this.duration = length / topSpeed + rampTime;
     }
 
-    /** How long it takes, s. */
+    /** Its duration, s. */
     public double duration() {
         return duration;
     }

@@ -8,11 +8,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * Is steered by a program while the run goes on: hovers until the first command, then flies as commanded, at no more
- * than the drone's speed. Each drone of a swarm starts at its position in the formation and is steered separately.
+ * A flight steered by a program during the run: a hover until the first command, then as commanded, at no more than the
+ * drone's speed. Each drone of a swarm starts at its position in the formation and is steered separately.
  *
- * @param start where it is at time 0, m
- * @param heading where the nose points before the first command, clockwise from north, rad
+ * @param start position at time 0, m
+ * @param heading of the nose before the first command, clockwise from north, rad
  */
 public record Steered(
         Position start, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)
@@ -22,7 +22,7 @@ public record Steered(
         Limits.check(Steered.class, start, heading);
     }
 
-    /** Starts with the nose to the north. */
+    /** A flight that starts with the nose to the north. */
     @Defaults("start")
     public static Steered from(Position start) {
         return new Steered(start, 0.0);
@@ -38,7 +38,7 @@ public record Steered(
     }
 
     /**
-     * A new flight that nobody has steered yet. The acceleration does not matter: velocity changes with each command.
+     * A new flight without commands. The acceleration has no effect: the velocity changes at once with each command.
      */
     @Override
     public SteeredFlight create(double speed, double acceleration, Ground ground) {

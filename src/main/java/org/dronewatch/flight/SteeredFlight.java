@@ -9,15 +9,15 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
 
 /**
- * The flight of one drone in one run that is steered while the run goes on. Between two commands its velocity and its
- * attitude are constant; its position is never set but follows from where it started and how it flew. The past of the
- * flight is kept: a microphone hears the drone where it was. Its future is not known: querying it fails.
+ * The flight of a drone that is steered during a run. Between two commands its velocity and its attitude are constant;
+ * its position is never set, but follows from its start and its velocities. The past of the flight is kept, because a
+ * microphone hears the drone where it was; the future is not known, and querying it fails.
  *
  * <p>A command takes effect at its time, that time included. Of several at the same time, the last one takes effect. A
- * command at a time at which sensors have already looked, in response to what they saw, takes effect at the next
- * instant that a double can represent; so what they saw stays true. Only the thread that runs the scene may steer,
- * since a command from any other thread would take effect at whatever time the run happens to have reached; any thread
- * may query the flight.
+ * command at a time at which sensors have already looked, in response to their observations, takes effect at the next
+ * instant that a double can represent, so that these observations remain valid. Only the thread that runs the scene may
+ * steer, since a command from any other thread would take effect at whatever time the run happened to have reached; any
+ * thread may query the flight.
  */
 public final class SteeredFlight implements FlownPath {
     /** By how much a commanded speed may be above the limit, as the length of a rounded vector may. */
@@ -45,8 +45,8 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Flies on with a velocity, level and with the nose in the direction of flight; straight up, straight down and at
-     * rest it keeps its heading.
+     * Commands a velocity, level and with the nose in the direction of flight; straight up, straight down and at rest
+     * it keeps its heading.
      *
      * @param time seconds since the start of the run
      * @param velocity m/s
@@ -61,7 +61,7 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Flies on with a velocity and an attitude.
+     * Commands a velocity and an attitude.
      *
      * @param time seconds since the start of the run
      * @param velocity m/s
@@ -77,8 +77,8 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Flies in a straight line at constant speed to a point, its nose as for {@link #fly(double, Position)}, and hovers
-     * there unless another command comes before.
+     * Commands a flight in a straight line at constant speed to a point, its nose as for
+     * {@link #fly(double, Position)}, and a hover there until the next command.
      *
      * @param time seconds since the start of the run
      * @param target the point, m
@@ -183,7 +183,7 @@ public final class SteeredFlight implements FlownPath {
         return now;
     }
 
-    /** The flight of a drone that is steered, whether it leans or not; empty for any other path. */
+    /** The flight of a steered drone, whether it tilts or not; empty for any other path. */
     public static Optional<SteeredFlight> in(FlightPath path) {
         return FlownPath.in(path).filter(SteeredFlight.class::isInstance).map(SteeredFlight.class::cast);
     }

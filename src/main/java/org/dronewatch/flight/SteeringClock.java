@@ -4,8 +4,8 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * The time that a run has reached, for its steered flights. Whoever runs a scene has one; whoever steers gives commands
- * to a {@link SteeredFlight}, whose past only the clock extends. Flights of other kinds need no clock and are ignored.
+ * The clock of a run's steered flights: the time that the run has reached. The code that runs a scene has one; commands
+ * go to a {@link SteeredFlight}, whose known past only the clock extends. Flights of other kinds are ignored.
  */
 public final class SteeringClock {
     private final List<SteeredFlight> flights;
@@ -14,7 +14,7 @@ public final class SteeringClock {
         this.flights = flights;
     }
 
-    /** The clock of some flights. */
+    /** The clock of the steered ones among some flights. */
     public static SteeringClock of(Collection<? extends FlightPath> flights) {
         return new SteeringClock(flights.stream()
                 .flatMap(path -> SteeredFlight.in(path).stream())

@@ -15,14 +15,14 @@ import org.dronewatch.setting.Quantity;
  *
  * @param count number of drones, including the leader, 1 to 1000
  * @param spacing distance between neighbours, above 0 and at most 10 km, m
- * @param formation how they are arranged
+ * @param formation their arrangement
  */
 public record Swarm(
         @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double spacing,
         Formation formation) {
 
-    /** How the drones of a swarm fly beside, behind or above each other. */
+    /** An arrangement of the drones of a swarm beside, behind or above each other. */
     public enum Formation {
         /** Side by side, the leader in the middle. */
         LINE {
@@ -38,7 +38,7 @@ public record Swarm(
                 return new Position(0, -number, 0);
             }
         },
-        /** Like geese: two lines that fall back behind the leader, at a right angle to each other. */
+        /** A V: two lines that extend behind the leader, at a right angle to each other. */
         WEDGE {
             @Override
             Position offset(int number, int count) {
@@ -77,7 +77,7 @@ public record Swarm(
         Limits.check(Swarm.class, count, spacing, formation);
     }
 
-    /** Side by side with 10 m between neighbours. */
+    /** A swarm side by side with 10 m between neighbours. */
     @Defaults("count")
     public static Swarm of(int count) {
         return new Swarm(count, 10.0, Formation.LINE);

@@ -11,14 +11,14 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Flies from point to point low over the highest surface below, whether ground, roof or tree, at cruise speed along its
- * path from the start, and stays at the end. It never climbs or descends more steeply than allowed: it begins to climb
- * well before a wall and descends gradually behind it. The surface is sampled every half metre along the path: thinner
- * objects may be missed, and above a ridge between two samples the clearance may be a few millimetres short. Where the
- * world has nothing below, the nearest known height along the path is used.
+ * A flight from point to point low over the highest surface below, whether ground, roof or tree, at cruise speed along
+ * the path from the start; the drone stays at the end. It never climbs or descends more steeply than allowed: it begins
+ * to climb well before a wall and descends gradually behind it. The surface is sampled every half metre along the path:
+ * thinner objects may be missed, and above a ridge between two samples the clearance may be a few millimetres short.
+ * Where there is no surface below, the nearest known height along the path is used.
  *
- * @param points the path in plan, as pairs of east and north: at least two, neighbours 1 mm or more apart, at most 50
- *     km in total, m
+ * @param points the path in plan view, as pairs of east and north: at least two, neighbours 1 mm or more apart, at most
+ *     50 km in total, m
  * @param height height above the highest surface, above 0 and at most 10 km, m
  * @param maxFlightPathAngle largest angle of climb and descent, 5 to 85 degrees, rad
  */
@@ -50,7 +50,7 @@ public record TerrainFollowing(
         }
     }
 
-    /** Climbs and descends at no more than 45 degrees. */
+    /** A flight that climbs and descends at no more than 45 degrees. */
     @Defaults({"points", "height"})
     public static TerrainFollowing over(List<GroundPoint> points, double height) {
         return new TerrainFollowing(points, height, USUAL_STEEPEST);

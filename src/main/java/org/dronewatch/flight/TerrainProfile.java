@@ -3,7 +3,9 @@ package org.dronewatch.flight;
 import java.util.OptionalDouble;
 import org.dronewatch.world.Ground;
 
-/** The ground below a ground track, raised so that it is nowhere too steep: heights at the track's cuts. */
+/**
+ * The profile of the ground below a ground track, raised so that it is nowhere too steep: heights at the track's cuts.
+ */
 public final class TerrainProfile {
     private TerrainProfile() {}
 
@@ -12,7 +14,7 @@ public final class TerrainProfile {
      *
      * @param slope metres up or down for each metre along the track
      * @return its height at each cut of the track, m
-     * @throws IllegalArgumentException when there is nothing below the whole track
+     * @throws IllegalArgumentException when there is no surface below any of the track
      */
     public static double[] over(GroundTrack track, Ground ground, double slope) {
         double[] heights = covering(track, known(track, ground), slope);

@@ -1,2 +1,2 @@
-/** Flight paths: waypoints, approaches over the ground, dives, swarms. */
+/** Flights of drones: waypoints, approaches over the ground, dives, swarms, steered and recorded flights. */
 package org.dronewatch.flight;

@@ -17,15 +17,15 @@ public interface FlightFromFile extends FlightPathSettings {
     /**
      * Reads the file.
      *
-     * @param path where it is
+     * @param path of the file
      * @param shown its name in messages and in the provenance of a run
-     * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or says what is not
-     *     understood; the message gives the line or the item
+     * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or has content that is not
+     *     supported; the message gives the line or the item
      */
     FlightSource read(Path path, String shown);
 
     /**
-     * Without a scene nobody knows where on earth the flight is.
+     * Not possible: without a scene, the flight has no geographic position.
      *
      * @throws IllegalArgumentException always
      */

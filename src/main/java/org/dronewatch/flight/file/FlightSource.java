@@ -5,13 +5,13 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.Places;
 
-/** A file of a flight as it was read. Immutable. */
+/** A flight file that has been read. Immutable. */
 public interface FlightSource {
 
-    /** Its name and the hash of its bytes, as it was read. */
+    /** Its name and the hash of its bytes, as read. */
     FileHash hash();
 
-    /** What was read, in a line. */
+    /** A description of its content in one line. */
     String description();
 
     /**
@@ -20,7 +20,7 @@ public interface FlightSource {
      * @param places of the site; queried only before this method returns
      * @param speed the drone's own speed, for files without one, m/s
      * @param acceleration the drone's largest acceleration along the path, m/s2
-     * @param warnings receives a line for each thing that is not flown as the file says
+     * @param warnings receives a line for each item that is not flown as the file states
      * @throws IllegalArgumentException when a place of the file has no position on this site; the message names it
      */
     FlightPath path(Places places, double speed, double acceleration, Consumer<String> warnings);

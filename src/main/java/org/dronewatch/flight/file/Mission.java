@@ -9,9 +9,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.BoundedFile;
 
 /**
- * Flies a mission that was planned with QGroundControl: take-off, waypoints, changes of speed, landing. It stops
- * wherever its path bends, as with {@code waypoints}. The speeds are those of the plan; where it
- * states none, the drone's speed applies.
+ * A mission planned with QGroundControl: take-off, waypoints, changes of speed, landing. It stops wherever its path
+ * bends, as with {@code waypoints}. The speeds are those of the plan; where it states none, the drone's speed applies.
  *
  * @param plan path of the {@code .plan} file
  * @param climbRate largest vertical speed upwards, 0.1 to 100 m/s; 3 m/s by default, as in PX4 (MPC_Z_VEL_MAX_UP)

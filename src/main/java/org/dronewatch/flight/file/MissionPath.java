@@ -61,7 +61,7 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
     }
 
     /**
-     * The way of a leg: one straight line, nearly straight through several waypoints, or over the surface, straight in
+     * The path of a leg: one straight line, nearly straight through several waypoints, or over the surface, straight in
      * plan.
      */
     static final class Course {

@@ -18,7 +18,7 @@ import tools.jackson.databind.JsonNode;
 
 /**
  * A plan of QGroundControl: a JSON file with a mission, whose items are commands of MAVLink. What moves the drone is
- * understood, or the file is refused; what does not move it is left out, and said.
+ * understood, or the file is refused; what does not move it is left out and reported.
  *
  * @param hash its name and the hash of its bytes
  * @param home where the drone is launched; empty when the plan does not say

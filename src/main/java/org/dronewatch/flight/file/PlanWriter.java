@@ -20,7 +20,7 @@ import tools.jackson.databind.node.ObjectNode;
  * which is the surface below the start.
  */
 public final class PlanWriter {
-    /** The first line of every file that this writes. */
+    /** The first line of every file written by this class. */
     public static final Pattern FIRST_LINE =
             Pattern.compile(Pattern.quote("{\"fileType\": \"Plan\", \"groundStation\": \"dronewatch\","));
 
@@ -61,10 +61,10 @@ public final class PlanWriter {
     private double speed;
 
     /**
-     * What was written.
+     * The result of writing a flight.
      *
      * @param text the file
-     * @param items how many items the mission has
+     * @param items number of items of the mission
      * @param tolerance the greatest distance of the flight from the lines of the mission, m
      */
     public record Written(String text, int items, double tolerance) {}

@@ -10,12 +10,12 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.BoundedFile;
 
 /**
- * Repeats a flight recorded in a GPX track or a CSV log: in a straight line and at constant speed from each point to
- * the next, passing each at its recorded time; the first point is at the start of the run. It stays at the last point.
+ * A flight recorded in a GPX track or a CSV log: in a straight line and at constant speed from each point to the next,
+ * passing each at its recorded time; the first point is at the start of the run. The drone stays at the last point.
  * Without times, it flies through the points as with {@code waypoints}.
  *
  * @param log path of the {@code .gpx} or {@code .csv} file
- * @param heights what the heights in the file are measured from
+ * @param heights level from which the heights in the file are measured
  * @param verticalOffset added to all heights, -10 to 10 km, m
  * @param track name of the track, in a GPX file with several
  */
