@@ -98,7 +98,8 @@ final class DiffractedPath {
             chain = hull(counted);
             grows = false;
             for (int i = 0; i < section.pieces(); i++) {
-                int whole = section.body(section.start(i));
+                boolean startsHigher = height(section.start(i)) > height(section.end(i));
+                int whole = section.body(startsHigher ? section.start(i) : section.end(i));
                 if (!counted[whole] && crossesChain(i)) {
                     counted[whole] = true;
                     grows = true;

@@ -12,8 +12,9 @@ import org.dronewatch.world.World;
 /**
  * The section of a site in a plane through two points: the straight pieces in which the plane cuts triangles, in
  * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the
- * mesh share a point; those that hang together are one body. A plane through corners is taken for one an infinitesimal
- * distance beside it. One per thread.
+ * mesh share a point; those that hang together on one side of the line are one body there, so that the two sides of a
+ * valley with an antenna in it are two. A plane through corners is taken for one an infinitesimal distance beside it.
+ * One per thread.
  */
 final class Section {
     /** Corners nearer to the plane than this, m, lie on it. */
@@ -45,7 +46,7 @@ final class Section {
 
     private int count;
 
-    /** Whether the body that a point represents crosses the line, and whether it goes on beyond what is looked at. */
+    /** Whether the body that a point represents ends at the line, and whether it goes on beyond what is looked at. */
     private boolean[] blocks = new boolean[64];
 
     private boolean[] openAbove = new boolean[64];
@@ -112,7 +113,13 @@ final class Section {
         pieces[3 * count + 1] = second;
         pieces[3 * count + 2] = triangle;
         count++;
-        body[representative(first)] = representative(second);
+        if (isAbove(first) == isAbove(second)) {
+            body[representative(first)] = representative(second);
+        }
+    }
+
+    private boolean isAbove(int point) {
+        return t[point] > 0.0;
     }
 
     /** The point at which the plane cuts an edge; the same bits for both triangles at it. */
@@ -176,16 +183,17 @@ final class Section {
         for (int i = 0; i < count; i++) {
             int a = pieces[3 * i];
             int b = pieces[3 * i + 1];
-            int whole = representative(a);
             for (double end : new double[] {0.0, length}) {
                 boolean isCrossed = u[a] < end != u[b] < end;
                 double there = isCrossed ? t[a] + (end - u[a]) * (t[b] - t[a]) / (u[b] - u[a]) : 0.0;
+                int whole = representative(isAbove(a) == there > 0.0 ? a : b);
                 markOpen(whole, isCrossed && Math.abs(there) > Visibility.MARGIN, there);
             }
-            if (t[a] > 0.0 != t[b] > 0.0) {
+            if (isAbove(a) != isAbove(b)) {
                 double along = u[a] - t[a] * (u[b] - u[a]) / (t[b] - t[a]);
                 boolean isBetween = along > Visibility.MARGIN && along < length - Visibility.MARGIN;
-                blocks[whole] |= isBetween;
+                blocks[representative(a)] |= isBetween;
+                blocks[representative(b)] |= isBetween;
                 isBlocked |= isBetween;
             }
         }
@@ -223,7 +231,7 @@ final class Section {
         return representative(point);
     }
 
-    /** Whether a body crosses the line. */
+    /** Whether a body ends at the line, between its ends. */
     boolean blocks(int whole) {
         return blocks[whole];
     }

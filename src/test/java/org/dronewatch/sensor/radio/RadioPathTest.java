@@ -112,11 +112,8 @@ class RadioPathTest {
         assertThat(loss(drone, box(-50, 50, -50, 50, 0, 60))).isInfinite();
     }
 
-    /** A ridge of the ground 20 m over the line, and a mountain behind the drone that belongs to the same ground. */
-    @Test
-    void aMountainBehindTheDroneHidesNothing() {
-        double[] heights = {0, 0, 40, 0, 0, 900, 900};
-        double[] norths = {-500, 450, 500, 550, 1010, 1800, 4000};
+    /** Ground with heights along the path to the north, 10 km wide. */
+    private static World ground(double[] norths, double[] heights) {
         float[] corners = new float[6 * norths.length];
         int[] triangles = new int[6 * (norths.length - 1)];
         for (int i = 0; i < norths.length; i++) {
@@ -129,10 +126,83 @@ class RadioPathTest {
                 triangles[6 * (i - 1) + k] = 2 * (i - 1) + new int[] {0, 1, 3, 0, 3, 2}[k];
             }
         }
-        World world = World.of(TriangleMesh.of(corners, triangles));
+        return World.of(TriangleMesh.of(corners, triangles));
+    }
+
+    /** A ridge of the ground 20 m over the line, and a mountain behind the drone that belongs to the same ground. */
+    @Test
+    void aMountainBehindTheDroneHidesNothing() {
+        World world =
+                ground(new double[] {-500, 450, 500, 550, 1010, 1800, 4000}, new double[] {0, 0, 40, 0, 0, 900, 900});
         double ridge = KnifeEdge.loss(20 * Math.sqrt(2 * 1000 / (WAVELENGTH * 500 * 500)));
         assertThat(new RadioPath(world).obstacleLoss(new Position(0, 1000, 20), RECEIVER, FREQUENCY))
                 .isCloseTo(ridge, within(0.01));
+    }
+
+    /**
+     * A receiver on the floor of a gorge: the wave comes over the edge in front of it. The cliff behind it rises above
+     * the perpendicular to the line, which leans back; it belongs to the same ground, and is in nobody's way.
+     */
+    @ParameterizedTest
+    @CsvSource({"80, 60", "200, 60", "200, 900", "200, 40.1"})
+    void aGorgeIsEnteredOverItsEdge(double height, double cliff) {
+        World world = ground(new double[] {-4000, -5, -4.9, 19.9, 20, 4000}, new double[] {cliff, cliff, 0, 0, 40, 40});
+        Position receiver = new Position(0, 0, 1.5);
+        Position drone = new Position(0, 200, height);
+        double edge = edge(drone, receiver, new Position(0, 20, 40));
+        RadioPath path = new RadioPath(world);
+        assertThat(path.obstacleLoss(drone, receiver, FREQUENCY)).isCloseTo(edge, within(0.01));
+        assertThat(path.obstacleLoss(receiver, drone, FREQUENCY)).isCloseTo(edge, within(0.01));
+    }
+
+    /** The loss at one edge above the line. */
+    private static double edge(Position from, Position to, Position top) {
+        double length = from.distance(to);
+        Position ahead = to.minus(from).times(1 / length);
+        double near = top.minus(from).dot(ahead);
+        double over = Math.sqrt(Math.pow(top.distance(from), 2) - near * near);
+        return KnifeEdge.loss(over * Math.sqrt(2 * length / (WAVELENGTH * near * (length - near))));
+    }
+
+    /** Whatever lies below the ground is enclosed by it, however high the sky above. */
+    @Test
+    void underTheGroundNothingIsReceived() {
+        World world = ground(new double[] {-500, 400, 450, 4000}, new double[] {0, 0, 60, 60});
+        assertThat(new RadioPath(world).obstacleLoss(new Position(0, 1000, 30), RECEIVER, FREQUENCY))
+                .isInfinite();
+    }
+
+    /** A yard between walls without a floor or a roof, 10 m across: over its wall, and past nothing else. */
+    @Test
+    void aYardIsEnteredFromAbove() {
+        TriangleMesh yard = yard(5, 30);
+        Position receiver = new Position(0, 0, 20);
+        Position level = new Position(0, 1000, 20);
+        assertThat(new RadioPath(World.of(yard)).obstacleLoss(level, receiver, FREQUENCY))
+                .isCloseTo(edge(level, receiver, new Position(0, 5, 30)), within(0.01));
+        // From high above, the wall behind the receiver rises above the perpendicular to the line.
+        Position high = new Position(0, 1000, 1000);
+        assertThat(loss(high, yard)).isCloseTo(edge(high, receiver, new Position(0, 5, 30)), within(0.01));
+    }
+
+    /** Four walls round the origin, from the ground up. */
+    private static TriangleMesh yard(float half, float top) {
+        float[] corners = new float[24];
+        for (int i = 0; i < 4; i++) {
+            for (int k = 0; k < 2; k++) {
+                corners[6 * i + 3 * k] = i == 0 || i == 3 ? -half : half;
+                corners[6 * i + 3 * k + 1] = i < 2 ? -half : half;
+                corners[6 * i + 3 * k + 2] = k == 0 ? 0 : top;
+            }
+        }
+        int[] triangles = new int[24];
+        for (int i = 0; i < 4; i++) {
+            int a = 2 * i;
+            int b = 2 * ((i + 1) % 4);
+            int[] both = {a, b, b + 1, a, b + 1, a + 1};
+            System.arraycopy(both, 0, triangles, 6 * i, 6);
+        }
+        return TriangleMesh.of(corners, triangles);
     }
 
     /** Whatever the direction of the path: the wall has no rows of samples to fall between. */
