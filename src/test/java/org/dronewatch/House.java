@@ -29,6 +29,7 @@ public final class House {
                     "sensor.rf..",
                     "sensor.acoustic.."),
             new Storey("", "sensor.optics", "sensor.radio"),
+            new Storey("", "sensor.alarm"),
             new Storey("", "sensor"),
             new Storey("", "positioner"),
             new Storey("what flies", "drone"),

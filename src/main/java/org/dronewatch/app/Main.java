@@ -37,6 +37,7 @@ import picocli.CommandLine.Spec;
             SchemaCommand.class,
             RenderCommand.class,
             CoverageCommand.class,
+            AlarmsCommand.class,
             CalibrateCommand.class,
             BenchCommand.class,
             CostsCommand.class,

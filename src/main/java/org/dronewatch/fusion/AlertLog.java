@@ -1,50 +1,115 @@
 package org.dronewatch.fusion;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import org.dronewatch.tracking.ContactLook;
 
-/** Follows the looks of one run at its contacts, in order of time, and records the first alert for each contact. */
+/**
+ * Follows the looks of one run at its contacts, in order of time, and records the first alert for each contact. Some
+ * contacts are loose: one sensor's alone, and nobody knows which of another sensor's are the same thing. Where a rule
+ * asks for several sensors, loose contacts count together that agree in time and bearing.
+ */
 public final class AlertLog {
     private final AlertSettings settings;
+    private final IntPredicate isLoose;
     private final Map<Integer, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
     private final Map<Integer, Alert> alerts = new LinkedHashMap<>();
+    private final Optional<LooseContacts> loose;
 
-    /** A log of a run at its start. */
+    /** A log of a run at its start, in which no contact is loose. */
     public AlertLog(AlertSettings settings) {
+        this(settings, contact -> false);
+    }
+
+    /**
+     * A log of a run at its start.
+     *
+     * @param isLoose whether the contact of a number is loose
+     */
+    public AlertLog(AlertSettings settings, IntPredicate isLoose) {
         this.settings = settings;
+        this.isLoose = isLoose;
+        this.loose = settings.rule() instanceof AlertRule.SeveralSensors several
+                ? Optional.of(new LooseContacts(several))
+                : Optional.empty();
     }
 
-    /** Adds the sensors' looks of one time. */
-    public void add(List<ContactLook> looks) {
+    /**
+     * Adds the sensors' looks of one time.
+     *
+     * @return the alerts that they raise. One for several loose contacts has the number of the last of them
+     */
+    public List<Alert> add(List<ContactLook> looks) {
         for (ContactLook look : looks) {
             if (!alerts.containsKey(look.contact())) {
-                tracks.computeIfAbsent(look.contact(), contact -> new LinkedHashMap<>())
-                        .computeIfAbsent(look.sensor(), sensor -> new SensorTrack(sensor, settings.confirm()))
-                        .add(look);
+                follow(look);
             }
         }
+        List<Alert> raised = new ArrayList<>();
         for (ContactLook look : looks) {
             if (!alerts.containsKey(look.contact())) {
-                decide(look.contact(), look.time());
+                decide(look.contact(), look.time()).ifPresent(raised::add);
             }
+        }
+        return raised;
+    }
+
+    private void follow(ContactLook look) {
+        SensorTrack track = tracks.computeIfAbsent(look.contact(), contact -> new LinkedHashMap<>())
+                .computeIfAbsent(look.sensor(), sensor -> new SensorTrack(sensor, settings.confirm()));
+        track.add(look);
+        if (loose.isPresent() && track.isConfirmedWithin(0.0, look.time()) && isLoose.test(look.contact())) {
+            loose.get().confirmed(look.contact(), track, look.time());
         }
     }
 
-    private void decide(int contact, double time) {
-        List<String> sensors = settings.rule().carriers(tracks.get(contact).values(), time).stream()
-                .map(SensorTrack::sensor)
-                .toList();
-        if (!sensors.isEmpty()) {
-            alerts.put(contact, new Alert(contact, time, sensors));
-            tracks.remove(contact);
+    private Optional<Alert> decide(int contact, double time) {
+        if (loose.isPresent() && isLoose.test(contact)) {
+            List<LooseContact> together = loose.get().takeTogether(contact, time);
+            return raise(
+                    contact, time, together.stream().map(LooseContact::sensor).toList(), together);
         }
+        List<SensorTrack> carriers =
+                settings.rule().carriers(tracks.get(contact).values(), time);
+        return raise(contact, time, carriers.stream().map(SensorTrack::sensor).toList(), List.of());
+    }
+
+    private Optional<Alert> raise(int contact, double time, List<String> sensors, List<LooseContact> others) {
+        if (sensors.isEmpty()) {
+            return Optional.empty();
+        }
+        Alert alert = new Alert(contact, time, sensors);
+        alerts.put(contact, alert);
+        tracks.remove(contact);
+        for (LooseContact other : others) {
+            // What has ended has been forgotten already, and will not be seen again.
+            if (tracks.remove(other.contact()) != null) {
+                alerts.put(other.contact(), alert);
+            }
+        }
+        return Optional.of(alert);
     }
 
     /** The alert for a contact, if there has been one. */
     public Optional<Alert> alert(int contact) {
         return Optional.ofNullable(alerts.get(contact));
+    }
+
+    /** How many contacts it remembers at present. */
+    int size() {
+        return tracks.size() + alerts.size() + loose.map(LooseContacts::size).orElse(0);
+    }
+
+    /** Forgets contacts of which there will be no more looks. Until they are too old, others may count with them. */
+    public void forget(Collection<Integer> ended) {
+        ended.forEach(contact -> {
+            tracks.remove(contact);
+            alerts.remove(contact);
+        });
     }
 }

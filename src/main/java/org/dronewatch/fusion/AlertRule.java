@@ -7,7 +7,9 @@ import java.util.List;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /** When the sensors' observations of a drone amount to an alert. */
 public sealed interface AlertRule {
@@ -35,20 +37,37 @@ public sealed interface AlertRule {
      *
      * @param count number of sensors, 1 to 1000
      * @param within time within which they must detect it, 0 to 3600 s
+     * @param gate how far the bearings of two sensors' false alarms may differ for them to be taken for one drone, 0 to
+     *     180 degrees, rad; a sensor that measures no bearing agrees with any. It does not matter for drones
      */
     record SeveralSensors(
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
-            @In(value = Quantity.DURATION, from = 0, to = 3600) double within)
+            @In(value = Quantity.DURATION, from = 0, to = 3600) double within,
+            @Minor @In(value = Quantity.ANGLE, from = 0, to = Math.PI) double gate)
             implements AlertRule {
+        private static final double USUAL_GATE = Math.toRadians(10.0);
+
         /** Checks the limits. */
         public SeveralSensors {
-            Limits.check(SeveralSensors.class, count, within);
+            Limits.check(SeveralSensors.class, count, within, gate);
+        }
+
+        /**
+         * A rule with a gate of 10 degrees, which is assumed: sensors 50 m apart see a drone 300 m away so differently.
+         */
+        public SeveralSensors(int count, double within) {
+            this(count, within, USUAL_GATE);
         }
 
         /** Within 5 seconds. */
         @Defaults("count")
         public static SeveralSensors of(int count) {
             return new SeveralSensors(count, 5.0);
+        }
+
+        /** This rule with another gate, rad. */
+        public SeveralSensors withGate(double angle) {
+            return SettingsForm.with(this, "gate", angle);
         }
 
         @Override

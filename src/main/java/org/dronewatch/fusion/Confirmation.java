@@ -23,4 +23,39 @@ public record Confirmation(
             throw new IllegalArgumentException("hits " + hits + " must be at most looks " + looks);
         }
     }
+
+    /**
+     * The probability that the last looks confirm a contact, if each detects it with the same probability,
+     * independently of the others: the tail of the binomial distribution, {@code sum over k from hits to looks of
+     * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
+     *
+     * @param ofOneLook 0 to 1
+     */
+    public double probability(double ofOneLook) {
+        double sum = 0.0;
+        for (int k = hits; k <= looks; k++) {
+            sum += binomial(looks, k, ofOneLook);
+        }
+        return Math.min(1.0, sum);
+    }
+
+    /**
+     * The probability that a look confirms a contact that was not confirmed at the look before: it detects it, hits - 1
+     * of the looks - 1 before it did, and the one before those did not, {@code C(looks-1, hits-1) p^hits
+     * (1-p)^(looks-hits+1)}.
+     *
+     * @param ofOneLook the probability that a look detects it, independently of the others, 0 to 1
+     */
+    public double onset(double ofOneLook) {
+        return ofOneLook * (1.0 - ofOneLook) * binomial(looks - 1, hits - 1, ofOneLook);
+    }
+
+    /** {@code C(n, k) p^k (1-p)^(n-k)}. */
+    private static double binomial(int n, int k, double p) {
+        double ways = 1.0;
+        for (int i = 1; i <= k; i++) {
+            ways *= (double) (n - k + i) / i;
+        }
+        return ways * Math.pow(p, k) * Math.pow(1.0 - p, n - k);
+    }
 }

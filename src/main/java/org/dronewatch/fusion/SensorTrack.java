@@ -1,5 +1,6 @@
 package org.dronewatch.fusion;
 
+import org.dronewatch.sensor.Measurement;
 import org.dronewatch.tracking.ContactLook;
 
 /** What one sensor has observed of one contact so far. */
@@ -9,6 +10,7 @@ public final class SensorTrack {
     private double confirmed = Double.NEGATIVE_INFINITY;
     private double looked = Double.NEGATIVE_INFINITY;
     private double probability;
+    private double bearing = Double.NaN;
 
     SensorTrack(String sensor, Confirmation confirmation) {
         this.sensor = sensor;
@@ -20,6 +22,11 @@ public final class SensorTrack {
         probability = look.probability();
         if (looks.add(look.isDetected())) {
             confirmed = looked;
+        }
+        for (Measurement measured : look.measurements()) {
+            measured.sighting()
+                    .ifPresent(seen ->
+                            bearing = Math.IEEEremainder(seen.direction().azimuth(), 2.0 * Math.PI));
         }
     }
 
@@ -36,5 +43,10 @@ public final class SensorTrack {
     /** The probability that its last look detected the drone, 0 if that look was longer ago than the given seconds. */
     double probabilityWithin(double seconds, double time) {
         return looked >= time - seconds ? probability : 0.0;
+    }
+
+    /** The bearing that it last measured, -pi to pi, rad; NaN if it has measured none. */
+    double bearing() {
+        return bearing;
     }
 }

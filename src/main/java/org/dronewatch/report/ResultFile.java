@@ -46,6 +46,10 @@ final class ResultFile {
         result.pairs().forEach(pair -> add(pairs.addObject(), pair));
         ArrayNode alerts = root.putArray("alerts");
         result.alerts().forEach(alert -> add(alerts.addObject(), alert));
+        FalseAlarmsKey falseAlarms = new FalseAlarmsKey(result);
+        if (falseAlarms.isKnown()) {
+            falseAlarms.addTo(root.putArray("false_alarms"));
+        }
         if (!result.sweep().isEmpty()) {
             ArrayNode sweep = root.putArray("sweep");
             result.sweep().forEach(point -> add(sweep.addObject(), point));
@@ -99,7 +103,7 @@ final class ResultFile {
         put(node, "range_m", point.range());
     }
 
-    private static void put(ObjectNode node, String key, OptionalDouble value) {
+    static void put(ObjectNode node, String key, OptionalDouble value) {
         if (value.isPresent()) {
             node.put(key, Numbers.rounded(value.getAsDouble()));
         } else {

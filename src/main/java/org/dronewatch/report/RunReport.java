@@ -45,14 +45,13 @@ public final class RunReport implements SceneListener, AutoCloseable {
     private static final String FLIGHTS = "flights.csv";
     private static final String OBSERVATIONS = "observations.csv";
 
-    private static final String DETECTION_COLUMNS =
-            "run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s";
     private static final String OBSERVATION_COLUMNS =
             "run,time_s,sample,sensor,kind,drone,range_m,value,threshold,unit,detected,heard_s,figures";
 
     private final Scene scene;
     private final OutputDirectory directory;
     private final Table detections;
+    private final DetectionTable detectionRows;
     private final Table observations;
     private final FlightTable flights;
     private final Map<String, String> captions = new LinkedHashMap<>();
@@ -77,8 +76,9 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Table opened = null;
         Table flown = null;
         try {
-            opened = new Table(directory.file(DETECTIONS), DETECTION_COLUMNS.split(","));
+            opened = new Table(directory.file(DETECTIONS), DetectionTable.COLUMNS.split(","));
             this.detections = opened;
+            this.detectionRows = new DetectionTable(opened);
             flown = new Table(directory.file(FLIGHTS), FlightsFile.COLUMNS.toArray(String[]::new));
             this.flights = new FlightTable(flown);
             this.observations =
@@ -127,6 +127,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public void observed(Frame frame) {
         rangePlots.add(frame);
         looks.observed(frame);
+        directory.write(() -> detectionRows.addFalseAlarms(frame));
         if (observations != null) {
             directory.write(() -> writeRows(frame));
         }
@@ -161,23 +162,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     /** @throws org.dronewatch.setting.InputException if the row cannot be written */
     @Override
     public void detectionChanged(DetectionEvent event) {
-        directory.write(() -> writeRow(event));
-    }
-
-    private void writeRow(DetectionEvent event) {
-        Observation o = event.observation();
-        detections.row(
-                Integer.toString(event.run()),
-                Numbers.text(o.time()),
-                event.gained() ? "gained" : "lost",
-                o.sensor(),
-                o.kind(),
-                o.drone(),
-                Numbers.text(o.range()),
-                Numbers.text(o.value()),
-                Numbers.text(o.threshold()),
-                o.unit(),
-                Numbers.text(o.arrival()));
+        directory.write(() -> detectionRows.add(event));
     }
 
     private void draw(String sensor, Curve curve) {

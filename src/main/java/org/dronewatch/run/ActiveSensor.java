@@ -2,6 +2,7 @@ package org.dronewatch.run;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
@@ -14,6 +15,7 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.FalseAlarmSource;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.world.World;
 
@@ -27,6 +29,7 @@ final class ActiveSensor {
     private final Sensor sensor;
     private final double rate;
     private final Optional<Positioner> positioner;
+    private final Optional<FalseAlarmSource> falseAlarms;
     private long nextIndex;
     private Encounters encounters = Encounters.NONE;
 
@@ -36,6 +39,7 @@ final class ActiveSensor {
         this.sensor = settings.create();
         this.rate = settings.rate();
         this.positioner = settings.as(Mounted.class).flatMap(Mounted::createPositioner);
+        this.falseAlarms = FalseAlarmSource.of(settings);
     }
 
     String id() {
@@ -65,10 +69,19 @@ final class ActiveSensor {
     List<Observation> look(World world, List<Drone> drones, Look look, LookTimes times) {
         long start = System.nanoTime();
         List<Observation> observations = sensor.observe(world, drones, look);
+        List<Observation> ofNothing =
+                falseAlarms.map(source -> source.observe(world, look)).orElse(List.of());
         times.add(settings.kind(), System.nanoTime() - start);
         if (settings.chance() == Chance.PER_ENCOUNTER) {
             encounters = Encounters.after(look, rate, observations);
         }
+        List<Observation> ofDrones = known(world, drones, observations);
+        return ofNothing.isEmpty()
+                ? ofDrones
+                : Stream.concat(ofDrones.stream(), ofNothing.stream()).toList();
+    }
+
+    private List<Observation> known(World world, List<Drone> drones, List<Observation> observations) {
         return world.isKnownEverywhere()
                 ? observations
                 : observations.stream()

@@ -2,6 +2,7 @@ package org.dronewatch.run;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,8 +17,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.FalseAlarmSource;
 import org.dronewatch.tracking.ContactLook;
-import org.dronewatch.world.World;
+import org.dronewatch.tracking.PerfectAssociation;
 
 /**
  * Follows one run for its alerts: when each drone could first have been seen, when there was an alert, and how early
@@ -31,16 +33,28 @@ public final class AlertWatch {
     private final SceneSettings settings;
     private final Sightline sightline;
     private final Protection protection;
+    private final PerfectAssociation association;
     private final AlertLog log;
+    private final ConfirmationTrials trials;
+    private final Map<String, Long> falseAlarms = new LinkedHashMap<>();
+    private final List<Alert> falseAlerts = new ArrayList<>();
     private final Map<String, Double> firstSights = new HashMap<>();
     private final Map<String, Position> placesAtAlert = new HashMap<>();
+    private long falseAlertCount;
 
-    public AlertWatch(int run, SceneSettings settings, World world, Protection protection) {
+    /**
+     * A watch over a run at its start.
+     *
+     * @param stage of the run
+     */
+    AlertWatch(int run, SceneSettings settings, Stage stage) {
         this.run = run;
         this.settings = settings;
-        this.sightline = new Sightline(world);
-        this.protection = protection;
-        this.log = new AlertLog(settings.alert());
+        this.sightline = new Sightline(stage.world());
+        this.protection = stage.protection();
+        this.association = stage.association();
+        this.log = new AlertLog(settings.alert(), contact -> !association.isComplete(contact));
+        this.trials = new ConfirmationTrials(settings, association);
     }
 
     /**
@@ -49,12 +63,34 @@ public final class AlertWatch {
      * @param stage the run's stage, which has just looked
      */
     public void add(Frame frame, Stage stage) {
-        int all = frame.drones().size();
-        if (firstSights.size() == all && placesAtAlert.size() == all) {
+        addFirstSights(frame);
+        frame.observations().stream()
+                .filter(FalseAlarmSource::isNew)
+                .filter(Observation::isDetected)
+                .forEach(alarm -> falseAlarms.merge(alarm.sensor(), 1L, Long::sum));
+        log.add(stage.contactLooks()).forEach(this::count);
+        trials.add(stage.contactLooks());
+        if (placesAtAlert.size() < frame.drones().size()) {
+            addPlaces(frame, stage.contactLooks());
+        }
+        log.forget(association.ended());
+    }
+
+    /** Counts an alert for what is no drone. */
+    private void count(Alert alert) {
+        if (!association.isComplete(alert.contact())) {
+            falseAlertCount++;
+            if (falseAlerts.size() < FalseAlarmResult.MOST_ALERTS) {
+                falseAlerts.add(alert);
+            }
+        }
+    }
+
+    private void addFirstSights(Frame frame) {
+        if (firstSights.size() == frame.drones().size()) {
             return;
         }
-        Map<String, Drone> drones = new HashMap<>();
-        frame.drones().forEach(drone -> drones.put(drone.id(), drone));
+        Map<String, Drone> drones = byName(frame);
         for (Observation observation : frame.observations()) {
             if (!observation.isFalse() && !firstSights.containsKey(observation.drone())) {
                 SensorSettings<?> sensor = settings.sensors().get(observation.sensor());
@@ -64,15 +100,30 @@ public final class AlertWatch {
                 }
             }
         }
-        log.add(stage.contactLooks());
-        for (ContactLook look : stage.contactLooks()) {
+    }
+
+    private void addPlaces(Frame frame, List<ContactLook> looks) {
+        Map<String, Drone> drones = byName(frame);
+        for (ContactLook look : looks) {
             if (log.alert(look.contact()).isPresent()) {
-                stage.association()
+                association
                         .droneOf(look.contact())
                         .ifPresent(drone -> placesAtAlert.computeIfAbsent(
                                 drone, id -> drones.get(id).origin()));
             }
         }
+    }
+
+    private static Map<String, Drone> byName(Frame frame) {
+        Map<String, Drone> drones = new HashMap<>();
+        frame.drones().forEach(drone -> drones.put(drone.id(), drone));
+        return drones;
+    }
+
+    /** What no drone caused. */
+    FalseAlarmResult falseAlarms() {
+        List<String> drones = List.copyOf(settings.individualDrones().keySet());
+        return new FalseAlarmResult(falseAlarms, falseAlertCount, falseAlerts, trials.results(drones));
     }
 
     /**
@@ -89,7 +140,7 @@ public final class AlertWatch {
     }
 
     private AlertResult result(Drone drone, Stage stage, double simulated) {
-        OptionalInt contact = stage.association().contactOf(drone.id());
+        OptionalInt contact = association.contactOf(drone.id());
         Optional<Alert> alert = contact.isPresent() ? log.alert(contact.getAsInt()) : Optional.empty();
         AlertSettings wanted = settings.alert();
         Optional<Position> position = Optional.ofNullable(placesAtAlert.get(drone.id()));

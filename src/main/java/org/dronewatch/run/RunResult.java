@@ -6,6 +6,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.Confirmation;
+import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
@@ -18,6 +21,7 @@ import org.dronewatch.sensor.Observation;
  * @param events detections gained and lost, in order of time
  * @param pairs the result of each sensor with each drone, in the order of the scene
  * @param alerts the alert for each drone, with its lead time
+ * @param falseAlarms what sensors reported that no drone caused
  */
 public record RunResult(
         int run,
@@ -25,7 +29,8 @@ public record RunResult(
         double simulated,
         List<DetectionEvent> events,
         List<PairResult> pairs,
-        List<AlertResult> alerts) {
+        List<AlertResult> alerts,
+        FalseAlarmResult falseAlarms) {
     /** Copies the lists: later changes by the caller have no effect. */
     public RunResult {
         events = List.copyOf(events);
@@ -36,7 +41,7 @@ public record RunResult(
     /** For a run that was cancelled before it had a stage: nothing was simulated, nothing detected. */
     public static RunResult notBegun(RunInfo info) {
         List<PairResult> pairs = new DetectionLog(info.run(), info.settings(), event -> {}).pairs();
-        return new RunResult(info.run(), info.settings(), 0.0, List.of(), pairs, List.of());
+        return new RunResult(info.run(), info.settings(), 0.0, List.of(), pairs, List.of(), FalseAlarmResult.NONE);
     }
 
     /** The alerts that count: those for attacking drones; if no drone attacks, all. */
@@ -46,6 +51,19 @@ public record RunResult(
                 .filter(alert -> drones.get(alert.drone()).label().role() == ThreatLabel.Role.ATTACK)
                 .toList();
         return attacks.isEmpty() ? alerts : attacks;
+    }
+
+    /** How many false alerts a day the rule costs, in closed form. */
+    public FalseAlertRate falseAlertRate() {
+        return falseAlertRate(settings.alert().confirm());
+    }
+
+    /** The same with another confirmation. */
+    public FalseAlertRate falseAlertRate(Confirmation confirm) {
+        AlertSettings alert = settings.alert();
+        AlertSettings changed =
+                confirm.equals(alert.confirm()) ? alert : alert.withConfirmation(confirm.hits(), confirm.looks());
+        return FalseAlertRate.of(changed, settings.enabledSensors());
     }
 
     /** The observation with which a sensor first detected a drone; empty for never. */

@@ -67,7 +67,7 @@ public final class RunSession implements AutoCloseable {
         this.stage = new Stage(info.settings(), models, seed);
         this.log = new DetectionLog(
                 info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
-        this.alerts = new AlertWatch(info.run(), info.settings(), stage.world(), stage.protection());
+        this.alerts = new AlertWatch(info.run(), info.settings(), stage);
     }
 
     /**
@@ -175,7 +175,13 @@ public final class RunSession implements AutoCloseable {
         double simulated = whole ? control.until() : reached;
         stage.flyTo(simulated);
         return new RunResult(
-                info.run(), info.settings(), simulated, log.events(), log.pairs(), alerts.results(stage, simulated));
+                info.run(),
+                info.settings(),
+                simulated,
+                log.events(),
+                log.pairs(),
+                alerts.results(stage, simulated),
+                alerts.falseAlarms());
     }
 
     /** Ends the run and releases its sensors. A result that was returned before remains valid. */

@@ -49,7 +49,7 @@ public final class Stage {
     private final List<ActiveSensor> active = new ArrayList<>();
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
     private final SteeringClock clock;
-    private final PerfectAssociation association = new PerfectAssociation();
+    private final PerfectAssociation association;
     private List<ContactLook> contactLooks = List.of();
     private final long runSeed;
 
@@ -63,6 +63,7 @@ public final class Stage {
         this.protection = Protection.of(settings.alert(), world);
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
+        this.association = new PerfectAssociation(settings.alert().confirm().looks());
         FlightPaths paths = new FlightPaths(
                 new Places(site, world::newGround), settings.run().duration(), models);
         settings.individualDrones().forEach((id, drone) -> {
@@ -266,8 +267,10 @@ public final class Stage {
         clock.look(time);
         pointings.clear();
         List<Supplier<List<Observation>>> looks = new ArrayList<>();
+        List<String> looked = new ArrayList<>();
         for (ActiveSensor one : active) {
             if (one.nextTime() == time) {
+                looked.add(one.id());
                 Look look = one.nextLook(runSeed, time);
                 look.pointing().ifPresent(where -> pointings.put(one.id(), where));
                 double speed = one.settings().signalSpeed(world);
@@ -279,7 +282,7 @@ public final class Stage {
         List<List<Observation>> seen = new ArrayList<>(Collections.nCopies(looks.size(), List.of()));
         Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
         List<Observation> observations = seen.stream().flatMap(List::stream).toList();
-        contactLooks = association.associate(observations);
+        contactLooks = association.associate(observations, looked, time);
         active.forEach(one -> one.learn(contactLooks));
         return observations;
     }

@@ -10,6 +10,7 @@ import java.util.Set;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
@@ -73,6 +74,7 @@ public record SceneSettings(
         }
         double duration = run.duration();
         sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
+        FalseAlertRate.check(alert, sensors);
         sensors.forEach((id, sensor) -> Mounted.positioner(sensor)
                 .ifPresent(positioner -> positioner.cues().forEach(cue -> checkCue(id, cue, all))));
     }

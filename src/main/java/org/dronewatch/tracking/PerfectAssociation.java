@@ -1,32 +1,70 @@
 package org.dronewatch.tracking;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.alarm.FalseAlarmSource;
 
 /**
- * Knows which measurements belong together, because it reads the truth: all looks at one drone are one contact, each
- * false measurement is a contact by itself. It takes the place of a tracker that does not exist yet, and bounds the
- * performance that one could achieve. Contacts are numbered from 1 on in the order in which they appear; the numbers
- * say nothing about drones. One per run.
+ * Knows which measurements belong together, because it reads the truth: all looks at one drone are one contact. It
+ * takes the place of a tracker that does not exist yet, and bounds the performance that one could achieve. False
+ * measurements of one sensor in the same place, which {@link FalseAlarmSource#PLACE} names, are one contact, too, as
+ * long as they may confirm each other; without a place each is a contact by itself. Contacts are numbered from 1 on in
+ * the order in which they appear; the numbers say nothing about drones. One per run.
  */
 public final class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();
     private final Map<Integer, String> drones = new HashMap<>();
+    private final Map<String, LiveAlarms> alarms = new LinkedHashMap<>();
+    private final List<Integer> ended = new ArrayList<>();
+    private final int patience;
     private int last;
 
+    /** An association in which false measurements of different looks are never one contact. */
+    public PerfectAssociation() {
+        this(1);
+    }
+
     /**
-     * Sorts what the sensors observed at one time.
+     * An association.
+     *
+     * @param patience after how many looks without a measurement a contact that is no drone ends, 1 or more
+     */
+    public PerfectAssociation(int patience) {
+        this.patience = patience;
+    }
+
+    /**
+     * Sorts what the sensors observed at one time, all of which observed something.
      *
      * @return each sensor's look at each contact, in the order of the observations
      */
     public List<ContactLook> associate(List<Observation> observations) {
+        Set<String> sensors = new LinkedHashSet<>();
+        observations.forEach(observation -> sensors.add(observation.sensor()));
+        double time = observations.isEmpty() ? 0.0 : observations.get(0).arrival();
+        return associate(observations, sensors, time);
+    }
+
+    /**
+     * Sorts what the sensors observed at one time.
+     *
+     * @param looked names of the sensors that looked, whether or not they observed anything
+     * @param time of these looks, seconds since the start of the run
+     * @return each sensor's look at each contact, in the order of the observations; last those at contacts without a
+     *     measurement in this look that are no drones
+     */
+    public List<ContactLook> associate(List<Observation> observations, Collection<String> looked, double time) {
+        ended.clear();
         Map<List<Object>, List<Observation>> looks = new LinkedHashMap<>();
         for (Observation observation : observations) {
             List<Object> key = List.of(observation.sensor(), contact(observation));
@@ -34,17 +72,34 @@ public final class PerfectAssociation {
         }
         List<ContactLook> result = new ArrayList<>(looks.size());
         looks.forEach((key, ofContact) -> result.add(look((Integer) key.get(1), ofContact)));
+        for (String sensor : looked) {
+            LiveAlarms live = alarms.get(sensor);
+            if (live != null) {
+                live.endLook(sensor, time, result::add, ended::add);
+            }
+        }
         return result;
     }
 
     private int contact(Observation observation) {
         if (observation.isFalse()) {
-            return ++last;
+            Double place = observation.figures().get(FalseAlarmSource.PLACE);
+            return place == null ? single() : ofSensor(observation.sensor()).contactIn(place, () -> ++last);
         }
         return contacts.computeIfAbsent(observation.drone(), drone -> {
             drones.put(++last, drone);
             return last;
         });
+    }
+
+    /** A contact that will not be seen again. */
+    private int single() {
+        ended.add(++last);
+        return last;
+    }
+
+    private LiveAlarms ofSensor(String sensor) {
+        return alarms.computeIfAbsent(sensor, unseen -> new LiveAlarms(patience));
     }
 
     private static ContactLook look(int contact, List<Observation> observations) {
@@ -68,5 +123,15 @@ public final class PerfectAssociation {
     /** The drone that a contact is, for scoring; empty for a false measurement. */
     public Optional<String> droneOf(int contact) {
         return Optional.ofNullable(drones.get(contact));
+    }
+
+    /** Whether it is known which looks of all sensors belong to a contact: those at a drone. */
+    public boolean isComplete(int contact) {
+        return drones.containsKey(contact);
+    }
+
+    /** The contacts of which there will be no more looks after those that were associated last. */
+    public List<Integer> ended() {
+        return List.copyOf(ended);
     }
 }

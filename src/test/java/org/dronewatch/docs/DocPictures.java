@@ -66,6 +66,7 @@ final class DocPictures {
                     "decay-microphone-quadrotor")),
             new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), false),
             new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
+            new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), false),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0));
 

@@ -7,13 +7,18 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.tracking.ContactLook;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class AlertLogTest {
 
@@ -161,5 +166,180 @@ class AlertLogTest {
         assertThatThrownBy(() ->
                         AlertSettings.DEFAULT.withConfirmation(2, 3).withRule(AlertRule.UnionOfProbabilities.of(0.9)))
                 .hasMessageStartingWith("confirm 2 of 3 looks has no meaning with union-of-probabilities");
+    }
+
+    private static ContactLook loose(int contact, String sensor, double time, double bearing) {
+        Sighting seen = new Sighting(
+                new Position(0, 0, 0), new Direction(Math.toRadians(bearing), 0.1), OptionalDouble.empty());
+        Measurement measured =
+                new Measurement(new LookId(sensor, "camera", 0, time), new Reading(20, 12.0, "px"), Optional.of(seen));
+        return new ContactLook(contact, sensor, time, 1.0, List.of(measured));
+    }
+
+    /** Across north, too: 355 and 3 degrees are 8 degrees apart. */
+    @Test
+    void looseContactsOfTwoSensorsCountTogetherIfTheyAgree() {
+        AlertLog log = new AlertLog(two(10), contact -> contact != CONTACT);
+        assertThat(log.add(List.of(loose(1, "a", 0, 355)))).isEmpty();
+        assertThat(log.add(List.of(loose(2, "a", 1, 356)))).isEmpty();
+        assertThat(log.add(List.of(loose(3, "b", 2, 20)))).isEmpty();
+        assertThat(log.add(List.of(loose(4, "b", 3, 3)))).containsExactly(new Alert(4, 3.0, List.of("a", "b")));
+        // The nearest of the first sensor has been used up, its other one not.
+        assertThat(log.alert(2)).isPresent();
+        assertThat(log.add(List.of(loose(5, "b", 4, 1)))).hasSize(1);
+        assertThat(log.alert(1)).contains(new Alert(5, 4.0, List.of("a", "b")));
+        assertThat(log.add(List.of(loose(6, "b", 5, 1)))).isEmpty();
+    }
+
+    private static AlertSettings two(double gateDegrees) {
+        return AlertSettings.DEFAULT.withRule(
+                new AlertRule.SeveralSensors(2, 5.0).withGate(Math.toRadians(gateDegrees)));
+    }
+
+    @Test
+    void looseContactsDoNotConfirmADrone() {
+        AlertLog log = new AlertLog(two(10), contact -> contact != CONTACT);
+        assertThat(log.add(List.of(look("a", 0, 50), loose(1, "b", 0, 7)))).isEmpty();
+        assertThat(log.add(List.of(look("a", 1, 50), loose(2, "a", 1, 7))))
+                .extracting(Alert::contact)
+                .containsExactly(2);
+        assertThat(log.alert(CONTACT)).isEmpty();
+    }
+
+    @Test
+    void looseContactsWithoutABearingAgreeWithAllAndLateOnesWithNone() {
+        AlertLog log = new AlertLog(two(10), contact -> true);
+        log.add(List.of(look("radio", 0, 50)));
+        assertThat(log.add(List.of(loose(1, "a", 5, 123))))
+                .extracting(Alert::time)
+                .containsExactly(5.0);
+        AlertLog late = new AlertLog(two(10), contact -> true);
+        late.add(List.of(look("radio", 0, 50)));
+        assertThat(late.add(List.of(loose(1, "a", 5.1, 123)))).isEmpty();
+    }
+
+    /** A contact that nothing confirms at present does not bring together two others, which do not agree. */
+    @Test
+    void twoOnEitherSideOfAThirdDoNotAgree() {
+        AlertLog log = new AlertLog(two(10).withConfirmation(2, 2), contact -> true);
+        for (int time = 0; time < 3; time++) {
+            assertThat(log.add(List.of(
+                            loose(1, "a", time, 92),
+                            loose(2, "b", time, 108),
+                            time == 1 ? missed(3, "c", time) : loose(3, "c", time, 100))))
+                    .isEmpty();
+        }
+        assertThat(log.add(List.of(loose(3, "c", 3, 100))))
+                .extracting(Alert::sensors)
+                .containsExactly(List.of("a", "b", "c"));
+    }
+
+    private static ContactLook missed(int contact, String sensor, double time) {
+        return new ContactLook(contact, sensor, time, 0.0, List.of());
+    }
+
+    @Test
+    void whatHasEndedIsForgottenButCountsWithOthersForAWhile() {
+        AlertLog log = new AlertLog(two(10), contact -> true);
+        log.add(List.of(loose(1, "a", 0, 90)));
+        log.forget(List.of(1, 99));
+        assertThat(log.add(List.of(loose(2, "b", 4, 91)))).containsExactly(new Alert(2, 4.0, List.of("a", "b")));
+        log.forget(List.of(2));
+        assertThat(log.alert(1)).isEmpty();
+        assertThat(log.alert(2)).isEmpty();
+        assertThat(log.size()).isZero();
+    }
+
+    /** The rule as it reads: of all that were confirmed within the time, the nearest of each other sensor. */
+    private static final class AllPairs {
+        private record Seen(int contact, String sensor, double time, double bearing) {}
+
+        private final List<Seen> recent = new ArrayList<>();
+
+        private static double between(double one, double other) {
+            double apart = Math.abs(one - other) % 360.0;
+            return Math.min(apart, 360.0 - apart);
+        }
+
+        List<Integer> add(Seen now, double gate) {
+            recent.removeIf(old -> old.time < now.time - 5.0);
+            recent.add(now);
+            Seen best = null;
+            for (Seen old : recent) {
+                double apart = between(old.bearing, now.bearing);
+                boolean agrees = !old.sensor.equals(now.sensor) && apart <= gate;
+                if (agrees && (best == null || apart < between(best.bearing, now.bearing))) {
+                    best = old;
+                }
+            }
+            if (best == null) {
+                return List.of();
+            }
+            recent.remove(best);
+            recent.remove(now);
+            return List.of(best.contact, now.contact);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.003, 1, 10, 90, 180})
+    void looseContactsAgreeAsIfEachWereComparedWithAll(double gate) {
+        long seed = 20_261_125;
+        System.out.println("seed " + seed);
+        SplittableRandom random = new SplittableRandom(seed);
+        AllPairs reference = new AllPairs();
+        AlertLog log = new AlertLog(two(gate), contact -> true);
+        int alerts = 0;
+        double time = 0.0;
+        for (int contact = 1; contact <= 20_000; contact++) {
+            time += random.nextDouble() * 0.02;
+            // Many more of one sensor than of the other, so that they wait; and the seam at south.
+            String sensor = random.nextInt(5) == 0 ? "a" : "b";
+            double bearing = random.nextInt(3) == 0 ? 178.0 + 4.0 * random.nextDouble() : 360.0 * random.nextDouble();
+            List<Alert> raised = log.add(List.of(loose(contact, sensor, time, bearing)));
+            List<Integer> expected = reference.add(new AllPairs.Seen(contact, sensor, time, bearing), gate);
+            assertThat(raised).as("contact %d", contact).hasSize(expected.isEmpty() ? 0 : 1);
+            for (int used : expected) {
+                assertThat(log.alert(used)).contains(raised.get(0));
+                alerts++;
+            }
+        }
+        assertThat(alerts).isGreaterThan(100);
+    }
+
+    /**
+     * A million false contacts, of which up to a hundred thousand count at a time: compared with each other this would
+     * take some 1e11 comparisons. Nothing is remembered longer than it counts.
+     */
+    @Test
+    void aMillionLooseContactsTakeSeconds() {
+        int waiting = 100_000;
+        AlertLog log = new AlertLog(two(0.001), contact -> true);
+        SplittableRandom random = new SplittableRandom(9);
+        int most = 0;
+        long alerts = 0;
+        for (int contact = 1; contact <= 1_000_000; contact++) {
+            // One sensor sees nothing but the west, the other the east: all wait in vain, but for a few at the seam.
+            boolean isWest = contact % 2 == 0;
+            double bearing = (isWest ? 180.0 : 0.0) + 180.0 * random.nextDouble();
+            double time = contact * 5.0 / waiting;
+            alerts += log.add(List.of(loose(contact, isWest ? "a" : "b", time, bearing)))
+                    .size();
+            log.forget(List.of(contact));
+            most = Math.max(most, log.size());
+        }
+        assertThat(most).isBetween(waiting - 1000, waiting + 2);
+        assertThat(alerts).isLessThan(100);
+    }
+
+    /** A sensor alone, whose contacts nobody asks for, does not fill the memory either. */
+    @Test
+    void looseContactsOfOneSensorAloneAreForgotten() {
+        AlertLog log = new AlertLog(two(10), contact -> true);
+        for (int contact = 1; contact <= 10_000; contact++) {
+            log.add(List.of(loose(contact, "a", contact * 0.1, 7)));
+            log.forget(List.of(contact));
+        }
+        assertThat(log.size()).isBetween(40, 60);
     }
 }

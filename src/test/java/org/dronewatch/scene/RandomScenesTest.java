@@ -158,9 +158,12 @@ class RandomScenesTest {
     }
 
     private static void check(Observation o, String scene) {
-        for (double figure : new double[] {o.time(), o.arrival(), o.range()}) {
+        for (double figure : new double[] {o.time(), o.arrival()}) {
             assertThat(figure).as("%s of %s", o, scene).isFinite();
         }
+        // Nothing is at no range.
+        assertThat(Double.isNaN(o.range())).as("%s of %s", o, scene).isEqualTo(o.isFalse());
+        assertThat(o.range()).as("%s of %s", o, scene).isNotEqualTo(Double.POSITIVE_INFINITY);
         assertThat(o.value()).as("%s of %s", o, scene).isNotNaN();
         assertThat(o.threshold()).as("%s of %s", o, scene).isNotNaN();
         o.sighting()

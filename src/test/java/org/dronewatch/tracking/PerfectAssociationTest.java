@@ -15,6 +15,7 @@ import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
+import org.dronewatch.sensor.alarm.FalseAlarmSource;
 import org.junit.jupiter.api.Test;
 
 class PerfectAssociationTest {
@@ -55,6 +56,56 @@ class PerfectAssociationTest {
         assertThat(looks).allMatch(ContactLook::isDetected);
         assertThat(association.droneOf(1)).isEmpty();
         assertThat(association.droneOf(2)).contains("x");
+    }
+
+    private static Observation inPlace(String sensor, double place) {
+        return nothing(sensor).withFigures(Map.of(FalseAlarmSource.PLACE, place));
+    }
+
+    /** Patience of three looks: hit, miss, miss, hit; then three misses, and the next one is another contact. */
+    @Test
+    void falseMeasurementsInOnePlaceAreOneContactForAWhile() {
+        PerfectAssociation association = new PerfectAssociation(3);
+        List<String> looked = List.of("a");
+        List<ContactLook> all = new ArrayList<>();
+        boolean[] hits = {true, false, false, true, false, false, false, true};
+        for (int i = 0; i < hits.length; i++) {
+            List<Observation> seen = hits[i] ? List.of(inPlace("a", 5)) : List.of();
+            all.addAll(association.associate(seen, looked, i));
+            assertThat(association.ended()).isEqualTo(i == 6 ? List.of(1) : List.of());
+        }
+        assertThat(all).extracting(ContactLook::contact).containsExactly(1, 1, 1, 1, 1, 1, 2);
+        assertThat(all)
+                .extracting(ContactLook::isDetected)
+                .containsExactly(true, false, false, true, false, false, true);
+        assertThat(association.isComplete(1)).isFalse();
+    }
+
+    @Test
+    void placesAndSensorsAreKeptApart() {
+        PerfectAssociation association = new PerfectAssociation(5);
+        List<ContactLook> first = association.associate(
+                List.of(inPlace("a", 1), inPlace("a", 2), inPlace("b", 1), inPlace("a", 1), look("a", "x", 20)),
+                List.of("a", "b"),
+                8.0);
+        assertThat(first).extracting(ContactLook::contact).containsExactly(1, 2, 3, 4);
+        assertThat(first.get(0).measurements()).hasSize(2);
+        assertThat(association.isComplete(4)).isTrue();
+        // Only one of the sensors looks: the other's contacts wait.
+        List<ContactLook> second = association.associate(List.of(inPlace("b", 1)), List.of("b"), 9.0);
+        assertThat(second).extracting(ContactLook::contact).containsExactly(3);
+        assertThat(association.associate(List.of(), List.of("a"), 10.0))
+                .extracting(ContactLook::contact)
+                .containsExactly(1, 2);
+    }
+
+    @Test
+    void withoutAPlaceItEndsAtOnce() {
+        PerfectAssociation association = new PerfectAssociation(5);
+        association.associate(List.of(nothing("a"), nothing("a")), List.of("a"), 8.0);
+        assertThat(association.ended()).containsExactly(1, 2);
+        assertThat(association.associate(List.of(), List.of("a"), 9.0)).isEmpty();
+        assertThat(association.ended()).isEmpty();
     }
 
     @Test

@@ -31,7 +31,7 @@ final class RunSections {
     String html() {
         Reasons reasons = new Reasons(run.settings(), view.stage(), looks.pointings(), run.simulated());
         return pictures()
-                + section("Alert", new AlertTable(run).html())
+                + section("Alert", new AlertTable(run).html() + new FalseAlarmTables(run).html())
                 + section("Detections by sensor", new DetectionTables(run, looks).detections())
                 + section(
                         "Detections over time",

@@ -16,6 +16,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
@@ -217,6 +218,14 @@ final class SettingTables {
         return "as soon as any sensor detects a drone" + confirmed;
     }
 
+    private String falseAlarms() {
+        FalseAlertRate rate = result.runs().get(0).falseAlertRate();
+        String rest = rate.unknown().isEmpty() ? "" : " The other sensors raise none, since their rates are unknown.";
+        return rate.isUnknown()
+                ? "False alarms are not modelled: no sensor states how often it raises them."
+                : "False alarms come at the stated rates, independently of weather, light and site." + rest;
+    }
+
     /** The limitations of the model, for the kinds of sensors in the scene. */
     String limits() {
         List<String> items = new ArrayList<>();
@@ -226,7 +235,7 @@ final class SettingTables {
                 .values()
                 .forEach(sensor -> omissions.addAll(sensor.description().leavesOut()));
         items.addAll(omissions);
-        items.add("False alarms are not modelled.");
+        items.add(falseAlarms());
         items.add(
                 "Each result holds for these flight paths only; other bearings, altitudes and times give other results.");
         return Html.element(

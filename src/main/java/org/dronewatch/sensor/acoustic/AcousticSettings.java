@@ -4,11 +4,15 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
@@ -16,6 +20,9 @@ import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.acoustic.array.ArraySettings;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
+import org.dronewatch.sensor.alarm.AzimuthSpan;
+import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -37,6 +44,8 @@ import org.dronewatch.world.World;
  *     measures directions, by which other sensors can be cued
  * @param propagation how sound propagates: {@code level-model}, {@code energy-model}, or a kind from another jar
  * @param drawRays whether the report and the viewer show its rays: those of the first detection, or of the start
+ * @param falseAlarms how often it takes something else for a drone; it raises no false alarms, and their rate is
+ *     unknown, unless set
  */
 public record AcousticSettings(
         Position position,
@@ -46,8 +55,14 @@ public record AcousticSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 60) double arrayGain,
         @Minor Optional<ArraySettings> array,
         Propagation propagation,
-        @Minor boolean drawRays)
-        implements SensorSettings<AcousticSensor>, Outlined, SoundTracing, Thresholded, DirectionFinding {
+        @Minor boolean drawRays,
+        @Minor Optional<FalseAlarms> falseAlarms)
+        implements SensorSettings<AcousticSensor>,
+                Outlined,
+                SoundTracing,
+                Thresholded,
+                DirectionFinding,
+                FalseAlarming.Stated {
     /**
      * Checks the limits.
      *
@@ -55,7 +70,17 @@ public record AcousticSettings(
      */
     public AcousticSettings {
         Limits.check(
-                AcousticSettings.class, position, radius, rate, threshold, arrayGain, array, propagation, drawRays);
+                AcousticSettings.class,
+                position,
+                radius,
+                rate,
+                threshold,
+                arrayGain,
+                array,
+                propagation,
+                drawRays,
+                falseAlarms);
+        falseAlarms.ifPresent(known -> known.rate(rate));
         if (array.isPresent() && arrayGain != 0.0) {
             throw new IllegalArgumentException("arrayGain " + Quantity.LEVEL.inWords(arrayGain) + " and an array of "
                     + array.get().microphones()
@@ -66,7 +91,8 @@ public record AcousticSettings(
     /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
     @Defaults("position")
     public static AcousticSettings at(Position position) {
-        return new AcousticSettings(position, 0.5, 10.0, 15.0, 0.0, Optional.empty(), LevelModel.DEFAULT, false);
+        return new AcousticSettings(
+                position, 0.5, 10.0, 15.0, 0.0, Optional.empty(), LevelModel.DEFAULT, false, Optional.empty());
     }
 
     @Override
@@ -113,10 +139,13 @@ public record AcousticSettings(
     /** Only an array that finds directions, in a model with bands, can cue other sensors. */
     @Override
     public <C> Optional<C> as(Class<C> capability) {
-        boolean findsDirections = array.map(ArraySettings::findsDirections).orElse(false) && propagation.hasBands();
-        return capability == DirectionFinding.class && !findsDirections
+        return capability == DirectionFinding.class && !findsDirections()
                 ? Optional.empty()
                 : SensorSettings.super.as(capability);
+    }
+
+    private boolean findsDirections() {
+        return array.map(ArraySettings::findsDirections).orElse(false) && propagation.hasBands();
     }
 
     /** These settings with another propagation. */
@@ -127,6 +156,38 @@ public record AcousticSettings(
     /** These settings, with rays that report and viewer show, or without. */
     public AcousticSettings withDrawRays(boolean drawn) {
         return SettingsForm.with(this, "drawRays", drawn);
+    }
+
+    /** These settings with false alarms. */
+    public AcousticSettings withFalseAlarms(FalseAlarms others) {
+        return SettingsForm.with(this, "falseAlarms", Optional.of(others));
+    }
+
+    /** Bearing and elevation of an array; a single microphone measures no direction. */
+    @Override
+    public int dimensions() {
+        return findsDirections() ? 2 : 0;
+    }
+
+    /** All directions above the horizon are equally likely. */
+    @Override
+    public Optional<Sighting> falseSighting(double u, double v, double w) {
+        Direction direction = new Direction((2.0 * u - 1.0) * Math.PI, Math.asin(v));
+        return findsDirections()
+                ? Optional.of(new Sighting(position, direction, OptionalDouble.empty()))
+                : Optional.empty();
+    }
+
+    /** A sound that just passes the threshold over the site's background. */
+    @Override
+    public Reading falseReading(World world, double excess) {
+        double least = detectionLevel(world.backgroundNoise().level());
+        return new Reading(least, least, Quantity.LEVEL.unit());
+    }
+
+    @Override
+    public Optional<AzimuthSpan> falseBearings() {
+        return findsDirections() ? Optional.of(AzimuthSpan.ALL) : Optional.empty();
     }
 
     /** The level at and above which a sound is detected over a background: dB re 20 uPa. */

@@ -6,8 +6,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.Thresholded;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.Lens;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
@@ -19,6 +21,7 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.Light;
+import org.dronewatch.world.World;
 
 /**
  * A camera, on a fixed mount or on a positioner.
@@ -37,6 +40,8 @@ import org.dronewatch.world.Light;
  * @param rate frames per second, above 0, Hz
  * @param detection how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount
+ * @param falseAlarms how often it takes something else for a drone; it raises no false alarms, and their rate is
+ *     unknown, unless set
  */
 public record CameraSettings(
         Position position,
@@ -51,7 +56,8 @@ public record CameraSettings(
         @Minor @In(value = Quantity.LENGTH, from = 1e-7, to = 3e-5) double wavelength,
         @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double rate,
         DetectionFunction detection,
-        Optional<PositionerSettings> positioner)
+        Optional<PositionerSettings> positioner,
+        @Minor Optional<FalseAlarms> falseAlarms)
         implements PictureSensorSettings<CameraSettings, CameraSensor>, Thresholded {
     /**
      * Checks the limits.
@@ -73,10 +79,12 @@ public record CameraSettings(
                 wavelength,
                 rate,
                 detection,
-                positioner);
+                positioner,
+                falseAlarms);
         aim.from(position);
         PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
+        falseAlarms.ifPresent(known -> known.rate(rate));
     }
 
     /**
@@ -97,6 +105,7 @@ public record CameraSettings(
                 Lens.GREEN,
                 10.0,
                 PixelThreshold.DEFAULT,
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -131,6 +140,12 @@ public record CameraSettings(
     @Override
     public CameraSettings withThreshold(double pixels) {
         return withDetection(new PixelThreshold(pixels));
+    }
+
+    /** Just what is needed. */
+    @Override
+    public Reading falseReading(World world, double excess) {
+        return new Reading(detection.threshold(), detection.threshold(), detection.unit());
     }
 
     @Override

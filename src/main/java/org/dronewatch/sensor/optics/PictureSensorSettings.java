@@ -18,6 +18,9 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.AzimuthSpan;
+import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
@@ -29,7 +32,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param <S> the sensor that they create
  */
 public interface PictureSensorSettings<C extends Record & PictureSensorSettings<C, S>, S extends Sensor>
-        extends SensorSettings<S>, PictureSettings, Mounted, Outlined, DirectionFinding {
+        extends SensorSettings<S>, PictureSettings, Mounted, Outlined, DirectionFinding, FalseAlarming.Stated {
 
     @Override
     default C withPosition(Position other) {
@@ -143,6 +146,49 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         Direction direction = Direction.of(drone.minus(position()));
         return new Sighting(position(), direction, OptionalDouble.empty(), true, pixel, OptionalDouble.of(size));
     }
+
+    /** These settings with false alarms. */
+    default C withFalseAlarms(FalseAlarms others) {
+        return SettingsForm.with(self(), "falseAlarms", Optional.of(others));
+    }
+
+    /** Column and row of the image. */
+    @Override
+    default int dimensions() {
+        return 2;
+    }
+
+    /** All pixels are equally likely, and one of them is all that a false alarm covers. */
+    @Override
+    default Optional<Sighting> falseSighting(double u, double v, double w) {
+        int column = (int) Math.min(width() - 1.0, u * width());
+        int row = (int) Math.min(height() - 1.0, v * height());
+        return Optional.of(sighting(position().plus(direction(column, row)), 1.0, new CameraObject(this)));
+    }
+
+    private Position direction(int column, int row) {
+        double[] direction = new double[3];
+        new CameraObject(this).direction(column, row, direction);
+        return new Position(direction[0], direction[1], direction[2]);
+    }
+
+    /**
+     * From the left to the right edge of the image; not known of a camera on a positioner, steeply aimed, or rolled.
+     */
+    @Override
+    default Optional<AzimuthSpan> falseBearings() {
+        double left = Direction.of(direction(0, height() / 2)).azimuth();
+        double right = Direction.of(direction(width() - 1, height() / 2)).azimuth();
+        double span = Math.IEEEremainder(right - left, 2.0 * Math.PI);
+        double elevation = Direction.of(aim().from(position())).elevation();
+        boolean isLevel = Math.abs(elevation) <= STEEP && Math.abs(Math.IEEEremainder(roll(), Math.PI)) <= STEEP;
+        return positioner().isPresent() || !isLevel || !(span > 0.0)
+                ? Optional.empty()
+                : Optional.of(new AzimuthSpan(left + 0.5 * span, span));
+    }
+
+    /** Beyond this elevation or roll the edges of an image do not bound its azimuths, rad. */
+    double STEEP = Math.PI / 4;
 
     /**
      * These settings with the frustum of OpenGL's {@code glFrustum}: its field of view, its shifts and its planes.

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.radar;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -10,6 +11,9 @@ import org.dronewatch.setting.Quantity;
 
 /** Decides from the signal-to-noise ratio whether an echo is detected. */
 public sealed interface RadarDetection {
+    /** The unit of ratios. */
+    String DECIBELS = "dB";
+
     /**
      * How echoes of targets with a fluctuation are decided on.
      *
@@ -34,6 +38,13 @@ public sealed interface RadarDetection {
     default int pulses() {
         return 1;
     }
+
+    /**
+     * What noise that passes the threshold looks like.
+     *
+     * @param excess by how much it exceeds the threshold, exponentially distributed with mean 1
+     */
+    Reading noise(double excess);
 
     /** Decides on the echoes of targets with one kind of fluctuation. */
     interface Decision {
@@ -90,6 +101,12 @@ public sealed interface RadarDetection {
             double loss = new LogNormalEcho(detector, spread).required(USUAL_PROBABILITY)
                     - detector.required(USUAL_PROBABILITY, Fluctuation.STEADY);
             return from(signalToNoise + loss);
+        }
+
+        @Override
+        public Reading noise(double excess) {
+            double power = Math.pow(10.0, 0.1 * signalToNoise) + excess;
+            return new Reading(Math.max(signalToNoise, 10.0 * Math.log10(power)), signalToNoise, DECIBELS);
         }
 
         private static Decision from(double least) {
@@ -168,6 +185,12 @@ public sealed interface RadarDetection {
                     return ratio < FAINTEST ? 0.0 : detector.probability(ratio, fluctuation);
                 }
             };
+        }
+
+        /** As a mean over the pulses, in units of the mean noise. */
+        @Override
+        public Reading noise(double excess) {
+            return new SquareLawDetector(falseAlarm, pulses).noise(excess);
         }
 
         /** In each look, noise and cross-section are drawn apart from one another. */

@@ -6,13 +6,18 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.AzimuthSpan;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.sensor.alarm.FalseAlarming;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -20,6 +25,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.World;
 
 /**
  * A radar on a fixed mount. Without a {@code beam} it has the same gain throughout its field of view.
@@ -48,6 +54,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a filter that rejects what stands still, in place of minSpeed; none by default
+ * @param falseAlarms how often noise passes its threshold; it raises no false alarms, and their rate is unknown,
+ *     unless set
  */
 public record RadarSettings(
         Position position,
@@ -69,8 +77,9 @@ public record RadarSettings(
         @Minor Optional<BeamPattern> beam,
         @Minor boolean diffraction,
         @Minor Optional<Clutter> clutter,
-        @Minor Optional<DopplerFilter> notch)
-        implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding {
+        @Minor Optional<DopplerFilter> notch,
+        @Minor Optional<RadarFalseAlarms> falseAlarms)
+        implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding, FalseAlarming {
 
     /**
      * Checks the limits.
@@ -99,7 +108,8 @@ public record RadarSettings(
                 beam,
                 diffraction,
                 clutter,
-                notch);
+                notch,
+                falseAlarms);
         if (groundReflection.isPresent() && polarisation == Rain.Polarisation.CIRCULAR) {
             throw new IllegalArgumentException(
                     "groundReflection needs the polarisation horizontal or vertical, not circular");
@@ -117,6 +127,19 @@ public record RadarSettings(
             throw new IllegalArgumentException(
                     "minSpeed " + minSpeed + " m/s must be below maxSpeed " + maxSpeed + " m/s");
         }
+        if (falseAlarms.isPresent()) {
+            double slowest = notch.isPresent() ? 0.0 : minSpeed;
+            ResolutionCells cells = new ResolutionCells(
+                    azimuthWidth, elevationWidth, minRange, maxRange, slowest, maxSpeed, frequency, beam);
+            falseAlarms.get().rate(cells, budget, detection, rate);
+        }
+    }
+
+    /** With a notch all speeds count, however slow. */
+    private ResolutionCells cells() {
+        double slowest = notch.isPresent() ? 0.0 : minSpeed;
+        return new ResolutionCells(
+                azimuthWidth, elevationWidth, minRange, maxRange, slowest, maxSpeed, frequency, beam);
     }
 
     private static void checkTilt(double tilt, double most) {
@@ -161,6 +184,7 @@ public record RadarSettings(
                 Optional.empty(),
                 Optional.empty(),
                 false,
+                Optional.empty(),
                 Optional.empty(),
                 Optional.empty());
     }
@@ -243,6 +267,50 @@ public record RadarSettings(
     /** These settings with a filter that rejects what stands still, in place of a minimum radial speed. */
     public RadarSettings withNotch(DopplerFilter filter) {
         return SettingsForm.with(this, "notch", Optional.of(filter));
+    }
+
+    /** These settings with false alarms. */
+    public RadarSettings withFalseAlarms(RadarFalseAlarms noise) {
+        return SettingsForm.with(this, "falseAlarms", Optional.of(noise));
+    }
+
+    /**
+     * The probability of a false alarm in one cell and one scan at which a rate is met: what {@code detection} or
+     * {@code falseAlarms} has to be set to.
+     *
+     * @param perHour wanted number of false alarms an hour, above 0
+     * @throws IllegalArgumentException when the number of cells is not known
+     */
+    public double falseAlarmProbability(double perHour) {
+        double cells = falseAlarms.orElse(RadarFalseAlarms.DEFAULT).cells(cells(), budget);
+        return perHour / (3600.0 * rate * cells);
+    }
+
+    @Override
+    public Optional<FalseAlarmRate> falseAlarmRate() {
+        return falseAlarms.map(noise -> noise.rate(cells(), budget, detection, rate));
+    }
+
+    /** Range, azimuth and elevation. */
+    @Override
+    public int dimensions() {
+        return 3;
+    }
+
+    @Override
+    public Optional<Sighting> falseSighting(double u, double v, double w) {
+        return Optional.of(new NoiseField(position, outline(), accuracy).at(u, v, w));
+    }
+
+    /** The signal-to-noise ratio that noise alone seems to have. */
+    @Override
+    public Reading falseReading(World world, double excess) {
+        return detection.noise(excess);
+    }
+
+    @Override
+    public Optional<AzimuthSpan> falseBearings() {
+        return Optional.of(new AzimuthSpan(outline().azimuth(), azimuthWidth));
     }
 
     /** Its field of view. */

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.radar;
 
 import java.util.Arrays;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
+import org.dronewatch.sensor.Reading;
 
 /**
  * How reliably a square-law detector that adds up a number of pulses distinguishes an echo from noise: exact sums for
@@ -81,6 +82,21 @@ final class SquareLawDetector {
                         -shape * Math.log1p(mean / shape),
                         -Math.log1p(shape / mean),
                         shape);
+    }
+
+    /**
+     * Noise alone that passes the threshold, as a mean over the pulses in units of the mean noise of one, dB. Beyond
+     * the threshold its distribution is exponential: exactly for one pulse, nearly for several, with the decay at the
+     * threshold.
+     *
+     * @param excess 0 or more, exponentially distributed with mean 1
+     */
+    Reading noise(double excess) {
+        double threshold = threshold(falseAlarm, pulses);
+        double decay = pulses == 1 ? 1.0 : lastTerm(threshold, pulses) / falseAlarm;
+        double least = 10.0 * Math.log10(threshold / pulses);
+        double value = 10.0 * Math.log10((threshold + excess / decay) / pulses);
+        return new Reading(Math.max(least, value), least, RadarDetection.DECIBELS);
     }
 
     /** Shape of the gamma distribution of the sum's cross-section; 0 for a steady target. */

@@ -8,9 +8,12 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.Thresholded;
+import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.radio.Polarisation;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
@@ -20,6 +23,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.World;
 
 /**
  * An omnidirectional radio receiver.
@@ -42,6 +46,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param occupied bands in which others transmit now and then, by name; they must not overlap
  * @param attributes kinds of emission that it can know for a drone's
  * @param dwell how long it listens to a transmission in bursts; omit it for a receiver that hears every burst
+ * @param falseAlarms how often it takes something else for a drone; it raises no false alarms, and their rate is
+ *     unknown, unless set
  */
 public record RfSettings(
         Position position,
@@ -59,8 +65,9 @@ public record RfSettings(
         @Minor Optional<ManMadeNoise> environment,
         @Minor Map<String, OccupiedBand> occupied,
         @Minor List<RadioLink.Emission> attributes,
-        @Minor Optional<Dwell> dwell)
-        implements SensorSettings<RfSensor>, Thresholded {
+        @Minor Optional<Dwell> dwell,
+        @Minor Optional<FalseAlarms> falseAlarms)
+        implements SensorSettings<RfSensor>, Thresholded, FalseAlarming.Stated {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
 
@@ -87,7 +94,9 @@ public record RfSettings(
                 environment,
                 occupied,
                 attributes,
-                dwell);
+                dwell,
+                falseAlarms);
+        falseAlarms.ifPresent(known -> known.rate(rate));
         occupied = Collections.unmodifiableMap(new LinkedHashMap<>(occupied));
         attributes = List.copyOf(attributes);
         checkApart(occupied);
@@ -128,6 +137,7 @@ public record RfSettings(
                 Optional.empty(),
                 Map.of(),
                 List.of(RadioLink.Emission.DEDICATED, RadioLink.Emission.WLAN),
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -261,6 +271,17 @@ public record RfSettings(
                         minFrequency / 1e6))
                 .stream()
                 .toList();
+    }
+
+    /** These settings with false alarms. */
+    public RfSettings withFalseAlarms(FalseAlarms others) {
+        return SettingsForm.with(this, "falseAlarms", Optional.of(others));
+    }
+
+    /** A signal that just passes the threshold. */
+    @Override
+    public Reading falseReading(World world, double excess) {
+        return new Reading(threshold, threshold, Quantity.LEVEL.unit());
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.thermal;
 
 import java.util.Map;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -27,8 +28,9 @@ import org.dronewatch.setting.SettingsForm;
  * upper bound when g is more than 1. A camera that takes twice as many frames makes twice as many errors, so its
  * threshold is higher.
  *
- * @param falseAlarmsPerHour false alarms by noise that are accepted, 1e-6 to 1e9 an hour: a lower threshold than the
- *     one that causes the most of them is never used
+ * @param falseAlarmsPerHour false alarms by noise that are accepted, 1e-6 to 1e9 an hour, and which the camera raises
+ *     in a run unless {@code falseAlarms} states those of all causes. A lower threshold than the one that causes the
+ *     most of them is never used
  * @param hits M, how many of the last frames must mark a spot, 1 to 50
  * @param frames N, of how many, as many as hits to 50
  * @param gate g, number of pixels in which the spot of the next frame is looked for, 1 to 10,000: 9 for a drone that
@@ -112,6 +114,38 @@ public record PointTargets(
      */
     public double falseAlarmsPerHour(double threshold, long pixels, double rate) {
         return SECONDS_PER_HOUR * rate * pixels * confirmations(NormalTail.above(threshold));
+    }
+
+    /**
+     * The rate of false alarms that noise causes. Each is taken to last as long as its marks can keep it confirmed,
+     * N - M + 1 frames, and to be told apart from others outside its gate.
+     *
+     * @param pixels number of pixels of the image
+     * @param rate frames per second, Hz
+     */
+    FalseAlarmRate rate(long pixels, double rate) {
+        double perHour = falseAlarmsPerHour(threshold(pixels, rate), pixels, rate);
+        return new FalseAlarmRate(perHour / (SECONDS_PER_HOUR * rate), Math.max(1, pixels / gate), longest(), rate);
+    }
+
+    /** The most frames for which noise is confirmed. */
+    private int longest() {
+        return frames - hits + 1;
+    }
+
+    /**
+     * Checks that not more false alarms are accepted than can be simulated.
+     *
+     * @param rate frames per second, Hz
+     * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} would be expected in a frame
+     */
+    void checkRate(double rate) {
+        double most = FalseAlarmRate.MOST_PER_LOOK * SECONDS_PER_HOUR * rate / longest();
+        if (falseAlarmsPerHour > most) {
+            throw new IllegalArgumentException("pointTargets.falseAlarmsPerHour " + (float) falseAlarmsPerHour
+                    + " at " + (float) rate + " frames a second must be at most " + (float) most + ": "
+                    + (int) FalseAlarmRate.MOST_PER_LOOK + " at a time");
+        }
     }
 
     /** How often noise is confirmed in one pixel and frame, if it marks a pixel with a probability p. */

@@ -9,7 +9,10 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSensorSettings;
 import org.dronewatch.sensor.optics.Projection;
@@ -20,6 +23,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.World;
 
 /**
  * A thermal camera, on a fixed mount or on a positioner.
@@ -48,6 +52,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param pointTargets how a program finds drones that are too small for the eye; omit it for an observer who needs to
  *     see a shape. It takes the place of the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
+ * @param falseAlarms how often it takes something else for a drone, whatever the cause; unless set, {@code
+ *     pointTargets} raise those by noise, and otherwise it raises none, and their rate is unknown
  */
 public record ThermalSettings(
         Position position,
@@ -69,7 +75,8 @@ public record ThermalSettings(
         @In(value = Quantity.RATIO, above = 0, below = 1) double probability,
         boolean byChance,
         @Minor Optional<PointTargets> pointTargets,
-        Optional<PositionerSettings> positioner)
+        Optional<PositionerSettings> positioner,
+        @Minor Optional<FalseAlarms> falseAlarms)
         implements PictureSensorSettings<ThermalSettings, ThermalSensor> {
     /**
      * Checks the limits.
@@ -98,7 +105,8 @@ public record ThermalSettings(
                 probability,
                 byChance,
                 pointTargets,
-                positioner);
+                positioner,
+                falseAlarms);
         if (pointTargets.isPresent() && task != Discrimination.DETECTION) {
             throw new IllegalArgumentException("task " + task.name().toLowerCase(Locale.ROOT)
                     + " with pointTargets: a spot can be detected, but has no shape by which it could be recognised");
@@ -106,6 +114,9 @@ public record ThermalSettings(
         aim.from(position);
         PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
+        double frameRate = rate;
+        falseAlarms.ifPresentOrElse(
+                known -> known.rate(frameRate), () -> pointTargets.ifPresent(rule -> rule.checkRate(frameRate)));
     }
 
     /**
@@ -133,6 +144,7 @@ public record ThermalSettings(
                 Discrimination.DETECTION,
                 0.5,
                 false,
+                Optional.empty(),
                 Optional.empty(),
                 Optional.empty());
     }
@@ -165,6 +177,18 @@ public record ThermalSettings(
     /** These settings for a program that finds drones as spots. */
     public ThermalSettings withPointTargets(PointTargets rule) {
         return SettingsForm.with(this, "pointTargets", Optional.of(rule));
+    }
+
+    /** As stated; otherwise what noise causes among the point targets. */
+    @Override
+    public Optional<FalseAlarmRate> falseAlarmRate() {
+        return falseAlarms.map(known -> known.rate(rate)).or(() -> pointTargets.map(rule -> rule.rate(pixels(), rate)));
+    }
+
+    /** Just what is needed. */
+    @Override
+    public Reading falseReading(World world, double excess) {
+        return new Reading(probability, probability, Quantity.RATIO.unit());
     }
 
     @Override

@@ -26,6 +26,8 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Walls;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -169,7 +171,7 @@ class PointTargetLooksTest {
 
     @Test
     void noiseDoesNotShowWhatIsHidden() {
-        ThermalSettings settings = CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9));
+        ThermalSettings settings = CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e7));
         World world = Walls.behind(Walls.wall(50, -99, 99), ModelRole.BUILDING);
         Assessment hidden = Walls.assess(settings, world, at(600));
 
@@ -225,5 +227,27 @@ class PointTargetLooksTest {
                                 + " be recognised");
         assertThat(settings.withChance(true).chance()).isEqualTo(Chance.PER_LOOK);
         assertThat(BY_CHANCE.chance()).isEqualTo(Chance.PER_ENCOUNTER);
+    }
+
+    /** One notion of a rate: what noise is allowed to cause is what a run raises and an alert rule is priced by. */
+    @Test
+    void theAcceptedFalseAlarmsAreItsRate() {
+        ThermalSettings settings = CAMERA.withPointTargets(new PointTargets(40.0, 3, 5, 9));
+        FalseAlarmRate rate = settings.falseAlarmRate().orElseThrow();
+
+        assertThat(rate.perHour()).isCloseTo(40.0, within(1e-6));
+        assertThat(rate.places()).isEqualTo(640 * 512 / 9);
+        assertThat(rate.looks()).isEqualTo(3);
+        FalseAlarms counted = new FalseAlarms(70.0, 5, 1.0);
+        assertThat(settings.withFalseAlarms(counted).falseAlarmRate()).contains(counted.rate(25));
+        assertThat(CAMERA.falseAlarmRate()).isEmpty();
+        assertThatThrownBy(() -> CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9)))
+                .hasMessage(
+                        "pointTargets.falseAlarmsPerHour 1.0E9 at 25.0 frames a second must be at most 3.0E7: 1000 at"
+                                + " a time");
+        assertThat(CAMERA.withFalseAlarms(counted)
+                        .withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9))
+                        .falseAlarmRate())
+                .contains(counted.rate(25));
     }
 }

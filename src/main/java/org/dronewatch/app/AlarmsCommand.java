@@ -1,0 +1,165 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.dronewatch.fusion.AlertRule;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.Confirmation;
+import org.dronewatch.fusion.FalseAlertRate;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.sensor.radar.RadarDetection;
+import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Says what the alert rule of a scene costs in false alerts. */
+@Command(
+        name = "alarms",
+        mixinStandardHelpOptions = true,
+        description =
+                "Prints how often each sensor of a scene raises false alarms, and how many false alerts a day follow from"
+                        + " that by the scene's alert rule, with its own and with other confirmations. Nothing is run. With --sensor"
+                        + " and --per-hour it says which probability gives a radar a wanted number of false alarms.",
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch alarms scenes/false-alarms.yaml",
+            "  dronewatch alarms scenes/false-alarms.yaml --sensor radar --per-hour 20"
+        })
+final class AlarmsCommand implements Callable<Integer> {
+    private static final List<Confirmation> TRIED = List.of(
+            new Confirmation(1, 1),
+            new Confirmation(2, 2),
+            new Confirmation(2, 3),
+            new Confirmation(3, 4),
+            new Confirmation(3, 5),
+            new Confirmation(5, 8));
+    private static final double EVEN = 0.5;
+    private static final double LIKELY = 0.9;
+    private static final double MOST_PER_HOUR = 1e7;
+
+    @Mixin
+    private SceneChoice choice;
+
+    @Option(
+            names = "--run",
+            defaultValue = "0",
+            paramLabel = "N",
+            description = "Index of the run of a sweep, counted from 0; 0 by default.")
+    private int run;
+
+    @Option(names = "--sensor", paramLabel = "ID", description = "Radar whose probability --per-hour asks for.")
+    private String sensor;
+
+    @Option(
+            names = "--per-hour",
+            paramLabel = "N",
+            description = "Wanted number of false alarms an hour, above 0 and at most 1e7.")
+    private Double perHour;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        if ((sensor == null) != (perHour == null)) {
+            throw new InputException("--sensor and --per-hour belong together: give both or neither");
+        }
+        SceneRunner runner = choice.runner(choice.create());
+        runner.notes(spec.commandLine().getErr()::println);
+        SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
+        PrintWriter out = spec.commandLine().getOut();
+        if (sensor != null) {
+            out.println(wanted(settings));
+            return 0;
+        }
+        printSensors(settings, out);
+        printRules(settings, out);
+        return 0;
+    }
+
+    private static void printSensors(SceneSettings settings, PrintWriter out) {
+        out.printf("%-16s %-9s %12s %12s %12s %12s%n", "sensor", "kind", "an hour", "a look", "places", "looks each");
+        settings.enabledSensors().forEach((id, one) -> {
+            Optional<FalseAlarmRate> known = rate(one);
+            out.printf(
+                    "%-16s %-9s %12s %12s %12s %12s%n",
+                    id,
+                    one.kind(),
+                    known.map(rate -> FalseAlertRate.brief(rate.perHour())).orElse("unknown"),
+                    known.map(rate -> FalseAlertRate.brief(rate.perLook())).orElse("-"),
+                    known.map(rate -> Long.toString(rate.places())).orElse("-"),
+                    known.map(rate -> Integer.toString(rate.looks())).orElse("-"));
+        });
+    }
+
+    private static void printRules(SceneSettings settings, PrintWriter out) {
+        AlertSettings alert = settings.alert();
+        out.println();
+        if (alert.rule() instanceof AlertRule.UnionOfProbabilities) {
+            out.println("false alerts: "
+                    + FalseAlertRate.of(alert, settings.enabledSensors()).inWords());
+            return;
+        }
+        out.printf("%-8s %18s %18s   %s%n", "confirm", "50 % becomes", "90 % becomes", "false alerts");
+        boolean isTried = TRIED.contains(alert.confirm());
+        TRIED.forEach(confirm -> printRule(settings, confirm, out));
+        if (!isTried) {
+            printRule(settings, alert.confirm(), out);
+        }
+    }
+
+    private static void printRule(SceneSettings settings, Confirmation confirm, PrintWriter out) {
+        AlertSettings changed = settings.alert().withConfirmation(confirm.hits(), confirm.looks());
+        boolean isOwn = confirm.equals(settings.alert().confirm());
+        out.printf(
+                Locale.ROOT,
+                "%-8s %17.3f%% %17.3f%%   %s%n",
+                confirm.hits() + " of " + confirm.looks(),
+                100.0 * confirm.probability(EVEN),
+                100.0 * confirm.probability(LIKELY),
+                FalseAlertRate.of(changed, settings.enabledSensors()).inWords() + (isOwn ? "  <- this scene" : ""));
+    }
+
+    private String wanted(SceneSettings settings) {
+        if (!(perHour > 0.0 && perHour <= MOST_PER_HOUR)) {
+            throw new InputException("--per-hour " + perHour + ": must be above 0 and at most 1e7");
+        }
+        SensorSettings<?> named = settings.sensors().get(sensor);
+        String given = "--sensor " + PlainText.value(sensor) + ": ";
+        if (named == null) {
+            throw new InputException(given + "no such sensor; "
+                    + Spelling.closestMatches(sensor, settings.sensors().keySet()));
+        }
+        if (!(named instanceof RadarSettings radar)) {
+            throw new InputException(given + "is of kind " + named.kind()
+                    + ", whose rate is stated, not computed: only a radar has a probability of false alarm");
+        }
+        try {
+            String setting = radar.detection() instanceof RadarDetection.Chance
+                    ? "detection.falseAlarm"
+                    : "falseAlarms.probability";
+            return String.format(
+                    Locale.ROOT, "sensors.%s.%s=%.3e", sensor, setting, radar.falseAlarmProbability(perHour));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(given + e.getMessage(), e);
+        }
+    }
+
+    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor) {
+        return sensor.as(FalseAlarming.class).flatMap(FalseAlarming::falseAlarmRate);
+    }
+}

@@ -1,0 +1,100 @@
+package org.dronewatch.fusion;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.fusion.FalseAlertRate.Confirmed;
+import org.dronewatch.sensor.alarm.AzimuthSpan;
+
+/**
+ * How often confirmed false alarms of several sensors come together by chance: whenever one is confirmed while exactly
+ * one fewer than the rule asks for of the other sensors have one that still counts and agrees in bearing. One counts
+ * from its confirmation for as long as it stays confirmed and the rule's time after that. For two sensors this is the
+ * rate of accidental coincidences, {@code 2 a b T}, of which there are fewer where they are so frequent that one false
+ * alarm meets several.
+ */
+final class Coincidences {
+    /** Looks over which the number of another sensor's looks within a time is averaged. */
+    private static final int LOOKS = 1000;
+
+    /** Bearings over which is averaged. */
+    private static final int BEARINGS = 180;
+
+    /** Looks at the same time are, but for rounding. */
+    private static final double ROUNDING = 1e-9;
+
+    private final AlertRule.SeveralSensors rule;
+    private final List<Confirmed> sensors;
+
+    Coincidences(AlertRule.SeveralSensors rule, List<Confirmed> sensors) {
+        this.rule = rule;
+        this.sensors = sensors;
+    }
+
+    double perSecond() {
+        double sum = 0.0;
+        for (int last = 0; last < sensors.size(); last++) {
+            sum += sensors.get(last).perSecond() * enoughOthers(last);
+        }
+        return sum;
+    }
+
+    /** The probability that a false alarm of a sensor completes the number, averaged over its bearing. */
+    private double enoughOthers(int last) {
+        if (rule.count() == 1) {
+            return 1.0;
+        }
+        Optional<AzimuthSpan> bearings = sensors.get(last).bearings();
+        double[] counting = new double[sensors.size()];
+        for (int i = 0; i < counting.length; i++) {
+            counting[i] = i == last ? 0.0 : counting(last, i);
+        }
+        int steps = bearings.isPresent() ? BEARINGS : 1;
+        double sum = 0.0;
+        for (int step = 0; step < steps; step++) {
+            double fraction = (step + 0.5) / steps;
+            sum += exactly(rule.count() - 1, last, counting, bearings.map(span -> span.at(fraction)));
+        }
+        return sum / steps;
+    }
+
+    /** Expected number of a sensor's false alarms that count at a look of another. */
+    private double counting(int last, int other) {
+        Confirmed sensor = sensors.get(other);
+        // Of two that are confirmed at the same time only one is the last.
+        boolean isWithPresent = other < last;
+        double looks = looksWithin(
+                rule.within() + sensor.duration(), sensors.get(last).lookRate(), sensor.lookRate(), isWithPresent);
+        return sensor.perSecond() / sensor.lookRate() * looks;
+    }
+
+    /** How many looks of a sensor lie in the seconds before a look of another, on average. */
+    private static double looksWithin(double seconds, double rate, double otherRate, boolean isWithPresent) {
+        double sum = 0.0;
+        double start = Math.ceil((seconds + 1.0) * rate);
+        for (int i = 0; i < LOOKS; i++) {
+            double now = (start + i) / rate * otherRate;
+            double latest = isWithPresent ? Math.floor(now + ROUNDING) : Math.ceil(now - ROUNDING) - 1.0;
+            sum += Math.max(0.0, latest - Math.ceil(now - seconds * otherRate - ROUNDING) + 1.0);
+        }
+        return sum / LOOKS;
+    }
+
+    /** The probability that a number of the other sensors have a false alarm that counts and agrees in bearing. */
+    private double exactly(int number, int last, double[] counting, Optional<Double> bearing) {
+        double[] chances = new double[number + 1];
+        chances[0] = 1.0;
+        for (int i = 0; i < counting.length; i++) {
+            if (i != last) {
+                Optional<AzimuthSpan> span = sensors.get(i).bearings();
+                double agree = bearing.isPresent() && span.isPresent()
+                        ? span.get().probabilityWithin(rule.gate(), bearing.get())
+                        : 1.0;
+                double one = -Math.expm1(-counting[i] * agree);
+                for (int k = number; k >= 0; k--) {
+                    chances[k] = chances[k] * (1.0 - one) + (k > 0 ? chances[k - 1] * one : 0.0);
+                }
+            }
+        }
+        return chances[number];
+    }
+}

@@ -1,0 +1,167 @@
+package org.dronewatch.fusion;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.AzimuthSpan;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.sensor.alarm.FalseAlarming;
+
+/**
+ * How many false alerts a day a rule costs, in closed form.
+ *
+ * <p>Assumptions: false alarms begin independently of each other, from look to look, from place to place, and from
+ * sensor to sensor. Those of one sensor confirm each other only if they lie in the same one of its places. Those of
+ * several sensors count together if they agree in time and in bearing, whatever their range, their elevation, and the
+ * distance between the sensors; a sensor without a bearing, or on a positioner, agrees with all. One alert is counted
+ * for each contact, however long it lasts.
+ *
+ * <p>Let s be the probability that a false alarm begins in a given place in a given look, K the number of places, f the
+ * looks per second, M of N the confirmation. False alarms of one look are confirmed {@code K f C(N-1, M-1) s^M
+ * (1-s)^(N-M+1)} times a second: how often a look confirms what the look before did not. Those that last for L looks, M
+ * or more, confirm themselves, {@code K f s (1-s)^(N+L-1)} times a second. If L is above one but below M, J = M / L of
+ * them, rounded up, must begin in the same place within N + L - 1 looks: {@code K f s P(Poisson(s' (N+L-1)) >= J-1)},
+ * with s' = -ln(1-s), is an upper bound.
+ *
+ * @param perDay expected number of false alerts a day by the sensors whose rates are known
+ * @param isUpperBound whether there may be fewer
+ * @param known names of the sensors whose rates are known
+ * @param unknown names of the sensors whose rates are not known
+ */
+public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> known, List<String> unknown) {
+    /** As many confirmed false alarms as a rule for several sensors may be expected to remember at a time. */
+    public static final int MOST_AT_A_TIME = 200_000;
+
+    private static final double DAY = 86_400.0;
+
+    /** Copies the lists: later changes by the caller have no effect. */
+    public FalseAlertRate {
+        known = List.copyOf(known);
+        unknown = List.copyOf(unknown);
+    }
+
+    /** The rate of an alert's rule with a scene's sensors. */
+    public static FalseAlertRate of(AlertSettings alert, Map<String, SensorSettings<?>> sensors) {
+        Map<String, Confirmed> known = new LinkedHashMap<>();
+        List<String> unknown = new ArrayList<>();
+        sensors.forEach((id, sensor) -> confirmed(alert.confirm(), sensor)
+                .ifPresentOrElse(confirmed -> known.put(id, confirmed), () -> unknown.add(id)));
+        List<Confirmed> all = List.copyOf(known.values());
+        boolean isBound = all.stream().anyMatch(Confirmed::isUpperBound);
+        double perSecond;
+        if (alert.rule() instanceof AlertRule.SeveralSensors several) {
+            perSecond = new Coincidences(several, all).perSecond();
+            isBound |= several.count() > 1;
+        } else {
+            perSecond = all.stream().mapToDouble(Confirmed::perSecond).sum();
+        }
+        return new FalseAlertRate(DAY * perSecond, isBound, List.copyOf(known.keySet()), unknown);
+    }
+
+    /**
+     * Checks that a rule for several sensors does not have to remember more than {@link #MOST_AT_A_TIME} false alarms.
+     *
+     * @throws IllegalArgumentException if it does
+     */
+    public static void check(AlertSettings alert, Map<String, SensorSettings<?>> sensors) {
+        if (alert.rule() instanceof AlertRule.SeveralSensors several) {
+            double perSecond = sensors.values().stream()
+                    .flatMap(sensor -> confirmed(alert.confirm(), sensor).stream())
+                    .mapToDouble(Confirmed::perSecond)
+                    .sum();
+            if (perSecond * several.within() > MOST_AT_A_TIME) {
+                throw new IllegalArgumentException("alert.rule.within " + several.within() + " s with "
+                        + brief(perSecond) + " confirmed false alarms a second makes "
+                        + brief(perSecond * several.within()) + " that count at a time, must be at most "
+                        + MOST_AT_A_TIME);
+            }
+        }
+    }
+
+    /** Whether nothing is known. */
+    public boolean isUnknown() {
+        return known.isEmpty();
+    }
+
+    /** {@code 2.4 a day}; {@code at most 2.4 a day}; {@code 2.4 a day from a; unknown from b}; {@code unknown}. */
+    public String inWords() {
+        if (isUnknown()) {
+            return "unknown";
+        }
+        String number = (isUpperBound ? "at most " : "") + brief(perDay) + " a day";
+        return unknown.isEmpty()
+                ? number
+                : number + " from " + String.join(", ", known) + "; unknown from " + String.join(", ", unknown);
+    }
+
+    /** A rate or a number in words: two digits at least, without a long row of zeros. */
+    public static String brief(double value) {
+        if (value == 0.0 || value >= 0.01 && value < 1e5) {
+            return String.format(Locale.ROOT, value >= 100.0 ? "%.0f" : value >= 10.0 ? "%.1f" : "%.2f", value);
+        }
+        return String.format(Locale.ROOT, "%.1e", value);
+    }
+
+    private static Optional<Confirmed> confirmed(Confirmation confirm, SensorSettings<?> sensor) {
+        return sensor.as(FalseAlarming.class).flatMap(capability -> capability
+                .falseAlarmRate()
+                .map(rate -> Confirmed.of(confirm, rate, capability.falseBearings())));
+    }
+
+    /**
+     * One sensor's false alarms that are confirmed.
+     *
+     * @param perSecond how many a second
+     * @param isUpperBound whether there may be fewer
+     * @param duration for how long one is confirmed, from the first to the last look, s
+     * @param lookRate looks per second, Hz
+     * @param bearings where they lie, if that is known
+     */
+    record Confirmed(
+            double perSecond, boolean isUpperBound, double duration, double lookRate, Optional<AzimuthSpan> bearings) {
+
+        static Confirmed of(Confirmation confirm, FalseAlarmRate rate, Optional<AzimuthSpan> bearings) {
+            double s = rate.probability();
+            double perLook = rate.places() * rate.rate();
+            int hits = confirm.hits();
+            int looks = confirm.looks();
+            int lasting = rate.looks();
+            if (lasting == 1) {
+                double onset = confirm.onset(s);
+                double confirmed = onset > 0.0 ? confirm.probability(s) / onset - 1.0 : 0.0;
+                return new Confirmed(perLook * onset, false, confirmed / rate.rate(), rate.rate(), bearings);
+            }
+            if (lasting >= hits) {
+                double alone = perLook * s * Math.pow(1.0 - s, looks + lasting - 1.0);
+                double confirmed = lasting + looks - 2.0 * hits;
+                return new Confirmed(alone, false, confirmed / rate.rate(), rate.rate(), bearings);
+            }
+            int needed = (hits + lasting - 1) / lasting;
+            double others = rate.perPlace() * (looks + lasting - 1.0);
+            return new Confirmed(
+                    perLook * s * atLeast(needed - 1, others),
+                    true,
+                    (looks + lasting - 1.0) / rate.rate(),
+                    rate.rate(),
+                    bearings);
+        }
+
+        /** The probability that a Poisson variable reaches a number. */
+        private static double atLeast(int number, double mean) {
+            double term = Math.exp(-mean);
+            for (int k = 1; k <= number; k++) {
+                term *= mean / k;
+            }
+            double sum = 0.0;
+            for (int k = number; k < number + 1000 && term > 1e-18 * sum; k++) {
+                sum += term;
+                term *= mean / (k + 1);
+            }
+            return Math.min(1.0, sum);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package org.dronewatch.report;
+
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.run.Frame;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.alarm.FalseAlarmSource;
+
+/** The rows of {@code detections.csv}: what sensors gain, lose, and take for a drone although it is none. */
+final class DetectionTable {
+    /** Its columns. */
+    static final String COLUMNS = "run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s";
+
+    private final Table table;
+
+    DetectionTable(Table table) {
+        this.table = table;
+    }
+
+    /** A sensor gains or loses a drone. */
+    void add(DetectionEvent event) {
+        Observation observation = event.observation();
+        add(event.run(), event.gained() ? "gained" : "lost", observation, Numbers.text(observation.range()));
+    }
+
+    /** A false alarm has its own event, and no drone; one that lasts is a row when it begins. */
+    void addFalseAlarms(Frame frame) {
+        for (Observation observation : frame.observations()) {
+            if (FalseAlarmSource.isNew(observation) && observation.isDetected()) {
+                add(frame.run(), "false", observation, measuredRange(observation));
+            }
+        }
+    }
+
+    private static String measuredRange(Observation alarm) {
+        return alarm.sighting()
+                .filter(sighting -> sighting.range().isPresent())
+                .map(sighting -> Numbers.text(sighting.range().getAsDouble()))
+                .orElse("");
+    }
+
+    private void add(int run, String event, Observation o, String range) {
+        table.row(
+                Integer.toString(run),
+                Numbers.text(o.time()),
+                event,
+                o.sensor(),
+                o.kind(),
+                o.drone(),
+                range,
+                Numbers.text(o.value()),
+                Numbers.text(o.threshold()),
+                o.unit(),
+                Numbers.text(o.arrival()));
+    }
+}

@@ -1,0 +1,85 @@
+package org.dronewatch.report;
+
+import java.util.Optional;
+import org.dronewatch.fusion.FalseAlertRate;
+import org.dronewatch.run.FalseAlarmResult;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.SceneResult;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.sensor.alarm.FalseAlarming;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * The key {@code false_alarms} of {@code result.json}: what the alert rule costs, run by run. Left out where nothing is
+ * known of false alarms, and none was raised.
+ */
+final class FalseAlarmsKey {
+    private final SceneResult result;
+
+    FalseAlarmsKey(SceneResult result) {
+        this.result = result;
+    }
+
+    /** Whether some sensor states a rate, or raised a false alarm. */
+    boolean isKnown() {
+        return result.runs().stream()
+                .anyMatch(run ->
+                        run.falseAlarms().count() > 0 || !run.falseAlertRate().isUnknown());
+    }
+
+    void addTo(ArrayNode runs) {
+        result.runs().forEach(run -> add(runs.addObject(), run));
+    }
+
+    private static void add(ObjectNode node, RunResult run) {
+        FalseAlarmResult counted = run.falseAlarms();
+        node.put("run", run.run());
+        add(node, run.falseAlertRate());
+        node.put("alerts", counted.alertCount());
+        ArrayNode times = node.putArray("alerts_s");
+        counted.alerts().forEach(alert -> times.add(Numbers.rounded(alert.time())));
+        ArrayNode sensors = node.putArray("sensors");
+        run.settings().enabledSensors().forEach((id, sensor) -> {
+            ObjectNode one = sensors.addObject();
+            one.put("sensor", id);
+            rate(sensor)
+                    .ifPresentOrElse(
+                            rate -> {
+                                one.put("per_hour", rate.perHour());
+                                one.put("per_look", rate.perLook());
+                                one.put("places", rate.places());
+                                one.put("looks", rate.looks());
+                            },
+                            () -> one.putNull("per_hour"));
+            one.put("counted", counted.counted().getOrDefault(id, 0L));
+        });
+        if (!counted.trials().isEmpty()) {
+            ArrayNode trials = node.putArray("confirmations");
+            counted.trials().forEach(trial -> {
+                ObjectNode one = trials.addObject();
+                one.put("hits", trial.confirm().hits());
+                one.put("looks", trial.confirm().looks());
+                add(one, run.falseAlertRate(trial.confirm()));
+                ObjectNode alerts = one.putObject("drone_alerts_s");
+                trial.alerts().forEach((drone, time) -> ResultFile.put(alerts, drone, time));
+            });
+        }
+    }
+
+    private static void add(ObjectNode node, FalseAlertRate rate) {
+        if (rate.isUnknown()) {
+            node.putNull("per_day");
+        } else {
+            node.put("per_day", rate.perDay());
+            node.put("upper_bound", rate.isUpperBound());
+        }
+        ArrayNode unknown = node.putArray("unknown");
+        rate.unknown().forEach(unknown::add);
+    }
+
+    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor) {
+        return sensor.as(FalseAlarming.class).flatMap(FalseAlarming::falseAlarmRate);
+    }
+}

@@ -1,0 +1,41 @@
+package org.dronewatch.sensor.alarm;
+
+/**
+ * The azimuths over which the bearings of a sensor's false alarms are uniformly distributed.
+ *
+ * @param centre clockwise from north, rad
+ * @param width above 0 and at most 2 pi, rad
+ */
+public record AzimuthSpan(double centre, double width) {
+    /** All round. */
+    public static final AzimuthSpan ALL = new AzimuthSpan(0.0, 2.0 * Math.PI);
+
+    /** Checks the width. */
+    public AzimuthSpan {
+        if (!(width > 0.0 && width <= 2.0 * Math.PI + 1e-9)) {
+            throw new IllegalArgumentException("width " + width + " rad must be above 0 and at most 2 pi");
+        }
+    }
+
+    /** The azimuth at a fraction of the width from its anticlockwise end, 0 to 1, rad. */
+    public double at(double fraction) {
+        return centre + (fraction - 0.5) * width;
+    }
+
+    /**
+     * The probability that a bearing in this span lies within an angle of a given azimuth, on either side.
+     *
+     * @param azimuth rad
+     * @param angle 0 to pi, rad
+     */
+    public double probabilityWithin(double angle, double azimuth) {
+        double offset = Math.IEEEremainder(azimuth - centre, 2.0 * Math.PI);
+        double covered = 0.0;
+        // The other arc may reach round to this span on both sides.
+        for (int turn = -1; turn <= 1; turn++) {
+            double from = offset + turn * 2.0 * Math.PI - angle;
+            covered += Math.max(0.0, Math.min(0.5 * width, from + 2.0 * angle) - Math.max(-0.5 * width, from));
+        }
+        return Math.min(1.0, covered / width);
+    }
+}

@@ -1,0 +1,134 @@
+package org.dronewatch.sensor.alarm;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.LookId;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/**
+ * The false alarms of one sensor during a run. Those that begin in a look are drawn from a stream that depends on the
+ * seed, the sensor's name and the index of the look only, so that they neither depend on drones and other sensors nor
+ * change what is drawn for them. One that lasts keeps its place in the field of view. Looks come in their order; one
+ * thread at a time.
+ */
+public final class FalseAlarmSource {
+    /** The purpose of the random numbers of false alarms. */
+    public static final String PURPOSE = "false";
+
+    /**
+     * The figure of a false alarm that names its place: a number, from 0. False alarms of a sensor in the same place
+     * are taken for one contact. Those of a sensor from another jar may have it, too.
+     */
+    public static final String PLACE = "place";
+
+    /** The figure, 1, of a false alarm that began in an earlier look. */
+    public static final String CONTINUED = "continued";
+
+    /** Larger means are drawn in parts, since {@code exp(-mean)} must not vanish. */
+    private static final double LARGEST_MEAN = 30.0;
+
+    private final SensorSettings<?> settings;
+    private final FalseAlarmRate rate;
+    private final int dimensions;
+    private final List<Alarm> lasting = new ArrayList<>();
+    private boolean begun;
+
+    private FalseAlarmSource(SensorSettings<?> settings, FalseAlarming capability, FalseAlarmRate rate) {
+        this.settings = settings;
+        this.rate = rate;
+        this.dimensions = capability.dimensions();
+    }
+
+    /** The source of a sensor's false alarms; empty for one that raises none, or whose rate is not known. */
+    public static Optional<FalseAlarmSource> of(SensorSettings<?> settings) {
+        return settings.as(FalseAlarming.class).flatMap(capability -> capability
+                .falseAlarmRate()
+                .filter(rate -> rate.perLook() > 0.0)
+                .map(rate -> new FalseAlarmSource(settings, capability, rate)));
+    }
+
+    /** Whether an observation is a false alarm that no earlier look has reported. */
+    public static boolean isNew(Observation observation) {
+        return observation.isFalse() && !observation.figures().containsKey(CONTINUED);
+    }
+
+    /** What the sensor reports in a look although there is no drone. */
+    public List<Observation> observe(World world, Look look) {
+        if (!begun) {
+            begun = true;
+            for (long before = look.index() - rate.looks() + 1; before < look.index(); before++) {
+                begin(look, before);
+            }
+        }
+        lasting.removeIf(alarm -> alarm.began <= look.index() - rate.looks());
+        begin(look, look.index());
+        if (lasting.isEmpty()) {
+            return List.of();
+        }
+        FalseAlarming pointed = Mounted.pointed(settings, look.pointing())
+                .as(FalseAlarming.class)
+                .orElseThrow();
+        LookId id = look.id(settings.kind());
+        return lasting.stream().map(alarm -> alarm.seen(world, id, pointed)).toList();
+    }
+
+    /** Draws the false alarms that begin in a look. */
+    private void begin(Look look, long index) {
+        RandomGenerator random = Draws.stream(look.seed(), look.sensor(), "", index, PURPOSE);
+        int count = poisson(rate.perLook(), random);
+        for (int i = 0; i < count; i++) {
+            long place = random.nextLong(rate.places());
+            double[] point = {random.nextDouble(), random.nextDouble(), random.nextDouble()};
+            PlaceGrid.locate(place, rate.places(), dimensions, point);
+            lasting.add(new Alarm(place, index, point, -Math.log1p(-random.nextDouble())));
+        }
+    }
+
+    /** A Poisson-distributed number, by adding up probabilities until they exceed a uniform one. */
+    static int poisson(double mean, RandomGenerator random) {
+        int count = 0;
+        double left = mean;
+        for (; left > LARGEST_MEAN; left -= LARGEST_MEAN) {
+            count += small(LARGEST_MEAN, random);
+        }
+        return count + small(left, random);
+    }
+
+    private static int small(double mean, RandomGenerator random) {
+        double uniform = random.nextDouble();
+        double term = Math.exp(-mean);
+        double sum = term;
+        int count = 0;
+        while (uniform >= sum && term > 0.0) {
+            count++;
+            term *= mean / count;
+            sum += term;
+        }
+        return count;
+    }
+
+    private record Alarm(long place, long began, double[] point, double excess) {
+        Observation seen(World world, LookId look, FalseAlarming sensor) {
+            Map<String, Double> figures = new LinkedHashMap<>();
+            figures.put(PLACE, (double) place);
+            // What began before the run is new to whoever watches it.
+            if (began < look.index() && look.index() > 0) {
+                figures.put(CONTINUED, 1.0);
+            }
+            return Observation.ofNothing(
+                            look,
+                            sensor.falseReading(world, excess),
+                            sensor.falseSighting(point[0], point[1], point[2]))
+                    .withFigures(figures);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package org.dronewatch.sensor.alarm;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * How often a sensor takes something else for a drone, as its manufacturer states or a trial has counted.
+ *
+ * @param perHour how many false alarms begin in an hour in the whole field of view, 0 to 1e7
+ * @param places how many places of its field of view the sensor tells apart, 1 to 1e9: only false alarms in the same
+ *     place confirm each other; 1, the most cautious value, if all of them do
+ * @param duration how long a false alarm lasts, 0 to 600 s; 0 for one look, as for noise. What lasts is confirmed like
+ *     a drone
+ */
+public record FalseAlarms(
+        @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
+        @In(value = Quantity.NUMBER, from = 1, to = 1e9) int places,
+        @In(value = Quantity.DURATION, from = 0, to = 600) double duration) {
+    private static final double HOUR = 3600.0;
+
+    /** A duration that is a whole number of looks but for rounding is not one look longer. */
+    private static final double ROUNDING = 1e-9;
+
+    /** Checks the limits. */
+    public FalseAlarms {
+        Limits.check(FalseAlarms.class, perHour, places, duration);
+    }
+
+    /**
+     * A number an hour that all confirm each other and last for 5 seconds each, which is assumed: most are caused by
+     * something that is there for a while, such as a bird, an aircraft, a lorry, or another transmitter.
+     */
+    @Defaults("perHour")
+    public static FalseAlarms of(double perHour) {
+        return new FalseAlarms(perHour, 1, 5.0);
+    }
+
+    /** These false alarms in another number of places. */
+    public FalseAlarms withPlaces(int number) {
+        return SettingsForm.with(this, "places", number);
+    }
+
+    /** These false alarms with another duration, s. */
+    public FalseAlarms withDuration(double seconds) {
+        return SettingsForm.with(this, "duration", seconds);
+    }
+
+    /**
+     * The same for a sensor's looks.
+     *
+     * @param lookRate looks per second, above 0, Hz
+     * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} are expected in a look
+     */
+    public FalseAlarmRate rate(double lookRate) {
+        int looks = (int) Math.max(1.0, Math.ceil(duration * lookRate - ROUNDING));
+        return new FalseAlarmRate(perHour / (HOUR * lookRate), places, looks, lookRate);
+    }
+}

@@ -1,0 +1,100 @@
+package org.dronewatch.sensor.radar;
+
+import java.util.Optional;
+import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * How often noise passes a radar's threshold: the number of resolution cells that a scan decides on times the
+ * probability in one of them (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent from cell to
+ * cell and from scan to scan.
+ *
+ * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it for that of {@code
+ *     detection: chance} or else of a data sheet
+ * @param cells number of resolution cells in a scan, 1 to 1e12; omit it to have them counted: range cells times beams
+ *     times Doppler cells, for a hardware budget
+ * @param gate number of cells within which detections of successive scans count as those of one target, 1 to 1e6
+ */
+public record RadarFalseAlarms(
+        @In(value = Quantity.NUMBER, from = 1e-15, to = 0.01) Optional<Double> probability,
+        @In(value = Quantity.NUMBER, from = 1, to = 1e12) Optional<Double> cells,
+        @In(value = Quantity.NUMBER, from = 1, to = 1e6) double gate) {
+    /**
+     * The probability and the number of cells that follow from the radar's other settings, and a gate of a cell and its
+     * neighbours in range, azimuth and elevation, 27 cells, which is assumed.
+     */
+    @Defaults
+    public static final RadarFalseAlarms DEFAULT = new RadarFalseAlarms(Optional.empty(), Optional.empty(), 27.0);
+
+    /** Checks the limits. */
+    public RadarFalseAlarms {
+        Limits.check(RadarFalseAlarms.class, probability, cells, gate);
+    }
+
+    /** These false alarms with another probability in one cell and one scan. */
+    public RadarFalseAlarms withProbability(double ofOneCell) {
+        return SettingsForm.with(this, "probability", Optional.of(ofOneCell));
+    }
+
+    /** These false alarms with another number of cells in a scan. */
+    public RadarFalseAlarms withCells(double number) {
+        return SettingsForm.with(this, "cells", Optional.of(number));
+    }
+
+    /** These false alarms with another gate, in cells. */
+    public RadarFalseAlarms withGate(double number) {
+        return SettingsForm.with(this, "gate", number);
+    }
+
+    /**
+     * The rate of a radar.
+     *
+     * @param scans a second, Hz
+     * @throws IllegalArgumentException when probability or cells are neither set nor follow from the radar's other
+     *     settings
+     */
+    FalseAlarmRate rate(ResolutionCells scan, LinkBudget budget, RadarDetection detection, double scans) {
+        double all = cells(scan, budget);
+        double each = probability(budget, detection);
+        if (all * each > FalseAlarmRate.MOST_PER_LOOK) {
+            throw new IllegalArgumentException("falseAlarms: " + (float) all + " cells with a probability of " + each
+                    + " each raise " + (float) (all * each) + " false alarms a scan, must be at most "
+                    + (int) FalseAlarmRate.MOST_PER_LOOK);
+        }
+        return new FalseAlarmRate(all * each, (long) Math.max(1.0, Math.floor(all / gate)), 1, scans);
+    }
+
+    /** The probability of a false alarm in one cell and one scan. */
+    private double probability(LinkBudget budget, RadarDetection detection) {
+        if (detection instanceof RadarDetection.Chance chance) {
+            if (probability.isPresent()) {
+                throw new IllegalArgumentException(
+                        "falseAlarms.probability and detection.falseAlarm are two answers to one"
+                                + " question: leave falseAlarms.probability out");
+            }
+            return chance.falseAlarm();
+        }
+        if (probability.isEmpty() && budget instanceof LinkBudget.DataSheet sheet) {
+            return sheet.falseAlarm();
+        }
+        return probability.orElseThrow(() -> new IllegalArgumentException(
+                "falseAlarms.probability is missing: a fixed threshold does not say how often noise passes it"));
+    }
+
+    /** The number of resolution cells in a scan, 1 or more. */
+    double cells(ResolutionCells scan, LinkBudget budget) {
+        if (cells.isPresent()) {
+            return cells.get();
+        }
+        if (budget instanceof LinkBudget.Hardware hardware) {
+            return scan.count(hardware);
+        }
+        throw new IllegalArgumentException(
+                "falseAlarms.cells is missing: a data sheet for a budget does not give the number of"
+                        + " range cells times beams times Doppler cells");
+    }
+}

@@ -1,0 +1,64 @@
+package org.dronewatch.tracking;
+
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import java.util.function.IntSupplier;
+
+/**
+ * One sensor's false measurements that may be confirmed yet: those in the same place of its field of view are one
+ * contact, until a number of its looks in a row have measured nothing there.
+ */
+final class LiveAlarms {
+    private final int patience;
+    private final Map<Double, Live> byPlace = new LinkedHashMap<>();
+
+    /**
+     * Of one sensor.
+     *
+     * @param patience after how many looks without a measurement a contact ends, 1 or more
+     */
+    LiveAlarms(int patience) {
+        this.patience = patience;
+    }
+
+    /** The contact of a measurement, a new one if there is none in its place. */
+    int contactIn(double place, IntSupplier next) {
+        Live live = byPlace.computeIfAbsent(place, unseen -> new Live(next.getAsInt()));
+        live.isSeen = true;
+        return live.contact;
+    }
+
+    /**
+     * Ends a look of the sensor.
+     *
+     * @param missed receives the looks at contacts of which it measured nothing
+     * @param ended receives the contacts of which there will be no more looks
+     */
+    void endLook(String sensor, double time, Consumer<ContactLook> missed, IntConsumer ended) {
+        for (Iterator<Live> all = byPlace.values().iterator(); all.hasNext(); ) {
+            Live live = all.next();
+            live.misses = live.isSeen ? 0 : live.misses + 1;
+            if (live.misses >= patience) {
+                all.remove();
+                ended.accept(live.contact);
+            } else if (!live.isSeen) {
+                missed.accept(new ContactLook(live.contact, sensor, time, 0.0, List.of()));
+            }
+            live.isSeen = false;
+        }
+    }
+
+    private static final class Live {
+        private final int contact;
+        private boolean isSeen;
+        private int misses;
+
+        Live(int contact) {
+            this.contact = contact;
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package org.dronewatch.docs;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Map;
+import java.util.function.DoubleUnaryOperator;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.Confirmation;
+import org.dronewatch.fusion.FalseAlertRate;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.alarm.FalseAlarms;
+import org.dronewatch.sensor.rf.RfSettings;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** What four confirmations cost and gain: false alerts a day by the rate of false alarms, and the time to the alert. */
+final class FalseAlertsPlot {
+    private static final List<Confirmation> RULES =
+            List.of(new Confirmation(1, 1), new Confirmation(2, 3), new Confirmation(3, 5), new Confirmation(5, 8));
+    private static final Color[] COLOURS = {
+        new Color(0xc2410c), new Color(0xb58900), new Color(0x1f5fbf), new Color(0x2a9d5c)
+    };
+    private static final int PLACES = 1000;
+    private static final double LOOK_PROBABILITY = 0.7;
+    private static final int POINTS = 121;
+    private static final int MOST_LOOKS = 20;
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 520;
+
+    private FalseAlertsPlot() {}
+
+    static BufferedImage draw() {
+        XYChart price = chart("1000 places, 1 look a second", "false alarms an hour", "false alerts a day");
+        price.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
+        price.getStyler().setYAxisMin(1e-3).setYAxisMax(1e6).setLegendPosition(LegendPosition.InsideNW);
+        XYChart time =
+                chart("A drone that each look detects 7 times of 10", "looks", "probability of an alert up to then");
+        time.getStyler().setYAxisMin(0.0).setYAxisMax(1.0).setLegendPosition(LegendPosition.InsideSE);
+        double[] hourly = new double[POINTS];
+        for (int i = 0; i < POINTS; i++) {
+            hourly[i] = Math.pow(10.0, 4.0 * i / (POINTS - 1.0));
+        }
+        double[] looks = new double[MOST_LOOKS];
+        for (int i = 0; i < MOST_LOOKS; i++) {
+            looks[i] = i + 1;
+        }
+        for (int i = 0; i < RULES.size(); i++) {
+            Confirmation rule = RULES.get(i);
+            String name = rule.hits() + " of " + rule.looks();
+            // Below the lowest line there is nothing to see, and the logarithm of nothing is no number.
+            add(price, name, hourly, of(hourly, rate -> Math.max(1e-9, perDay(rule, rate))), COLOURS[i]);
+            add(time, name, looks, alerted(rule), COLOURS[i]);
+        }
+        BufferedImage both = new BufferedImage(2 * WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = both.createGraphics();
+        graphics.drawImage(BitmapEncoder.getBufferedImage(price), 0, 0, null);
+        graphics.drawImage(BitmapEncoder.getBufferedImage(time), WIDTH, 0, null);
+        graphics.dispose();
+        return both;
+    }
+
+    private static double perDay(Confirmation rule, double perHour) {
+        RfSettings sensor = RfSettings.at(new Position(0, 0, 0)).withFalseAlarms(new FalseAlarms(perHour, PLACES, 0));
+        AlertSettings alert = AlertSettings.DEFAULT.withConfirmation(rule.hits(), rule.looks());
+        return FalseAlertRate.of(alert, Map.of("sensor", sensor)).perDay();
+    }
+
+    /** Look by look over all combinations of the latest looks, of which none before the first has detected anything. */
+    private static double[] alerted(Confirmation rule) {
+        double[] states = new double[1 << rule.looks()];
+        states[0] = 1.0;
+        double[] alerted = new double[MOST_LOOKS];
+        double sum = 0.0;
+        for (int look = 0; look < MOST_LOOKS; look++) {
+            double[] next = new double[states.length];
+            for (int state = 0; state < states.length; state++) {
+                for (int hit = 0; hit <= 1; hit++) {
+                    int after = (state << 1 | hit) & states.length - 1;
+                    double chance = states[state] * (hit == 1 ? LOOK_PROBABILITY : 1.0 - LOOK_PROBABILITY);
+                    if (Integer.bitCount(after) >= rule.hits()) {
+                        sum += chance;
+                    } else {
+                        next[after] += chance;
+                    }
+                }
+            }
+            states = next;
+            alerted[look] = sum;
+        }
+        return alerted;
+    }
+
+    private static double[] of(double[] x, DoubleUnaryOperator function) {
+        double[] y = new double[x.length];
+        for (int i = 0; i < x.length; i++) {
+            y[i] = function.applyAsDouble(x[i]);
+        }
+        return y;
+    }
+
+    private static XYChart chart(String title, String x, String y) {
+        XYChart chart = new XYChartBuilder()
+                .width(WIDTH)
+                .height(HEIGHT)
+                .title(title)
+                .xAxisTitle(x)
+                .yAxisTitle(y)
+                .build();
+        chart.getStyler()
+                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
+                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 16))
+                .setChartBackgroundColor(Color.WHITE);
+        chart.getStyler()
+                .setPlotGridLinesColor(new Color(0xdddddd))
+                .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
+                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        return chart;
+    }
+
+    private static void add(XYChart chart, String name, double[] x, double[] y, Color colour) {
+        chart.addSeries(name, x, y)
+                .setMarker(SeriesMarkers.NONE)
+                .setLineColor(colour)
+                .setLineStyle(new BasicStroke(2f));
+    }
+}

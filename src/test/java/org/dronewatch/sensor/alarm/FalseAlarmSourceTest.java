@@ -1,0 +1,301 @@
+package org.dronewatch.sensor.alarm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.positioner.Direction;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.positioner.Sighting;
+import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.acoustic.array.ArraySettings;
+import org.dronewatch.sensor.acoustic.energy.EnergyModel;
+import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.TargetTask;
+import org.dronewatch.sensor.radar.LinkBudget;
+import org.dronewatch.sensor.radar.RadarDetection;
+import org.dronewatch.sensor.radar.RadarFalseAlarms;
+import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.sensor.rf.RfSettings;
+import org.dronewatch.sensor.thermal.ThermalSettings;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+
+/** What sensors report although there is nothing. */
+class FalseAlarmSourceTest {
+    private static final long SEED = 4_711L;
+    private static final Position PLACE = new Position(1, 2, 3);
+    private static final World WORLD =
+            World.of(TriangleMesh.of(new float[] {-9, -9, -9, 9, -9, -9, 9, 9, -9}, new int[] {0, 1, 2}));
+    private static final int BINS = 20;
+
+    /** Of a chi-square distribution with 19 degrees of freedom: exceeded once in 100,000 (tables: 61.7). */
+    private static final double IMPROBABLE = 61.7;
+
+    private static List<Observation> observe(SensorSettings<?> sensor, int looks) {
+        FalseAlarmSource source = FalseAlarmSource.of(sensor).orElseThrow();
+        List<Observation> all = new ArrayList<>();
+        for (int i = 0; i < looks; i++) {
+            all.addAll(source.observe(WORLD, Look.of(SEED, "watch", i, i / sensor.rate())));
+        }
+        return all;
+    }
+
+    private static RadarSettings radar() {
+        return RadarSettings.at(PLACE, LinkBudget.DataSheet.of(1000, 0.01))
+                .withRanges(100, 2000)
+                .withFieldOfView(Math.toRadians(90), Math.toRadians(60))
+                .withAim(new Aim.Direction(1.0, 0.6))
+                .withDetection(new RadarDetection.Chance(1e-4, 1))
+                .withFalseAlarms(RadarFalseAlarms.DEFAULT.withCells(20_000).withGate(10));
+    }
+
+    private static void assertUniform(
+            List<Observation> all, double low, double high, ToDoubleFunction<Sighting> value) {
+        int[] counts = new int[BINS];
+        for (Observation one : all) {
+            double share = (value.applyAsDouble(one.sighting().orElseThrow()) - low) / (high - low);
+            counts[(int) Math.min(BINS - 1.0, share * BINS)]++;
+        }
+        double expected = (double) all.size() / BINS;
+        double chiSquare = 0.0;
+        for (int count : counts) {
+            chiSquare += (count - expected) * (count - expected) / expected;
+        }
+        System.out.printf("%d false alarms, chi-square %.1f%n", all.size(), chiSquare);
+        assertThat(chiSquare).isBetween(1.0, IMPROBABLE);
+    }
+
+    /**
+     * The number in many looks is Poisson-distributed: within four of its standard deviations, for small and large
+     * means.
+     */
+    @Test
+    void asManyAsTheRateStates() {
+        System.out.println("seed " + SEED);
+        for (double perLook : new double[] {0.003, 0.7, 29.0, 31.0, 250.0}) {
+            RfSettings sensor = RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(3600.0 * perLook, 5, 0.0));
+            int looks = (int) Math.min(200_000, 40_000 / perLook);
+            double expected = looks * perLook;
+            int counted = observe(sensor, looks).size();
+            System.out.printf("%d of %.1f%n", counted, expected);
+            assertThat((double) counted).isCloseTo(expected, within(4.0 * Math.sqrt(expected)));
+        }
+    }
+
+    /** Mean and variance of a Poisson distribution are equal. */
+    @Test
+    void theNumberInALookIsPoissonDistributed() {
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (double mean : new double[] {0.0, 0.2, 3.0, 75.0}) {
+            int draws = 100_000;
+            double sum = 0.0;
+            double squares = 0.0;
+            for (int i = 0; i < draws; i++) {
+                double count = FalseAlarmSource.poisson(mean, random);
+                sum += count;
+                squares += count * count;
+            }
+            double variance = squares / draws - sum / draws * (sum / draws);
+            assertThat(sum / draws).isCloseTo(mean, within(4.0 * Math.sqrt(mean / draws)));
+            // The variance of a sample's variance is (mean + 2 mean^2) / draws.
+            assertThat(variance).isCloseTo(mean, within(4.0 * Math.sqrt((mean + 2.0 * mean * mean) / draws)));
+        }
+    }
+
+    @Test
+    void thoseOfARadarFillItsFieldCellByCell() {
+        List<Observation> all = observe(radar(), 20_000);
+        assertUniform(all, 100, 2000, sighting -> sighting.range().orElseThrow());
+        assertUniform(all, 1.0 - Math.PI / 4, 1.0 + Math.PI / 4, sighting -> sighting.direction()
+                .azimuth());
+        double half = Math.toRadians(30);
+        assertUniform(
+                all,
+                Math.sin(0.6 - half),
+                Math.sin(0.6 + half),
+                sighting -> Math.sin(sighting.direction().elevation()));
+        for (Observation one : all) {
+            Position seen = one.sighting().orElseThrow().position().orElseThrow();
+            assertThat(radar().outline().contains(seen.minus(PLACE))).isTrue();
+        }
+    }
+
+    /** Noise power beyond a threshold is exponentially distributed with the mean power: median ln 2 above it. */
+    @Test
+    void noisePassesTheThresholdByALittle() {
+        List<Observation> all = observe(radar(), 5000);
+        double least = -Math.log(1e-4);
+        int above = 0;
+        for (Observation one : all) {
+            assertThat(one.isDetected()).isTrue();
+            assertThat(Math.pow(10.0, 0.1 * one.threshold())).isCloseTo(least, within(1e-9));
+            above += Math.pow(10.0, 0.1 * one.value()) > least + Math.log(2.0) ? 1 : 0;
+        }
+        double sigma = 0.5 * Math.sqrt(all.size());
+        assertThat((double) above).isCloseTo(0.5 * all.size(), within(4.0 * sigma));
+    }
+
+    /** Brute force: sums of four exponential powers, of which one in a hundred passes the threshold. */
+    @Test
+    void noiseInManyPulses() {
+        double threshold = new RadarDetection.Chance(0.01, 4).noise(0.0).threshold();
+        SplittableRandom random = new SplittableRandom(SEED);
+        int draws = 400_000;
+        int above = 0;
+        for (int i = 0; i < draws; i++) {
+            double sum = 0.0;
+            for (int k = 0; k < 4; k++) {
+                sum -= Math.log1p(-random.nextDouble());
+            }
+            above += sum / 4 > Math.pow(10.0, 0.1 * threshold) ? 1 : 0;
+        }
+        assertThat((double) above).isCloseTo(0.01 * draws, within(4.0 * Math.sqrt(0.01 * draws)));
+    }
+
+    @Test
+    void thoseOfACameraFillItsImage() {
+        CameraSettings camera = CameraSettings.at(PLACE)
+                .withLookAt(new Position(100, 2, 3))
+                .withHorizontalFov(Math.toRadians(60))
+                .withRate(1)
+                .withFalseAlarms(new FalseAlarms(3600, 40, 0));
+        List<Observation> all = observe(camera, 20_000);
+        // Pixels are equally wide in the tangent of the angle to the axis, which points east.
+        double edge = Math.tan(Math.toRadians(30));
+        assertUniform(all, -edge, edge, sighting -> {
+            Position to = sighting.direction().unit();
+            return -to.y() / to.x();
+        });
+        assertThat(all).allMatch(one -> one.value() == 12.0 && one.isDetected());
+        assertThat(camera.falseBearings().orElseThrow().width()).isCloseTo(Math.toRadians(60), within(1e-3));
+    }
+
+    @Test
+    void aCameraOnAPositionerReportsThemWhereItPoints() {
+        CameraSettings camera = CameraSettings.at(PLACE)
+                .withRate(1)
+                .withPositioner(PositionerSettings.DEFAULT)
+                .withFalseAlarms(new FalseAlarms(36_000, 1, 0));
+        Pointing south = new Pointing(new Direction(Math.PI, 0.1), 0, 0, 0.05, java.util.OptionalInt.empty());
+        FalseAlarmSource source = FalseAlarmSource.of(camera).orElseThrow();
+        List<Observation> seen =
+                source.observe(WORLD, Look.of(SEED, "watch", 0, 0).withPointing(Optional.of(south)));
+        assertThat(seen).isNotEmpty().allSatisfy(one -> {
+            Direction to = one.sighting().orElseThrow().direction();
+            assertThat(Math.abs(Math.IEEEremainder(to.azimuth() - Math.PI, 2 * Math.PI)))
+                    .isLessThan(0.05);
+            assertThat(to.elevation()).isBetween(0.07, 0.13);
+        });
+        assertThat(camera.falseBearings()).isEmpty();
+    }
+
+    @Test
+    void thoseOfAnArrayComeFromAboveTheHorizonAndThoseOfAMicrophoneFromNowhere() {
+        FalseAlarms often = new FalseAlarms(7200, 3, 0);
+        AcousticSettings single = AcousticSettings.at(PLACE).withRate(1).withFalseAlarms(often);
+        AcousticSettings array = single.withPropagation(EnergyModel.DEFAULT).withArray(ArraySettings.of(16, 1));
+        List<Observation> heard = observe(array, 10_000);
+        assertUniform(heard, -Math.PI, Math.PI, sighting -> sighting.direction().azimuth());
+        assertUniform(heard, 0, 1, sighting -> Math.sin(sighting.direction().elevation()));
+        assertThat(observe(single, 100))
+                .isNotEmpty()
+                .allMatch(one -> one.sighting().isEmpty() && one.isDetected());
+    }
+
+    /** All false alarms of one place lie close together, and those of a thermal camera just reach its probability. */
+    @Test
+    void onePlaceIsAPartOfTheField() {
+        ThermalSettings camera = ThermalSettings.at(PLACE).withFalseAlarms(new FalseAlarms(900_000, 400, 0));
+        List<Observation> ofOne = observe(camera, 2000).stream()
+                .filter(one -> one.figures().get(FalseAlarmSource.PLACE) == 7.0)
+                .toList();
+        assertThat(ofOne).hasSizeGreaterThan(10);
+        Position first = ofOne.get(0).sighting().orElseThrow().direction().unit();
+        // 24 x 19 degrees in 400 places: 1.5 x 0.6 degrees each.
+        assertThat(ofOne)
+                .allMatch(one -> Math.toDegrees(
+                                one.sighting().orElseThrow().direction().unit().angle(first))
+                        < 1.8);
+        assertThat(ofOne).allMatch(one -> one.value() == 0.5 && one.threshold() == 0.5);
+    }
+
+    @Test
+    void whatLastsKeepsItsPlaceForAsManyLooks() {
+        CameraSettings camera = CameraSettings.at(PLACE).withRate(4).withFalseAlarms(new FalseAlarms(1200, 1000, 2.5));
+        List<Observation> all = observe(camera, 40_000);
+        long begun = all.stream().filter(FalseAlarmSource::isNew).count();
+        // 10 looks each, apart from those at both ends; 1/3 a second begin in 10,000 s.
+        assertThat((double) all.size()).isCloseTo(10.0 * begun, within(200.0));
+        assertThat((double) begun).isCloseTo(10_000 / 3.0, within(4.0 * Math.sqrt(10_000 / 3.0)));
+        Observation first = all.stream()
+                .filter(one -> FalseAlarmSource.isNew(one) && one.look().index() > 20)
+                .findFirst()
+                .orElseThrow();
+        List<Observation> same = all.stream()
+                .filter(one -> one.sighting().equals(first.sighting()))
+                .toList();
+        assertThat(same).hasSize(10);
+        assertThat(same.get(9).look().index()).isEqualTo(first.look().index() + 9);
+    }
+
+    /** At the first look there are as many as at any other. */
+    @Test
+    void somethingIsThereAlreadyWhenTheRunBegins() {
+        RfSettings sensor = RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(3600, 1, 100));
+        int sum = 0;
+        for (int i = 0; i < 200; i++) {
+            List<Observation> first = FalseAlarmSource.of(sensor).orElseThrow().observe(WORLD, Look.of(i, "x", 0, 0));
+            assertThat(first).allMatch(FalseAlarmSource::isNew);
+            sum += first.size();
+        }
+        assertThat((double) sum).isCloseTo(20_000, within(4.0 * Math.sqrt(20_000)));
+    }
+
+    @Test
+    void theSameSeedGivesTheSame() {
+        assertThat(observe(radar(), 50)).isEqualTo(observe(radar(), 50));
+        CameraSettings chance =
+                CameraSettings.at(PLACE).withDetection(TargetTask.DEFAULT).withFalseAlarms(FalseAlarms.of(1e5));
+        assertThat(observe(chance, 50)).isEqualTo(observe(chance, 50)).allMatch(Observation::isDetected);
+    }
+
+    @Test
+    void whereNoRateIsKnownThereIsNothing() {
+        assertThat(FalseAlarmSource.of(RfSettings.at(PLACE))).isEmpty();
+        assertThat(FalseAlarmSource.of(RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(0))))
+                .isEmpty();
+        assertThat(RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(0)).falseAlarmRate())
+                .isPresent();
+    }
+
+    @Test
+    void limits() {
+        assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(5e6)))
+                .hasMessage(
+                        "falseAlarms: 1388.8889 false alarms that begin in each look, each of which lasts for 5 looks,"
+                                + " make 6944.4443 at a time, must be 0 to 1000");
+        assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(5e6, 1, 0)))
+                .hasMessage("falseAlarms: 1388.8889 false alarms that begin in each look make 1388.8889 at a time,"
+                        + " must be 0 to 1000");
+        assertThat(RfSettings.at(PLACE)
+                        .withFalseAlarms(new FalseAlarms(36_000, 1, 100))
+                        .falseAlarmRate())
+                .isPresent();
+        assertThatThrownBy(() -> FalseAlarms.of(-1)).hasMessage("perHour -1 must be 0 to 10000000");
+        assertThatThrownBy(() -> FalseAlarms.of(Double.NaN)).hasMessageContaining("perHour NaN");
+        assertThatThrownBy(() -> FalseAlarms.of(1).withPlaces(0)).hasMessage("places 0 must be 1 to 1000000000");
+    }
+}
