@@ -31,12 +31,12 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * The catalogue entry of a calibrated sensor: its settings without position and aim, and the range that was fitted with
- * the conditions under which it holds. All conditions are stated, including those left at their defaults, so that the
- * entry means the same in any scene.
+ * The catalogue entry of a calibrated sensor: its settings without position and aim, and the fitted range with the
+ * conditions under which it holds. All conditions are stated, including those at their defaults, so that the entry does
+ * not depend on the scene.
  *
  * @param scene name of the scene whose conditions are used
- * @param run which run of its sweep, in words; empty if it has none
+ * @param run the run of its sweep, in words; empty if it has none
  * @param settings of the scene, or of that run
  * @param sensor name of the sensor
  * @param drone name of the drone
@@ -66,7 +66,7 @@ public record CalibratedEntry(
     /** What every model that listens takes into account, whatever else it ignores of a drone's sound. */
     private static final String GLIDE_REDUCTION = "glideReduction";
 
-    /** How a drone's sound follows from its other settings: stated unless it is steady. */
+    /** How a drone's sound follows from its other settings: stated unless the emission is steady. */
     private static final String EMISSION = "emission";
 
     private static final String POSITIONER = "positioner";
@@ -120,7 +120,7 @@ public record CalibratedEntry(
 
     /**
      * The settings of a drone's sound by which the sensor hears it; none if it does not listen. All of them decide
-     * where the emission is not steady, since that may make anything of them.
+     * where the emission is not steady, because it may use any of them.
      */
     private List<String> heard(DroneSettings flying) {
         SensorSettings<?> fitted = fit.sensor();
@@ -183,7 +183,7 @@ public record CalibratedEntry(
                 + residual;
     }
 
-    /** What was fitted, and the range of each value, in words. */
+    /** The fitted value, and the range of each value, in words. */
     public static List<String> lines(Calibration fit) {
         return new TreeMap<>(fit.ranges())
                 .entrySet().stream()

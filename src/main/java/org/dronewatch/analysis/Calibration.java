@@ -13,15 +13,15 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The threshold with which a sensor detects a drone at up to a given range, with a clear line of sight and under the
- * conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not runs,
- * so that nothing is left to chance.
+ * A calibration: the threshold with which a sensor detects a drone up to a given range, with a clear line of sight and
+ * under the conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess},
+ * not runs, so it does not depend on chance.
  *
  * @param sensor the sensor with its fitted threshold
- * @param scale which setting was fitted
+ * @param scale the setting that was fitted
  * @param threshold the fitted value, in the unit of the scale
- * @param ranges greatest range for the fitted value and, of a threshold in whole numbers, for one less and one more, m;
- *     not a number for a value that is reached at no range
+ * @param ranges greatest range for the fitted value and, for a threshold in whole numbers, for one less and one more,
+ *     m; not a number for a value that is not reached at any range
  */
 public record Calibration(
         SensorSettings<?> sensor, Thresholded.Scale scale, double threshold, Map<Double, Double> ranges) {

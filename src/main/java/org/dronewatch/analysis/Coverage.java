@@ -19,9 +19,9 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Where over a site each sensor detects a drone, and why it does not elsewhere. The drone is put at every point of a
- * grid, its nose and velocity pointing at the sensor, and the sensor looks once: obstructions, pixel counts, levels and
- * echoes are computed as in a run.
+ * The coverage of a site: where each sensor detects a drone, and the causes where it does not. The drone is placed at
+ * every point of a grid, its nose and velocity towards the sensor, and the sensor looks once: obstructions, pixel
+ * counts, levels and echoes are computed as in a run.
  */
 public final class Coverage {
     private final CoverageGrid grid;
@@ -48,8 +48,8 @@ public final class Coverage {
      *
      * @param settings of one run
      * @param stage its world and drones
-     * @param drone id of the drone that is put at the points
-     * @param progress receives how many points a sensor has looked at since the last call; by any thread
+     * @param drone id of the drone that is placed at the points
+     * @param progress receives the number of points that a sensor has looked at since the last call; from any thread
      * @throws IllegalArgumentException when there is no such drone
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
@@ -98,8 +98,8 @@ public final class Coverage {
 
     /**
      * Whether a sensor detects the drone in a cell: columns from the west, rows from the north. A sensor that decides
-     * by chance counts as detecting it where its {@link Assessment#probability} is at least 0.5; of a microphone that
-     * traces random rays, one look decides.
+     * by chance counts as detecting it where its {@link Assessment#probability} is at least 0.5; for a microphone that
+     * traces random rays, a single look decides.
      */
     public boolean isReached(String sensor, int column, int row) {
         return answer(sensor, column, row) == Prober.Answer.DETECTED;
@@ -110,8 +110,9 @@ public final class Coverage {
     }
 
     /**
-     * Whether no sensor detects the drone in a cell, but one may: there is no ground that is known, or none below the
-     * line of sight. In a world of models, cells without ground are not unknown, but empty.
+     * Whether it is unknown if a sensor detects the drone in a cell: none does where the ground is known, but the
+     * ground there, or below the line of sight, is not. In a world of models, cells without ground are not unknown, but
+     * empty.
      */
     public boolean isUnknown(int column, int row) {
         if (sensors.keySet().stream().anyMatch(sensor -> isReached(sensor, column, row))) {
@@ -143,8 +144,8 @@ public final class Coverage {
     }
 
     /**
-     * Why a sensor does not detect the drone: the number of cells for each cause, excluding cells with a detection and
-     * cells without ground. Microphones trace nothing for it. One thread at a time.
+     * The number of cells in which a sensor does not detect the drone, for each cause, excluding cells without ground.
+     * Microphones trace no rays for it. One thread at a time.
      */
     public Map<Cause, Integer> causes(String sensor) {
         Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
@@ -162,8 +163,8 @@ public final class Coverage {
     }
 
     /**
-     * Why each sensor does not detect the drone, by sensor as {@link #causes(String)}, on the threads of the
-     * {@link Workers} that call; the same for any number of them.
+     * The number of cells for each cause, by sensor as {@link #causes(String)}, on the threads of the {@link Workers}
+     * that call; the same for any number of them.
      */
     public Map<String, Map<Cause, Integer>> causes() {
         List<String> ids = List.copyOf(sensors.keySet());
@@ -174,7 +175,7 @@ public final class Coverage {
         return bySensor;
     }
 
-    /** Number of cells with ground, and so with a drone above it. */
+    /** Number of cells with ground, above which the drone is placed. */
     public int groundCells() {
         return heights.count();
     }

@@ -7,12 +7,12 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a place for
+ * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a point for
  * longest.
  *
- * @param azimuth from which it comes, rad clockwise from north
- * @param start where it begins, over the ground, m
- * @param hidden the share of its length that cannot be seen, 0 to 1
+ * @param azimuth direction of its start from the origin, rad clockwise from north
+ * @param start its first point, over the ground, m
+ * @param hidden the fraction of its length that cannot be seen, 0 to 1
  */
 public record CoveredApproach(double azimuth, Position start, double hidden) {
     private static final int DIRECTIONS = 16;
@@ -21,7 +21,7 @@ public record CoveredApproach(double azimuth, Position start, double hidden) {
     /**
      * Compares sixteen directions.
      *
-     * @param watcher from where the drone is looked for, m
+     * @param watcher the point from which the drone would be seen, m
      * @param length of the approach, m
      * @param height of the drone over the highest surface below it, m
      * @return empty if there is no direction with ground below all of the approach

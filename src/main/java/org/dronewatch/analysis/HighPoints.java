@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
-/** The highest points of a site's surface, ground or roofs: where masts see farthest. */
+/** The highest points of a site's surface, ground or roofs, for masts. */
 public final class HighPoints {
     /** Points along half a side of the square in which they are searched for. */
     private static final int STEPS = 40;
@@ -18,9 +18,9 @@ public final class HighPoints {
     /**
      * The highest points near the world's origin, the highest first.
      *
-     * @param within how far from the origin along each axis, m
-     * @param count how many there are at most
-     * @param apart how far from each other they are at least, m
+     * @param within maximum distance from the origin along each axis, m
+     * @param count maximum number of points
+     * @param apart minimum distance between them, m
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static List<Position> near(World world, double within, int count, double apart) {

@@ -16,8 +16,8 @@ import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * Turns the buildings on a map into solids in the world frame. Each stands on the lowest ground under it, from which
- * its height is measured, and reaches {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
+ * Converts the buildings on a map to solids in the world frame. Each stands on the lowest ground below it, from which
+ * its height is measured, and extends {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
  */
 public final class BuildingLoader {
     /** How far walls reach below the lowest ground under them, m. */
@@ -44,7 +44,7 @@ public final class BuildingLoader {
      *
      * @param settings with a file
      * @param origin of the world frame
-     * @param terrain what they stand on; if empty, the level of the origin
+     * @param terrain the ground on which they stand; if empty, the level of the origin
      * @throws InputException in one line when the file is missing, of no known format or damaged, or has no building
      *     near the origin
      */

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Where a building stands, and how high it is, for maps and plans.
+ * The outline and the height of a building, for maps and plans.
  *
  * @param id its identifier on the map
  * @param name its name, if the map states one
@@ -13,9 +13,9 @@ import java.util.Optional;
  * @param outer the outline, counterclockwise: x and y in the world frame of each corner in turn, m, at the level of the
  *     origin
  * @param courts courtyards, clockwise, as the outline
- * @param bottom height of its lowest point above the lowest ground below it, 0 for what stands on the ground, m
+ * @param bottom height of its lowest point above the lowest ground below it, 0 if it stands on the ground, m
  * @param top height of its highest point above the same ground, m
- * @param isAssumed whether the map does not state how high it is
+ * @param isAssumed whether its height is assumed, since the map does not state it
  */
 public record BuildingOutline(
         String id,

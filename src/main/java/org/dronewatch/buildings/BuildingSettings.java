@@ -13,19 +13,19 @@ import org.dronewatch.setting.file.PackagedSite;
 
 /**
  * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf), outlines in GeoJSON, or a
- * city model in CityJSON. Outlines stand on the scene's terrain, about its geographic origin, {@code world.origin},
- * which such a scene must give.
+ * city model in CityJSON. Buildings stand on the scene's terrain, around its geographic origin, {@code world.origin},
+ * which such a scene must state.
  *
- * @param file the map, or {@code packaged:NAME} for one that comes with the library
- * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it for longitude and
- *     latitude, and for the system that a city model states
- * @param radius how far from the origin buildings are included, 10 m to 20 km
+ * @param file the map, or {@code packaged:NAME} for one of the library
+ * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it for longitude and latitude,
+ *     and to use the system that a city model states
+ * @param radius distance from the origin within which buildings are included, 10 m to 20 km
  * @param height height of buildings for which the map states neither a height nor levels, 1 to 200 m
  * @param levelHeight height of a level, for buildings for which the map states only the number of levels, 1 to 20 m
- * @param verticalOffset what is added to the heights of a city model, -1000 to 1000 m: for one whose
- *     heights refer to another level than {@code world.origin.height} and the terrain
- * @param woodHeight height of the woods on the map, which become canopies that nothing passes through, 1 to 100 m; omit
- *     it to build no woods
+ * @param verticalOffset added to the heights of a city model, -1000 to 1000 m: for one whose heights refer to a
+ *     different level from that of {@code world.origin.height} and the terrain
+ * @param woodHeight height of the woods on the map, which are modelled as opaque canopies, 1 to 100 m; omit it to leave
+ *     out woods
  * @param material material of buildings for which the map states none: a name in the table of surfaces
  */
 public record BuildingSettings(
@@ -37,7 +37,7 @@ public record BuildingSettings(
         @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
         @In(value = Quantity.LENGTH, from = 1, to = 100) Optional<Double> woodHeight,
         String material) {
-    /** Within 2 km, three levels of 3 m, of rendered brick; without a file yet. */
+    /** Within 2 km, three levels of 3 m, rendered brick; without a file yet. */
     @Defaults
     public static final BuildingSettings DEFAULT = new BuildingSettings(
             Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, Optional.empty(), "brick_rendered");

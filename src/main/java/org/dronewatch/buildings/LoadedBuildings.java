@@ -17,9 +17,9 @@ import org.dronewatch.setting.file.FileHash;
  * @param count number of buildings and parts
  * @param area of their outlines, without courtyards, m2
  * @param assumed number of those with an assumed height
- * @param file the map, with the hash of what was read
- * @param description what was read, in lines for the report
- * @param warnings anything suspicious, one line each
+ * @param file the map, with the hash of its bytes as read
+ * @param description of the map, in lines for the report
+ * @param warnings about suspicious content, one line each
  */
 public record LoadedBuildings(
         TriangleMesh mesh,

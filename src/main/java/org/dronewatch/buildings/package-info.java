@@ -1,2 +1,2 @@
-/** The buildings of a real place: outlines and heights of a map become solids in the world frame. */
+/** The buildings of a real place: outlines and heights of a map are converted to solids in the world frame. */
 package org.dronewatch.buildings;

@@ -11,15 +11,14 @@ import org.dronewatch.parallel.VectorInstructions;
 
 /**
  * The acceleration structures that find the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays
- * that is built when first needed. Immutable as far as callers can see, and shared by all threads: whoever keeps it
- * also keeps the BVH.
+ * that is built when first needed. Immutable for callers, and shared by all threads; it also keeps the BVH in memory.
  */
 public final class TracingIndex {
     private final KDTree tree;
     private final RayTraversal traversal;
     private Bvh bvh;
 
-    /** An index around a finished tree; the BVH is built later, if ever. */
+    /** An index of a finished tree; the BVH is only built when needed. */
     public TracingIndex(KDTree tree) {
         this(tree, RayTraversal.FASTEST);
     }
@@ -30,7 +29,7 @@ public final class TracingIndex {
     }
 
     /**
-     * Builds the index of a mesh; in one without triangles no ray hits anything.
+     * Builds the index of a mesh; with a mesh without triangles, no ray hits anything.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */
@@ -41,14 +40,14 @@ public final class TracingIndex {
     /**
      * Builds the index of a mesh.
      *
-     * @param settings how its tree is built, and how rays go through it
+     * @param settings of the construction of its tree, and of the traversal by rays
      * @throws CancellationException when the thread is interrupted meanwhile
      */
     public static TracingIndex of(TriangleMesh mesh, TracingSettings settings) {
         return new TracingIndex(KDTree.of(mesh, settings.costs()), settings.traversal());
     }
 
-    /** How rays go through it. */
+    /** The method of traversal by rays. */
     public RayTraversal traversal() {
         return traversal;
     }
@@ -86,8 +85,8 @@ public final class TracingIndex {
     }
 
     /**
-     * Whether incoherent rays have a BVH: if the processor's vectors can be used, and the mesh has triangles, none of
-     * them so far from the origin that single precision cannot bound them.
+     * Whether incoherent rays have a BVH: only if the processor's vectors can be used, and the mesh has triangles, all
+     * of them near enough to the origin to be bounded in single precision.
      */
     public boolean hasBvh() {
         return VectorInstructions.areAvailable()

@@ -6,14 +6,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How the trees of models are built, and how rays traverse them. This changes speed, not results.
+ * The construction of the trees of models, and their traversal by rays. These settings affect speed, not results.
  *
- * @param traversal {@code fastest}; or {@code stack} or {@code sequential}: one ray at a time, for pictures and sound,
- *     too
+ * @param traversal {@code fastest}; or {@code stack} or {@code sequential}: one ray at a time, even for images and
+ *     sound
  * @param costs costs of a traversal step and of a triangle test assumed by the surface area heuristic
  */
 public record TracingSettings(RayTraversal traversal, SahCost costs) {
-    /** The fastest traversal, of trees built with the library's costs. */
+    /** The fastest traversal, with trees built with the library's costs. */
     public static final TracingSettings DEFAULT = new TracingSettings(RayTraversal.FASTEST, SahCost.DEFAULT);
 
     /** Checks that both are given. */

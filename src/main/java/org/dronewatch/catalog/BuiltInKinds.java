@@ -28,7 +28,7 @@ import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.dronewatch.setting.Kind;
 import org.dronewatch.setting.KindGroup;
 
-/** The kinds that come with the library. A new one is one more line here. */
+/** The kinds of the library. */
 public final class BuiltInKinds implements KindGroup {
     @Override
     public List<Kind<?>> kinds() {

@@ -27,8 +27,8 @@ import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 
 /**
- * Real sensors by name: those that come with the library, and those of a user, each a file {@code NAME.yaml} beside the
- * scene file. A custom entry takes precedence over a packaged one with the same name.
+ * Real sensors by name: those of the library, and those of the user, each a file {@code NAME.yaml} beside the scene
+ * file. A custom entry takes precedence over a packaged one with the same name.
  */
 public final class Catalog implements Kinds.NamedSettings {
     private static final String ENDING = ".yaml";
@@ -74,17 +74,17 @@ public final class Catalog implements Kinds.NamedSettings {
         return new Catalog(Optional.of(directory));
     }
 
-    /** The names of the library's entries, in the order in which to show them. */
+    /** The names of the library's entries, in the order in which they are listed. */
     public static List<String> packagedNames() {
         return PACKAGED;
     }
 
-    /** The names of systems of several sensors, in the order in which to show them. */
+    /** The names of systems of several sensors, in the order in which they are listed. */
     public static List<String> systemNames() {
         return SYSTEMS;
     }
 
-    /** A system of several sensors; empty when there is none of this name. They come with the library. */
+    /** A system of several sensors; empty when the library has none of this name. */
     public static Optional<SensorSystem> system(String name) {
         return SYSTEMS.contains(name)
                 ? Optional.of(SettingsFile.read(
@@ -110,7 +110,7 @@ public final class Catalog implements Kinds.NamedSettings {
         }
     }
 
-    /** The settings that were written under a former name in what was read so far. */
+    /** The settings given under a former name in the files read so far. */
     public FormerNames formerNames() {
         return formerNames;
     }
@@ -165,7 +165,7 @@ public final class Catalog implements Kinds.NamedSettings {
      * The settings of a sensor.
      *
      * @param name an entry of this catalogue, or the name of a kind, which then has its default settings
-     * @param parts settings that the entry leaves open or that are overridden, by name: at least the position
+     * @param parts settings that the entry does not state or that are overridden, by name: at least the position
      * @throws InputException if there is no such sensor, or the settings do not fit
      */
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
@@ -184,12 +184,12 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The sensors of a system, as if a scene file had placed it.
+     * The sensors of a system, as if a scene file contained it.
      *
-     * @param id what the scene calls the system; its part {@code radar} is then {@code ID-radar}
+     * @param id the name of the system in the scene; its part {@code radar} is then {@code ID-radar}
      * @param name of the system, one of which {@link #partsOf} knows the parts
      * @param position of all of them, m
-     * @throws InputException when an entry that it consists of is wrong
+     * @throws InputException when one of its entries is wrong
      */
     public Map<String, SensorSettings<?>> settingsOfSystem(String id, String name, Position position) {
         Node.Mapping placed =
@@ -217,9 +217,9 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The entry of the library that a sensor corresponds to: the one all of whose settings it has; if there are
-     * several, the one with the most settings. Its position, its aim and how it decides do not matter, nor does what
-     * the entry leaves open.
+     * The entry of the library that a sensor corresponds to: the one whose settings it all has; if there are several,
+     * the one with the most settings. Its position, aim and detection function do not matter, nor do settings that the
+     * entry does not state.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();

@@ -18,15 +18,15 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A real sensor: its settings, and where they come from.
+ * A real sensor: its settings and their source.
  *
- * @param title what its manufacturer calls it
+ * @param title its manufacturer's name for it
  * @param source where the figures are published
- * @param basis how far the settings are based on them
- * @param note what is assumed, and how the settings were calibrated
+ * @param basis the extent to which the settings are based on them
+ * @param note assumptions, and the calibration of the settings
  * @param coverage its field of view, in words
  * @param price in words, with currency and year
- * @param ranges the ranges that its manufacturer states; none when nothing is published
+ * @param ranges the ranges that its manufacturer states; none when none are published
  * @param sensor its settings as in a scene file, without a position
  */
 public record CatalogEntry(
@@ -39,13 +39,13 @@ public record CatalogEntry(
         List<PublishedRange> ranges,
         Node.Mapping sensor) {
 
-    /** How far settings are based on published figures. */
+    /** The extent to which settings are based on published figures. */
     public enum Basis {
-        /** Every figure that matters is published. */
+        /** All relevant figures are published. */
         PUBLISHED,
-        /** What is not published was chosen so that the published range results. */
+        /** Unpublished figures were chosen to give the published range. */
         CALIBRATED,
-        /** No range is published; what is not published is a guess. */
+        /** No range is published; unpublished figures are assumed. */
         ASSUMED
     }
 
@@ -95,7 +95,7 @@ public record CatalogEntry(
     /**
      * Copies the list: later changes by the caller have no effect.
      *
-     * @throws IllegalArgumentException when something is missing, or there are ranges without a basis or vice versa
+     * @throws IllegalArgumentException when a component is missing, or there are ranges without a basis or vice versa
      */
     public CatalogEntry {
         Limits.check(CatalogEntry.class, title, source, basis, note, coverage, price, ranges, sensor);
@@ -118,7 +118,7 @@ public record CatalogEntry(
         return new CatalogEntry(title, source, basis, "", coverage, Optional.empty(), ranges, sensor);
     }
 
-    /** The kind of the sensor as scene files name it; empty when the entry does not say. */
+    /** The kind of the sensor in scene files; empty when the entry does not state it. */
     public String kind() {
         return sensor.text("kind").orElse("");
     }

@@ -9,14 +9,12 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 
-/**
- * The packaged sensors, systems and positioners as the files in which they are written: a start for one of your own.
- */
+/** The files of packaged sensors, systems and positioners, as templates for others. */
 public final class CatalogTexts {
     private CatalogTexts() {}
 
     /**
-     * The file of an entry, with its source, what is assumed, and its settings.
+     * The file of an entry, with its source, its assumptions and its settings.
      *
      * @param name of a sensor, a system or a positioner
      * @throws InputException when there is none of that name

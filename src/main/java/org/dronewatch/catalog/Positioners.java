@@ -7,11 +7,11 @@ import java.util.Set;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 
-/** Real positioners by name, for {@code positioner: {use: NAME}} of a camera; they come with the library. */
+/** Real positioners by name, for {@code positioner: {use: NAME}} of a camera. */
 public final class Positioners implements Kinds.NamedSettings {
     private static final List<String> PACKAGED = List.of("viper");
 
-    /** The names, in the order in which to show them. */
+    /** The names, in the order in which they are listed. */
     public static List<String> packagedNames() {
         return PACKAGED;
     }

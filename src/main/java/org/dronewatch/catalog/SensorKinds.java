@@ -20,9 +20,9 @@ public final class SensorKinds {
     }
 
     /**
-     * What settings files need to know to read sensors.
+     * The kinds needed to read sensors from settings files.
      *
-     * @param catalog where {@code use} finds them by name
+     * @param catalog in which {@code use} finds sensors by name
      */
     public static Kinds kinds(Catalog catalog) {
         return Kinds.FOUND.with(SensorSettings.class, catalog).with(PositionerSettings.class, new Positioners());

@@ -7,16 +7,16 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.file.Node;
 
 /**
- * Several sensors that are sold as one. A scene file uses it by its name, like a sensor.
+ * A system of several sensors that are sold together. A scene file uses it by its name, like a sensor.
  *
- * @param title what its manufacturer calls it
- * @param source where it is described
- * @param note what is left out or assumed
+ * @param title its manufacturer's name for it
+ * @param source source of the description
+ * @param note omissions and assumptions
  * @param parts each sensor as in a scene file, without a position, by the end of its name: the part {@code radar} of a
  *     system {@code gate} is the sensor {@code gate-radar}
  */
 public record SensorSystem(String title, String source, String note, Node.Mapping parts) {
-    /** Checks that nothing is missing. */
+    /** Checks that no component is missing. */
     public SensorSystem {
         Check.present("title", title);
         Check.present("source", source);
@@ -30,7 +30,7 @@ public record SensorSystem(String title, String source, String note, Node.Mappin
         return new SensorSystem(title, source, "", parts);
     }
 
-    /** The sensors, each as it would stand in a scene file. */
+    /** The sensors, each as in a scene file. */
     public Map<String, Node.Mapping> sensors() {
         Map<String, Node.Mapping> sensors = new LinkedHashMap<>();
         parts.values().keySet().forEach(name -> parts.mapping(name).ifPresent(part -> sensors.put(name, part)));

@@ -12,10 +12,10 @@ import org.locationtech.proj4j.CRSFactory;
 import org.locationtech.proj4j.Proj4jException;
 
 /**
- * The coordinates of a map: a national grid, a UTM zone, or longitude and latitude on some datum, by its code in the
- * EPSG register. Of a compound system, which adds a height, only the horizontal part counts: heights are taken as they
- * are. Coordinates are always x to the east, y to the north, in the units of the system (degrees for longitude and
- * latitude), whatever order the register gives them. Immutable; PROJ4J transforms the coordinates.
+ * The coordinate reference system of a map: a national grid, a UTM zone, or longitude and latitude on some datum, by
+ * its code in the EPSG register. Only the horizontal part of a compound system, which adds a height, is used: heights
+ * are not converted. Coordinates are always x to the east, y to the north, in the units of the system (degrees for
+ * longitude and latitude), whatever their order in the register. Immutable; PROJ4J transforms the coordinates.
  */
 public final class CoordinateReferenceSystem {
     private static final Pattern CODE = Pattern.compile(
@@ -40,8 +40,7 @@ public final class CoordinateReferenceSystem {
     /**
      * A system by its code.
      *
-     * @param code such as {@code EPSG:25832}, in upper or lower case, or the URN or address that stands for it in a
-     *     file
+     * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or address in a file
      * @throws InputException when it is not a code, is not in PROJ4J's register, or is neither a grid nor longitude and
      *     latitude
      */

@@ -5,7 +5,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A point in plan by latitude and longitude (WGS 84), as scene files may give it instead of a pair of east and north.
+ * A point in plan view by latitude and longitude (WGS 84), which scene files may give instead of a pair of east and
+ * north.
  *
  * @param latitude north of the equator, rad
  * @param longitude east of Greenwich, rad

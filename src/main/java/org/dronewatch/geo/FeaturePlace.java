@@ -8,15 +8,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by the name that a map gives it, as scene files may give it instead of a position: {@code {feature: north
- * gate, above: 3 m}}. Without {@code above} and {@code height} it is as high as the file says, or lies on the highest
- * surface there.
+ * A place by its name on a map, which scene files may give instead of a position: {@code {feature: north gate, above: 3
+ * m}}. Without {@code above} and {@code height} it has the height in the file, or lies on the highest surface there.
  *
  * @param feature name of a point in a GeoJSON or KML file
- * @param file that file; the one beside the scene file that has the same name but for {@code .geojson} or {@code .kml}
- *     unless given
+ * @param file that file; by default the one beside the scene file with the same name, ending in {@code .geojson} or
+ *     {@code .kml}
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, as is the height distance east of the origin, -100 to 100 km, m
+ * @param height height above sea level, measured like the height of the origin, -100 to 100 km, m
  */
 public record FeaturePlace(
         String feature,
@@ -36,7 +35,7 @@ public record FeaturePlace(
         }
     }
 
-    /** A place of the file with the scene's name. */
+    /** A place in the file with the scene's name. */
     @Defaults("feature")
     public static FeaturePlace of(String feature) {
         return new FeaturePlace(feature, Optional.empty(), Optional.empty(), Optional.empty());

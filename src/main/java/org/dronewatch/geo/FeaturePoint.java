@@ -6,11 +6,11 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.Limits;
 
 /**
- * A point in plan by the name that a map gives it, as scene files may give it instead of a pair of east and north.
+ * A point in plan view by its name on a map, which scene files may give instead of a pair of east and north.
  *
  * @param feature name of a point in a GeoJSON or KML file
- * @param file that file; the one beside the scene file that has the same name but for {@code .geojson} or {@code .kml}
- *     unless given
+ * @param file that file; by default the one beside the scene file with the same name, ending in {@code .geojson} or
+ *     {@code .kml}
  */
 public record FeaturePoint(String feature, @FileName Optional<String> file) {
     /** Checks that there is a name. */
@@ -18,7 +18,7 @@ public record FeaturePoint(String feature, @FileName Optional<String> file) {
         Limits.check(FeaturePoint.class, feature, file);
     }
 
-    /** A point of the file with the scene's name. */
+    /** A point in the file with the scene's name. */
     @Defaults("feature")
     public static FeaturePoint of(String feature) {
         return new FeaturePoint(feature, Optional.empty());

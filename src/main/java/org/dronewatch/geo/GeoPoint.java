@@ -9,7 +9,7 @@ import java.util.List;
  *
  * @param longitude east of Greenwich, degrees
  * @param latitude north of the equator, degrees
- * @param height above the sea, or above the level of the scene's origin where its height is not known, m
+ * @param height above the sea, or above the level of the scene's origin if the height of that is not known, m
  */
 public record GeoPoint(double longitude, double latitude, double height) {
     /** A millimetre on the ground. */
@@ -17,12 +17,12 @@ public record GeoPoint(double longitude, double latitude, double height) {
 
     private static final int DECIMALS_OF_METRES = 3;
 
-    /** Longitude and latitude in degrees, as files show them: this order is that of GeoJSON and of KML. */
+    /** Longitude and latitude in degrees, rounded for files, in the order of GeoJSON and KML. */
     public List<BigDecimal> onPlan() {
         return List.of(rounded(longitude, DECIMALS_OF_DEGREES), rounded(latitude, DECIMALS_OF_DEGREES));
     }
 
-    /** Longitude and latitude in degrees and the height in metres, as files show them. */
+    /** Longitude and latitude in degrees and the height in metres, rounded for files. */
     public List<BigDecimal> inSpace() {
         return List.of(
                 rounded(longitude, DECIMALS_OF_DEGREES),

@@ -3,12 +3,12 @@ package org.dronewatch.geo;
 import org.dronewatch.geometry.Position;
 
 /**
- * Turns positions in the world frame (x east, y north, z up, m) into latitude and longitude on the WGS 84 ellipsoid. At
- * the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's height; an origin
- * whose height is not known is taken to lie on the ellipsoid, which at 1000 m would move what is 1 km away by 0.16 m on
- * the map.
+ * Converts positions in the world frame (x east, y north, z up, m) to latitude and longitude on the WGS 84 ellipsoid,
+ * and back. At the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's
+ * height; an origin without a known height is assumed to lie on the ellipsoid, which, at a height of 1000 m, moves a
+ * point 1 km away by 0.16 m on the map.
  *
- * <p>East, north and up become earth-centred coordinates without any approximation, and these become latitude and
+ * <p>East, north and up are converted to earth-centred coordinates without any approximation, and these to latitude and
  * longitude (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula of the
  * latitude is Bowring's (Transformation from spatial to geographical coordinates, Survey Review 23, 1976), iterated
  * until it is exact to rounding. Semi-major axis and flattening are those of WGS 84 (NIMA TR8350.2). Immutable.
@@ -50,7 +50,7 @@ public final class Geodesy {
      *
      * @param latitude north of the equator, rad
      * @param theLongitude longitude east of Greenwich, rad
-     * @param above height above the ellipsoid, on which the origin lies at its own height, or at 0 where that is not
+     * @param above height above the ellipsoid, on which the origin lies at its own height, or at 0 if that is not
      *     known, m
      */
     public Position inWorld(double latitude, double theLongitude, double above) {
@@ -71,8 +71,8 @@ public final class Geodesy {
      * The point on a map of a position in the world frame; its height is z above that of the origin.
      *
      * <p>Longitudes continue from that of the origin: beyond the date line they exceed 180 or fall below -180 degrees,
-     * so that lines and areas are not split. At the poles every point is right, but areas about a pole are not areas on
-     * a map of longitude and latitude.
+     * so that lines and areas are not split. Points near the poles are correct, but areas around a pole are not areas
+     * on a map of longitude and latitude.
      *
      * @param position position, m
      */
@@ -83,8 +83,8 @@ public final class Geodesy {
 
     /**
      * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies
-     * at its own height, or at 0 where that is not known. The inverse of {@link #inWorld} to a micrometre within 100
-     * km; longitudes continue from that of the origin. Height by Bowring (The accuracy of geodetic latitude and height
+     * at its own height, or at 0 if that is not known. The inverse of {@link #inWorld} to a micrometre within 100 km;
+     * longitudes continue from that of the origin. Height by Bowring (The accuracy of geodetic latitude and height
      * equations, Survey Review 28, 1985).
      *
      * @param position position, m

@@ -6,11 +6,11 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place in the world frame by its height above the surface, as scene files may give it instead of a position:
- * {@code {east: 120 m, north: -40 m, above: 10 m}}.
+ * A place in the world frame by its height above the surface, which scene files may give instead of a position: {@code
+ * {east: 120 m, north: -40 m, above: 10 m}}.
  *
  * @param east distance east of the origin, -100 to 100 km, m
- * @param north distance east of the origin, -100 to 100 km, m
+ * @param north distance north of the origin, -100 to 100 km, m
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
  */
 public record LocalPlace(

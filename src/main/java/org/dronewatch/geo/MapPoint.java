@@ -5,6 +5,6 @@ package org.dronewatch.geo;
  *
  * @param x to the east, in the system's unit: metres for most grids, degrees of longitude
  * @param y to the north, in the system's unit
- * @param height above the ellipsoid, or above whatever the heights of a file count from, m
+ * @param height above the ellipsoid, or above the datum of a file's heights, m
  */
 public record MapPoint(double x, double y, double height) {}

@@ -9,12 +9,12 @@ import org.locationtech.proj4j.Proj4jException;
 import org.locationtech.proj4j.ProjCoordinate;
 
 /**
- * Takes points from a map to the world frame and back, in double precision: the map's coordinates become longitude and
- * latitude, these earth-centred coordinates, and these east, north and up of the scene's origin. So grid north may
- * differ from true north, the grid's scale from 1, and ground 5 km away lies 2 m lower, as it does on the earth;
- * subtracting the origin's coordinates on the map would miss all three.
+ * Transforms points from a map to the world frame and back, in double precision: from the map's coordinates to
+ * longitude and latitude, to earth-centred coordinates, and to east, north and up from the scene's origin. It thus
+ * allows for the angle between grid north and true north, for the scale of the grid, and for the curvature of the
+ * earth, by which ground 5 km away is 2 m lower; subtracting map coordinates would ignore all three.
  *
- * <p>Heights pass the change of datum unchanged, as heights above sea level do. One per thread.
+ * <p>Heights are above sea level, and unchanged by a change of datum. One per thread.
  */
 public final class MapTransform {
     /** How well both directions must agree: far below a micrometre, in metres, feet or degrees. */
@@ -48,12 +48,12 @@ public final class MapTransform {
     }
 
     /**
-     * A point of the map on earth (WGS 84).
+     * The longitude and latitude (WGS 84) of a point of the map.
      *
      * @param x to the east, in the unit of the system
      * @param y to the north, in the unit of the system
-     * @param height m; it is kept
-     * @throws InputException when the system does not reach to that point
+     * @param height m; it is unchanged
+     * @throws InputException when the point is outside the domain of the system
      */
     public GeoPoint onEarth(double x, double y, double height) {
         toEarth(x, y);
@@ -61,12 +61,12 @@ public final class MapTransform {
     }
 
     /**
-     * A point of the map in the world frame, m.
+     * The position in the world frame of a point of the map, m.
      *
      * @param x to the east, in the unit of the system
      * @param y to the north, in the unit of the system
-     * @param height above what the origin's height counts from; above 0 where that is not known, m
-     * @throws InputException when the system does not reach to that point
+     * @param height above the datum of the origin's height; above 0 if that is not known, m
+     * @throws InputException when the point is outside the domain of the system
      */
     public Position inWorld(double x, double y, double height) {
         toEarth(x, y);
@@ -74,19 +74,19 @@ public final class MapTransform {
     }
 
     /**
-     * A position in the world frame on the map.
+     * The map coordinates of a position in the world frame.
      *
      * @param position m
-     * @throws InputException when the system does not reach to that point
+     * @throws InputException when the point is outside the domain of the system
      */
     public MapPoint onMap(Position position) {
         return onMap(geodesy.onEarth(position));
     }
 
     /**
-     * A point on earth (WGS 84) on the map; its height is kept.
+     * The map coordinates of a longitude and latitude (WGS 84); the height is unchanged.
      *
-     * @throws InputException when the system does not reach to that point
+     * @throws InputException when the point is outside the domain of the system
      */
     public MapPoint onMap(GeoPoint place) {
         transform(toMap, place.longitude(), place.latitude());

@@ -49,9 +49,9 @@ public record AABB(double minX, double minY, double minZ, double maxX, double ma
     }
 
     /**
-     * This box with some room on all sides.
+     * This box enlarged on all sides.
      *
-     * @param room how far each face moves outwards, m
+     * @param room distance by which each face moves outwards, m
      */
     public AABB grown(double room) {
         return new AABB(minX - room, minY - room, minZ - room, maxX + room, maxY + room, maxZ + room);
@@ -96,7 +96,7 @@ public record AABB(double minX, double minY, double minZ, double maxX, double ma
         return new Point3d(0.5 * (minX + maxX), 0.5 * (minY + maxY), 0.5 * (minZ + maxZ));
     }
 
-    /** Length of the box's space diagonal, m: what this project calls the size of a mesh. */
+    /** Length of the box's space diagonal, m: the size of a mesh, as this project defines it. */
     public double diagonal() {
         double x = maxX - minX;
         double y = maxY - minY;

@@ -18,7 +18,7 @@ public final class Floats {
         return values[index];
     }
 
-    /** Forgets all values. */
+    /** Removes all values. */
     public void clear() {
         size = 0;
     }

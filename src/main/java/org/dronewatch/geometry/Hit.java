@@ -1,9 +1,9 @@
 package org.dronewatch.geometry;
 
 /**
- * Where a ray hits a triangle.
+ * The hit of a ray on a triangle.
  *
- * @param distance the ray parameter of the meeting point: metres for a ray of unit direction
+ * @param distance the ray parameter of the hit: metres for a ray of unit direction
  * @param triangle the triangle's number in its mesh
  * @param u weight of the triangle's second corner, 0 to 1
  * @param v weight of the third corner, 0 to 1; the first corner has 1 - u - v

@@ -6,8 +6,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Where a ray hits a triangle, a box or a sphere: the readable reference, one shape at a time. The tree's traversals
- * have their own, faster triangle test, which the tests check against this one.
+ * Intersections of a ray with a triangle, a box or a sphere: a readable reference, for one shape at a time. The
+ * traversals of trees have a faster triangle test, which is tested against this one.
  */
 public final class IntersectionHandler {
 
@@ -15,8 +15,8 @@ public final class IntersectionHandler {
 
     /**
      * The hit of a ray on a triangle, from either side, after Möller and Trumbore, "Fast, minimum storage ray/triangle
-     * intersection" (1997). The determinant is compared with zero only: an absolute tolerance would lose small
-     * triangles, and culling would lose those that face away.
+     * intersection" (1997). The determinant is compared with zero only: an absolute tolerance would miss small
+     * triangles, and culling would miss those that face away.
      *
      * @return the hit, empty where the ray misses, is parallel to the triangle, or meets it outside its own range
      */
@@ -51,8 +51,8 @@ public final class IntersectionHandler {
     }
 
     /**
-     * The part of a ray inside a box, by the slab method (Kay and Kajiya 1986; Williams et al. 2005). A ray that runs
-     * inside a face of the box counts as inside.
+     * The part of a ray inside a box, by the slab method (Kay and Kajiya 1986; Williams et al. 2005). A ray within a
+     * face of the box counts as inside.
      *
      * @param interval receives the ray parameters of entry and exit in its first two elements; an origin inside the box
      *     enters at the ray's tMin
@@ -120,7 +120,7 @@ public final class IntersectionHandler {
     }
 
     /**
-     * The form of {@link #raySphere(Ray, Point3d, double)} for kernels: allocates nothing.
+     * As {@link #raySphere(Ray, Point3d, double)}, for kernels: does not allocate.
      *
      * @param dx x of the ray's direction, which must be of unit length
      * @param dy its y

@@ -18,12 +18,12 @@ public final class Ints {
         return values[index];
     }
 
-    /** Forgets all values. */
+    /** Removes all values. */
     public void clear() {
         size = 0;
     }
 
-    /** The values from one index up to another, which is left out. */
+    /** The values from one index up to another, exclusive. */
     public int[] copyOfRange(int from, int to) {
         return Arrays.copyOfRange(values, from, to);
     }

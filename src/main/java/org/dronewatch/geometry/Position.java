@@ -8,9 +8,9 @@ import org.jogamp.vecmath.Tuple3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * An immutable point or displacement in metres; in the world frame x is east, y is north and z is up. Settings hold
- * these, because vecmath's tuples are mutable. In a scene's settings each
- * coordinate lies within 100 km of the origin; a displacement that is computed need only be finite.
+ * An immutable point or displacement in metres; in the world frame x is east, y is north and z is up. Used in settings,
+ * because vecmath's tuples are mutable. In a scene's settings each coordinate lies within 100 km of the origin;
+ * computed displacements need only be finite.
  *
  * @param x east, -100 to 100 km in settings, m
  * @param y north, -100 to 100 km in settings, m
@@ -53,12 +53,12 @@ public record Position(
         return new Position(x + displacement.x, y + displacement.y, z + displacement.z);
     }
 
-    /** The displacement that leads from another position to this one. */
+    /** The displacement from another position to this one. */
     public Position minus(Position other) {
         return new Position(x - other.x, y - other.y, z - other.z);
     }
 
-    /** This displacement made longer by a factor. */
+    /** This displacement scaled by a factor. */
     public Position times(double factor) {
         return new Position(x * factor, y * factor, z * factor);
     }
@@ -68,7 +68,7 @@ public record Position(
         return x * other.x + y * other.y + z * other.z;
     }
 
-    /** The vector product with another displacement, m2: at right angles to both, right-handed. */
+    /** The vector product with another displacement, m2: perpendicular to both, right-handed. */
     public Position cross(Position other) {
         return new Position(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
     }

@@ -18,18 +18,18 @@ public final class Ray {
     private final double tMin;
     private final double tMax;
 
-    /** The ray from an origin without end. See {@link #Ray(Tuple3d, Tuple3d, double, double)}. */
+    /** A ray from an origin, without end. See {@link #Ray(Tuple3d, Tuple3d, double, double)}. */
     public Ray(Tuple3d origin, Tuple3d direction) {
         this(origin, direction, 0.0, Double.POSITIVE_INFINITY);
     }
 
-    /** The ray from an origin without end. See {@link #Ray(Tuple3d, Tuple3d, double, double)}. */
+    /** A ray from an origin, without end. See {@link #Ray(Tuple3d, Tuple3d, double, double)}. */
     public Ray(Position origin, Position direction) {
         this(origin.toPoint3d(), direction.toVector3d());
     }
 
     /**
-     * A segment of a half line.
+     * A ray with limits.
      *
      * @param origin where t is 0, m
      * @param direction any finite vector but zero
@@ -72,19 +72,19 @@ public final class Ray {
         return new Point3d(ox, oy, oz);
     }
 
-    /** A copy of the direction as it was given, not normalised. */
+    /** A copy of the given direction, not normalised. */
     public Vector3d direction() {
         return new Vector3d(dx, dy, dz);
     }
 
-    /** One over each component of the direction; a zero of either sign gives plus infinity. */
+    /** The reciprocal of each component of the direction; a zero of either sign gives plus infinity. */
     public Vector3d inverseDirection() {
         return new Vector3d(inverse(dx), inverse(dy), inverse(dz));
     }
 
     /**
-     * One over a direction's component, where a zero of either sign counts as positive: its sign has no meaning for a
-     * ray.
+     * The reciprocal of a direction's component; a zero of either sign counts as positive, since its sign has no
+     * meaning for a ray.
      */
     public static double inverse(double component) {
         return 1.0 / (component + 0.0);
@@ -95,7 +95,7 @@ public final class Ray {
         return tMin;
     }
 
-    /** The largest ray parameter of this ray; infinity where it has no end. */
+    /** The largest ray parameter of this ray; infinity if it has no end. */
     public double tMax() {
         return tMax;
     }

@@ -3,7 +3,7 @@ package org.dronewatch.geometry;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * One triangle of a mesh, as a value: convenient to look at, not what the kernel traces.
+ * A triangle of a mesh as a value, for convenience: the kernel does not use it.
  *
  * @param a first corner, m
  * @param b second corner, m

@@ -3,11 +3,11 @@ package org.dronewatch.geometry;
 import java.util.List;
 
 /**
- * Triangles that share corners, each with a material. Corners are kept as floats, in metres: their resolution is 0.06
- * mm at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
+ * A mesh of triangles that share vertices, each with a material. Coordinates are stored as floats, in metres: their
+ * resolution is 0.06 mm at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
  */
 public final class TriangleMesh {
-    /** The largest absolute coordinate of a corner: its square must stay far from overflow. */
+    /** The largest absolute coordinate of a corner: its square must not overflow. */
     public static final float MAX_COORDINATE = 1e30f;
 
     private final float[] vertices;
@@ -22,7 +22,7 @@ public final class TriangleMesh {
      * @param vertices x, y, z of each vertex in turn, m
      * @param corners three vertex numbers per triangle, from 0
      * @param materials one material number per triangle, an index into the names
-     * @param sourceNumbers one number per triangle: its index in the file it came from, where dropped ones count too
+     * @param sourceNumbers one number per triangle: its index in the source file, which also counts dropped ones
      * @param materialNames the names of the materials
      * @throws IllegalArgumentException when lengths do not fit, an index is out of range or a coordinate is not finite
      *     or beyond {@link #MAX_COORDINATE}
@@ -48,7 +48,7 @@ public final class TriangleMesh {
         checkRange("material", this.materials, materialNames.size());
     }
 
-    /** A mesh of one unnamed material whose triangles are numbered in their own order. */
+    /** A mesh of one unnamed material, whose triangles are numbered in the given order. */
     public static TriangleMesh of(float[] vertices, int[] corners) {
         int triangles = corners.length / 3;
         int[] numbers = new int[triangles];
@@ -76,12 +76,12 @@ public final class TriangleMesh {
         }
     }
 
-    /** How many triangles there are. */
+    /** The number of triangles. */
     public int triangleCount() {
         return materials.length;
     }
 
-    /** How many vertices there are, used or not. */
+    /** The number of vertices, used or not. */
     public int vertexCount() {
         return vertices.length / 3;
     }
@@ -113,8 +113,8 @@ public final class TriangleMesh {
     }
 
     /**
-     * Writes a normal of a triangle, to the side from which its corners run counter-clockwise: the cross product of two
-     * sides, as long as twice its area. Allocates nothing.
+     * Writes a normal of a triangle, on the side from which its corners run counter-clockwise: the cross product of two
+     * sides, whose length is twice the area. Does not allocate.
      */
     public void normal(int triangle, double[] target) {
         double ax = coordinate(triangle, 0, 0);
@@ -152,7 +152,7 @@ public final class TriangleMesh {
         return materialNames;
     }
 
-    /** The triangle's number in the file it came from, where triangles that were dropped count too. */
+    /** The triangle's number in the source file, which also counts dropped triangles. */
     public int sourceNumber(int triangle) {
         return sourceNumbers[triangle];
     }

@@ -1,5 +1,5 @@
 /**
- * The vocabulary of shapes: points, rays, boxes, triangles and meshes, and where a ray hits them. Metres, right-handed,
- * z up in the world frame. This package knows nothing of trees, sensors or scenes.
+ * Geometric primitives: points, rays, boxes, triangles and meshes, and intersections of rays with them. Metres,
+ * right-handed, z up in the world frame. This package does not depend on trees, sensors or scenes.
  */
 package org.dronewatch.geometry;

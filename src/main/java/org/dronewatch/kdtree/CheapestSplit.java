@@ -73,8 +73,8 @@ final class CheapestSplit {
     }
 
     /**
-     * Tries a plane; one that is not strictly inside the voxel is left out. Of equally cheap ones that on the first
-     * axis is kept, there the lowest.
+     * Tries a plane; one that is not strictly inside the voxel is left out. Of equally cheap planes, the one on the
+     * first axis is kept, and there the lowest.
      *
      * @param left how many triangles reach below it
      * @param planar how many lie in it

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 
 /**
- * Finds the triangles of a tree that come near an ellipsoid of two foci: the points whose distances from both foci add
- * up to no more than a limit, such as the points that a detour of bounded length between two points can touch. The
- * result contains every triangle that reaches into the ellipsoid, and a few beside it: boxes are tested, not the
- * triangles' own shapes. Allocates only when a query finds more triangles than any before it. One per thread.
+ * Finds the triangles of a tree that come near an ellipsoid of two foci: the points for which the sum of the distances
+ * from both foci is at most a limit, such as the points that a path of bounded length between the foci can reach. The
+ * result contains every triangle that intersects the ellipsoid, and a few near it, because boxes are tested instead of
+ * triangles. Allocates only when a query finds more triangles than any before it. One per thread.
  */
 public final class EllipsoidQuery {
     private final KDTree tree;
@@ -53,7 +53,7 @@ public final class EllipsoidQuery {
     }
 
     /**
-     * Finds those triangles near an ellipsoid that reach a plane through its foci.
+     * Finds the triangles near an ellipsoid that also reach a plane through its foci.
      *
      * @param a one focus, m
      * @param b the other, m
@@ -70,7 +70,7 @@ public final class EllipsoidQuery {
         search(a, b, sum);
     }
 
-    /** How many triangles the last query found. */
+    /** The number of triangles that the last query found. */
     public int count() {
         return count;
     }

@@ -1,7 +1,7 @@
 package org.dronewatch.kdtree;
 
 /**
- * The packed node: one 64-bit word, whose bits only this class knows.
+ * A packed node of a kd-tree: one 64-bit word, whose layout is private to this class.
  *
  * <pre>
  *   63 ........ 34 | 33 .. 32 | 31 |  30 ........ 0
@@ -10,9 +10,9 @@ package org.dronewatch.kdtree;
  *   count          |  3       |    |  first leaf entry     leaf
  * </pre>
  *
- * A float loses its two lowest mantissa bits in 30 bits. Planes must therefore lie on a grid of floats whose two lowest
- * bits are zero; {@link #floorKey}, {@link #ceilKey} and {@link #value} number that grid in ascending order, so that
- * the builder can round before it compares and never compares a plane that it cannot store.
+ * With 30 bits, a float loses its two lowest mantissa bits. Planes must therefore lie on a grid of floats whose two
+ * lowest bits are zero; {@link #floorKey}, {@link #ceilKey} and {@link #value} number that grid in ascending order, so
+ * that the builder can round before it compares and never compares a plane that it cannot store.
  *
  * <p>Public for the kernel's packages, which read nodes; only this one packs them.
  */
@@ -92,7 +92,7 @@ public final class KDNode {
         return (int) node;
     }
 
-    /** How many triangles a leaf has. */
+    /** The number of triangles of a leaf. */
     public static int count(long node) {
         return (int) (node >>> (HIGH + 2));
     }

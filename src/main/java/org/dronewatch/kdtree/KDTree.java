@@ -47,7 +47,7 @@ public final class KDTree {
     }
 
     /**
-     * Builds the tree of a mesh; in the tree of a mesh without triangles no ray hits anything.
+     * Builds the tree of a mesh; with a mesh without triangles, no ray hits anything.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */
@@ -56,7 +56,7 @@ public final class KDTree {
     }
 
     /**
-     * Builds the tree of a mesh with other costs. They decide how fast rays are, not what they hit.
+     * Builds the tree of a mesh with given costs, which affect the speed of rays, but not their hits.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */

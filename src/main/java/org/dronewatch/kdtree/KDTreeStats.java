@@ -1,11 +1,11 @@
 package org.dronewatch.kdtree;
 
 /**
- * What a finished tree looks like.
+ * Statistics of a finished tree.
  *
  * @param triangles triangles of the mesh
  * @param nodes words of the tree: interior nodes and leaves
- * @param leaves how many of them are leaves
+ * @param leaves number of leaves among them
  * @param emptyLeaves leaves without a triangle
  * @param meanLeafSize triangles in a leaf, mean over the leaves that have any
  * @param maxLeafSize triangles in the fullest leaf

@@ -3,8 +3,9 @@ package org.dronewatch.kdtree;
 import java.util.Arrays;
 
 /**
- * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. What is close together in
- * space is then close together in memory, however a model's file orders its faces. Immutable, shared by all threads.
+ * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. So triangles that are
+ * close together in space are close together in memory, whatever the order of faces in a model's file. Immutable,
+ * shared by all threads.
  */
 public final class LeafOrderTriangles {
     private final float[] corners;
@@ -56,7 +57,7 @@ public final class LeafOrderTriangles {
         return numbers;
     }
 
-    /** How many there are. */
+    /** Their number. */
     public int count() {
         return numbers.length;
     }

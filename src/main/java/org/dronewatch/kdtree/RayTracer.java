@@ -7,8 +7,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Finds what a ray hits in a mesh. One per thread: it holds the ray and the hit of its last query. The methods that
- * take primitives allocate nothing.
+ * A ray tracer of a mesh. One per thread: it holds the ray and the hit of its last query. The methods that take
+ * primitives do not allocate.
  *
  * <p>Origins are in metres in the mesh's frame. A direction may have any length but zero; distances are ray parameters,
  * which are metres for a unit direction. Triangles are hit from either side.
@@ -31,7 +31,7 @@ public abstract class RayTracer {
     /**
      * A tracer without a ray; for the kernel's packages.
      *
-     * @param triangles what rays can hit
+     * @param triangles of the mesh
      */
     protected RayTracer(LeafOrderTriangles triangles) {
         this.intersection = new TriangleIntersection(triangles);
@@ -39,7 +39,7 @@ public abstract class RayTracer {
 
     /**
      * Finds the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest
-     * number. Where a ray hits an edge or a corner of several, which of them is reported may depend on the tracer.
+     * number. If a ray hits an edge or a corner shared by several, the one reported may depend on the tracer.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more
      * @param tMax the largest that counts
@@ -65,8 +65,8 @@ public abstract class RayTracer {
     }
 
     /**
-     * Whether any triangle lies strictly between two ray parameters. A computed point lies on a surface only up to
-     * rounding: between points on surfaces, leave a little room at both ends.
+     * Whether any triangle lies strictly between two ray parameters. Since computed points lie on a surface only up to
+     * rounding, leave a margin at both ends between points on surfaces.
      */
     public final boolean isOccluded(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
@@ -123,12 +123,12 @@ public abstract class RayTracer {
     }
 
     /**
-     * Finds what the current ray hits and keeps it, with {@link #setHit} or in the intersection; for the kernel's
+     * Traces the current ray and stores the hit, with {@link #setHit} or in the intersection; for the kernel's
      * packages.
      *
      * @param tMin the smallest ray parameter that counts
      * @param tMax the largest that counts
-     * @param anyHit whether any hit will do, or the nearest is wanted
+     * @param anyHit whether any hit suffices, or the nearest is required
      */
     protected abstract void trace(double tMin, double tMax, boolean anyHit);
 
@@ -143,14 +143,14 @@ public abstract class RayTracer {
 
     /**
      * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for the kernel's packages,
-     * where a tracer keeps hits without them.
+     * if a tracer stores hits without them.
      */
     protected void findBarycentrics() {
         throw new IllegalStateException("hits are kept with their barycentrics");
     }
 
     /**
-     * Keeps a hit of the current ray that was found by the arithmetic of the kernel's test, without its barycentrics;
+     * Stores a hit of the current ray that was found by the arithmetic of the kernel's test, without its barycentrics;
      * for the kernel's packages.
      */
     protected final void setHit(int triangle, double distance) {

@@ -1,24 +1,24 @@
 package org.dronewatch.kdtree;
 
 /**
- * After the sequential traversal of Hapala and Havran, "Review: kd-tree traversal algorithms for ray tracing" (2011):
- * find a leaf by descending from the root, test it, go on to the next leaf along the ray, repeat. Needs no stack; it is
- * slower than {@link StackTraversal} and kept as an independent second opinion.
+ * A ray tracer without a stack, after the sequential traversal of Hapala and Havran, "Review: kd-tree traversal
+ * algorithms for ray tracing" (2011): it finds a leaf by descending from the root, tests it, continues with the next
+ * leaf along the ray, and so on. It is slower than {@link StackTraversal} and kept as an independent check.
  *
- * <p>The original names the next leaf by a point: a fixed distance behind the face through which the ray leaves. That
- * skips thin cells and stalls at large coordinates. A point just behind the face does neither, but where the ray leaves
- * through an edge or a corner, or runs inside a plane, rounding alone decides in which of the cells about it that point
- * lies, and the others are lost. Here the next leaf is named by the last one: it is the first leaf along the ray that
- * comes after it.
+ * <p>The original finds the next leaf by a point at a fixed distance behind the face through which the ray leaves. That
+ * skips thin cells and stalls at large coordinates. A point just behind the face does neither, but if the ray leaves
+ * through an edge or a corner, or runs inside a plane, rounding alone decides in which of the adjacent cells that point
+ * lies, and the others are skipped. Here the next leaf is defined by the last one: it is the first leaf after it along
+ * the ray.
  *
- * <p>Which leaves lie along a ray, and in which order, is a matter of the tree and the ray alone. A child lies along
- * the ray if the ray's range inside it, widened by more than the roundings of its ends, is not empty; of two children
- * the one on the ray's side of the plane comes first, or the left one if the ray runs inside the plane. So cells that
- * the ray merely touches count, and each descent leads to a leaf that is later in one fixed order: no leaf comes twice,
- * and the walk ends.
+ * <p>The leaves along a ray, and their order, depend on the tree and the ray alone. A child lies along the ray if the
+ * ray's range inside it, widened by more than the roundings of its ends, is not empty; of two children the one on the
+ * ray's side of the plane comes first, or the left one if the ray runs inside the plane. So cells that the ray merely
+ * touches are included, and each descent leads to a later leaf in one fixed order: no leaf is visited twice, and the
+ * traversal terminates.
  *
- * <p>A hit ends the ray at its distance. All leaves up to there are tested, so the hit is the nearest of all to the
- * last bit, and of equally near ones that with the lowest number.
+ * <p>A hit ends the ray at its distance. All leaves up to there are tested, so the hit is exactly the nearest of all,
+ * and among equally near ones that with the lowest number.
  */
 public final class SequentialTraversal extends KDTraversal {
     /** The index of no node. */

@@ -1,7 +1,7 @@
 package org.dronewatch.kdtree;
 
 /**
- * Descends to the nearer child and keeps the farther one on a stack. The default ray tracer: it visits each node at
+ * The default ray tracer: descends to the nearer child and keeps the farther one on a stack, so it visits each node at
  * most once.
  */
 public final class StackTraversal extends KDTraversal {

@@ -6,12 +6,12 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import org.dronewatch.setting.InputException;
 
-/** Turns every interrupt into the same exception, however the interrupted code reported it. */
+/** Converts every interrupt to the same exception, however the interrupted code reported it. */
 public final class Interrupts {
     private Interrupts() {}
 
     /**
-     * Runs a task that an interrupt of this thread may end.
+     * Runs a task that may be ended by an interrupt of this thread.
      *
      * @throws CancellationException when this thread is interrupted, before or meanwhile; its interrupt status is kept
      */
@@ -39,8 +39,8 @@ public final class Interrupts {
     }
 
     /**
-     * Whether an interrupt caused it: what waits, or reads a file, reports it in its own fashion, and may clear the
-     * flag.
+     * Whether an exception was caused by an interrupt: code that waits, or reads a file, throws various exceptions, and
+     * may clear the interrupt status.
      */
     public static boolean isIn(Throwable problem) {
         for (Throwable cause = problem; cause != null; cause = cause.getCause()) {

@@ -1,9 +1,8 @@
 package org.dronewatch.parallel;
 
 /**
- * Whether the processor's vector instructions can be used: the module {@code jdk.incubator.vector} has to be named when
- * the Java virtual machine starts, by {@code --add-modules jdk.incubator.vector}, and the processor needs vectors of
- * 256 bits.
+ * Checks whether the processor's vector instructions can be used: the Java virtual machine must be started with
+ * {@code --add-modules jdk.incubator.vector}, and the processor needs vectors of 256 bits.
  */
 public final class VectorInstructions {
     private static final boolean AVAILABLE = look();

@@ -12,12 +12,12 @@ import java.util.function.ObjIntConsumer;
 import java.util.function.Supplier;
 
 /**
- * A number of threads that work for one caller. What is done inside {@link #call} may spread loops over them by
- * {@link #forEach}, at any depth and without being passed a reference to them: a kd-tree, an image, the sensors of a
- * site. Outside, the same loops run on the thread that calls them.
+ * A pool of threads that work for one caller. Code within {@link #call} may distribute loops over them by
+ * {@link #forEach}, at any depth and without a reference to the pool: to build a kd-tree, to render an image, to
+ * evaluate the sensors of a site. Outside {@link #call}, the same loops run on the thread that calls them.
  *
- * <p>The thread that starts a loop works on it itself and waits only for parts that others are working on: a loop
- * within a loop cannot stop for want of threads.
+ * <p>The thread that starts a loop works on it itself and waits only for parts in progress on other threads, so nested
+ * loops cannot deadlock.
  *
  * <p>An interrupt of the caller's thread ends its loops, at any depth and on all threads, as a
  * {@link CancellationException}. The caller's thread stays interrupted.
@@ -67,10 +67,10 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Runs a task on the caller's thread, with these threads to help; returns its result.
+     * Runs a task on the caller's thread, supported by these threads, and returns its result.
      *
-     * @throws RuntimeException what the work throws, unchanged, as errors are; a checked exception becomes the cause of
-     *     an {@link IllegalStateException}
+     * @throws RuntimeException as thrown by the task, unchanged, as are errors; a checked exception becomes the cause
+     *     of an {@link IllegalStateException}
      */
     public <T> T call(Callable<T> work) {
         Workers outer = HERE.get();
@@ -104,10 +104,10 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Ends work whose result is no longer needed.
+     * Throws an exception if the result of the calling code is no longer needed.
      *
-     * @throws CancellationException when the thread for which this one works, or this one, is interrupted; its
-     *     interrupt status is kept
+     * @throws CancellationException when this thread, or the thread for which it works, is interrupted; its interrupt
+     *     status is kept
      */
     public static void checkInterrupted() {
         Workers here = HERE.get();
@@ -135,27 +135,25 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Does something for each number from 0 on, in any order, on the available threads; returns when all is done.
+     * Runs an action for each number from 0 on, in any order, on the available threads; returns when all are done.
      *
-     * @param count how many numbers
-     * @param action must not depend on the others
+     * @param count number of calls
+     * @param action must not depend on the other calls
      * @throws CancellationException when the caller's thread is interrupted
-     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left
-     *     out then
+     * @throws RuntimeException the first failure, unchanged, as are errors; calls that have not begun are then omitted
      */
     public static void forEach(int count, IntConsumer action) {
         forEach(count, () -> action, IntConsumer::accept);
     }
 
     /**
-     * Does something for each number from 0 on, with separate scratch memory for each thread.
+     * Runs an action for each number from 0 on, with separate scratch memory for each thread.
      *
-     * @param count how many numbers
+     * @param count number of calls
      * @param scratch makes the memory, for each thread that takes part
-     * @param action must not depend on the others
+     * @param action must not depend on the other calls
      * @throws CancellationException when the caller's thread is interrupted
-     * @throws RuntimeException the first failure, unchanged, as errors are; numbers that have not been begun are left
-     *     out then
+     * @throws RuntimeException the first failure, unchanged, as are errors; calls that have not begun are then omitted
      */
     public static <S> void forEach(int count, Supplier<S> scratch, ObjIntConsumer<S> action) {
         Workers here = HERE.get();
@@ -166,7 +164,7 @@ public final class Workers implements AutoCloseable {
         loop.await();
     }
 
-    /** Does two things, at the same time where there is a thread to spare. */
+    /** Runs two tasks, in parallel if a thread is available. */
     public static void both(Runnable one, Runnable other) {
         forEach(2, which -> {
             if (which == 0) {

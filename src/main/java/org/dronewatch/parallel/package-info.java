@@ -1,5 +1,5 @@
 /**
- * Work that is spread over threads, with results that do not depend on how many there are; and whether the processor's
- * vector instructions can be used.
+ * Distribution of work over threads, with results that do not depend on their number; and the check for vector
+ * instructions.
  */
 package org.dronewatch.parallel;

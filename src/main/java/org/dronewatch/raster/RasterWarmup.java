@@ -3,26 +3,26 @@ package org.dronewatch.raster;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Counts the pixels that tile tracers draw of large models until the just-in-time compiler has warmed up. After
+ * A counter of the pixels of large models that tile tracers draw until the just-in-time compiler has warmed up. After
  * {@link #PIXELS} pixels, the tracers that use the count switch to vector instructions, where the processor's vectors
  * can be used ({@code --add-modules jdk.incubator.vector}). The pixels are the same before and after, bit for bit; only
  * the speed differs.
  *
  * <p>The compiler needs about 0.3 s before vectors pay off; the scalar code draws that many pixels in the same time, so
- * short jobs, such as a single image or a few, never pay the warm-up cost. Compiled code is per process, so tracers use
- * the count of the process ({@link #OF_PROCESS}) unless they are given another, such as a new one to measure or test
+ * short jobs, such as a few images, never incur the warm-up cost. Compiled code is per process, so tracers use the
+ * counter of the process ({@link #OF_PROCESS}) unless they are given another, such as a new one to measure or test
  * either state. Shared by all threads.
  */
 public final class RasterWarmup {
-    /** How many pixels of large models are drawn without vectors. */
+    /** The number of pixels of large models that are drawn without vectors. */
     public static final long PIXELS = 8_000_000;
 
-    /** The count that all tile tracers of this process use unless they are given another. */
+    /** The counter that all tile tracers of this process use unless they are given another. */
     public static final RasterWarmup OF_PROCESS = new RasterWarmup();
 
     private final AtomicLong pixels = new AtomicLong();
 
-    /** A count that begins at zero. */
+    /** A counter that begins at zero. */
     public RasterWarmup() {}
 
     /** Whether enough pixels have been drawn for vectors to pay off. */

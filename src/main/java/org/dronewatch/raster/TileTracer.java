@@ -6,14 +6,14 @@ import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.VectorInstructions;
 
 /**
- * Finds the nearest triangle for each pixel of a tile of an image. All rays of a tile have the same origin, and their
- * directions lie on a regular grid: so the tree is descended once for the whole tile, with the interval of ray
- * parameters in which any of its rays is inside a cell, and each triangle on the path is rasterised into the tile; the
- * nearest surface wins. One per thread.
+ * A rasteriser of image tiles: finds the nearest triangle for each pixel of a tile. All rays of a tile have the same
+ * origin, and their directions lie on a regular grid: so the tree is descended once for the whole tile, with the
+ * interval of ray parameters in which any of its rays is inside a cell, and each triangle on the path is rasterised
+ * into the tile; the nearest surface wins. One per thread.
  *
- * <p>The benefit: a separate ray costs a descent and a handful of triangle tests, a pixel of a tile a few additions.
- * The benchmark {@code PictureTracing} shows the ratio. It pays while triangles are not much smaller than pixels; a
- * tile that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
+ * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions; the benchmark
+ * {@code PictureTracing} measures the ratio. Tiles are faster unless triangles are much smaller than pixels: a tile
+ * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
  * Cells that lie between or behind the triangles found for all pixels are skipped ({@link TileCuller}).
  */
 public final class TileTracer {
@@ -43,7 +43,7 @@ public final class TileTracer {
     /**
      * A tracer of a tree for the use of one thread.
      *
-     * @param warmup counts pixels of large models; once it is over, vectors take over
+     * @param warmup counts pixels of large models; after it, vectors are used
      */
     public TileTracer(KDTree tree, RasterWarmup warmup) {
         this(tree, RasterMode.of(tree.mesh().triangleCount()), warmup);
@@ -87,13 +87,13 @@ public final class TileTracer {
     }
 
     /**
-     * Sets the image whose tiles come next. The ray of the pixel in a column and a row starts at the origin in the
-     * direction corner + column * right + row * down.
+     * Sets the image whose tiles are traced next. The ray of the pixel in a column and a row starts at the origin in
+     * the direction corner + column * right + row * down.
      *
      * @param from the origin, three coordinates
      * @param corner direction of the pixel in column 0 and row 0
-     * @param right what a column adds to it
-     * @param down what a row adds to it
+     * @param right change of the direction per column
+     * @param down change of the direction per row
      * @throws IllegalArgumentException when corner, right and down lie in one plane
      */
     public void setPicture(double[] from, double[] corner, double[] right, double[] down) {
@@ -101,8 +101,8 @@ public final class TileTracer {
     }
 
     /**
-     * Sets the image whose tiles come next, as {@link #setPicture(double[], double[], double[], double[])}, between a
-     * near and a far plane.
+     * Sets the image whose tiles are traced next, as {@link #setPicture(double[], double[], double[], double[])},
+     * between a near and a far plane.
      *
      * @param nearest the smallest ray parameter that counts, 0 or more
      * @param farthest the largest that counts
@@ -157,35 +157,35 @@ public final class TileTracer {
         }
     }
 
-    /** Whether a pixel of the last tile, counted from its own corner, sees a triangle. */
+    /** Whether the ray of a pixel of the last tile, counted from the tile's corner, hits a triangle. */
     public boolean hits(int column, int row) {
         return pixels.hits(column, row);
     }
 
-    /** Ray parameter of what a pixel of the last tile sees; infinity for nothing. */
+    /** Ray parameter of the hit of a pixel of the last tile; infinity for none. */
     public double parameter(int column, int row) {
         return pixels.parameter(column, row);
     }
 
-    /** What a pixel of the last tile sees, if it sees anything. */
+    /** The number of the triangle that a pixel of the last tile hits, if there is one. */
     public int triangle(int column, int row) {
         return pixels.triangle(column, row);
     }
 
     /**
-     * Writes how far the pixels of the last tile see: ray parameters times the lengths of the pixels' directions, which
-     * is metres in the frame of the grid. Infinity for nothing.
+     * Writes the distances of the hits of the last tile's pixels: ray parameters times the lengths of the pixels'
+     * directions, in metres in the frame of the grid. Infinity for none.
      *
-     * @param target where to
+     * @param target array to be filled
      * @param first index of the tile's first pixel in it
-     * @param rowLength from one row to the next
+     * @param rowLength index difference from one row to the next
      */
     public void copyDistances(float[] target, int first, int rowLength) {
         pixels.copyDistances(target, first, rowLength);
     }
 
     /**
-     * Does what {@link #trace} does, pixel by pixel: faster where triangles are much smaller than pixels.
+     * As {@link #trace}, but pixel by pixel: faster if triangles are much smaller than pixels.
      *
      * @param firstColumn column of its left pixels
      * @param firstRow row of its top pixels

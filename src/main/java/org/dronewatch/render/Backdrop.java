@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
 
-/** The static site without sensors and drones, painted from one viewpoint. Immutable. */
+/** An image of the site alone, without sensors and drones, from one viewpoint. Immutable. */
 public final class Backdrop {
     private final Orbit orbit;
     private final int width;
@@ -46,12 +46,12 @@ public final class Backdrop {
         return height;
     }
 
-    /** What is cut away. */
+    /** The part of the site that is cut away. */
     public Optional<Cut> cut() {
         return cut;
     }
 
-    /** How finely it is painted. */
+    /** Its resolution. */
     public Fineness fineness() {
         return fineness;
     }
@@ -73,9 +73,7 @@ public final class Backdrop {
         return Optional.of(camera.position().plus(new Position(d[0], d[1], d[2]).times(along)));
     }
 
-    /**
-     * This backdrop with one depth per pixel: less to copy for each picture, in exchange for lines without soft edges.
-     */
+    /** This backdrop with one depth per pixel: less to copy for each picture, but lines without soft edges. */
     public Backdrop flat() {
         if (canvas.width <= width) {
             return this;

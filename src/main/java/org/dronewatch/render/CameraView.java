@@ -16,8 +16,8 @@ import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
- * Draws what a camera of a run sees. One on a positioner looks where that pointed at its last look, which the run's
- * history holds; one on a fixed mount needs no history. One thread at a time.
+ * Draws the view of a camera during a run. On a positioner, the camera points as it did at its last look, according to
+ * the run's history; on a fixed mount, it needs no history. One thread at a time.
  */
 public final class CameraView {
     /** Times that are equal but for rounding are the same look, as a fraction of the interval between looks. */
@@ -35,7 +35,7 @@ public final class CameraView {
      *
      * @param id of the camera in its scene
      * @param sensor settings of an imaging sensor
-     * @param history of the run, at least up to the times that are drawn
+     * @param history of the run, at least up to the times to be drawn
      * @throws IllegalArgumentException if it is not an imaging sensor
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, RunHistory history) {
@@ -47,7 +47,7 @@ public final class CameraView {
      *
      * @param id of the camera in its scene
      * @param sensor settings of an imaging sensor
-     * @param pointings where its positioner pointed at a time; empty for a camera on a fixed mount
+     * @param pointings gives the pointing of its positioner at a time; empty for a camera on a fixed mount
      * @throws IllegalArgumentException if it is not an imaging sensor
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
@@ -67,7 +67,7 @@ public final class CameraView {
     }
 
     /**
-     * When a sensor's last look up to a time was.
+     * The time of a sensor's last look up to a time.
      *
      * @param time seconds since the start of the run, 0 or more
      */
@@ -78,7 +78,7 @@ public final class CameraView {
     /**
      * The camera's view with the drones at a time.
      *
-     * @param time seconds since the start of the run; for the picture that the run had, a {@link #lookTime}
+     * @param time seconds since the start of the run; for the picture used in the run, a {@link #lookTime}
      */
     public DepthImage draw(double time) {
         turn(pointings.apply(time));
@@ -86,9 +86,9 @@ public final class CameraView {
     }
 
     /**
-     * What the camera would photograph at a time.
+     * A photograph by the camera at a time.
      *
-     * @param time seconds since the start of the run; for the picture that the run had, a {@link #lookTime}
+     * @param time seconds since the start of the run; for the picture used in the run, a {@link #lookTime}
      * @param samples each pixel is the mean of samples x samples rays, 1 to {@link ColourCamera#MOST_SAMPLES}
      */
     public BufferedImage photograph(double time, int samples) {

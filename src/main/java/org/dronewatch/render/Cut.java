@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 /**
  * A clipping plane that opens the site to view: everything on the side to which its normal points is hidden.
  *
- * @param normal unit vector towards what is cut away
- * @param offset where the plane is: its points have this product with the normal, m
+ * @param normal unit vector towards the part that is cut away
+ * @param offset scalar product of the plane's points with the normal, m
  */
 public record Cut(Position normal, double offset) {
 

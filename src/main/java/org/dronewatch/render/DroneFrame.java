@@ -4,7 +4,7 @@ import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import org.dronewatch.sensor.optics.DronePixels;
 
-/** The frame around a drone's pixels in a picture of what a camera sees. */
+/** The frame around a drone's pixels in a camera's picture. */
 public final class DroneFrame {
     /** Margin between the significant pixels and the frame, in the camera's pixels. */
     private static final int MARGIN = 1;
@@ -19,8 +19,8 @@ public final class DroneFrame {
      *
      * @param width pixels in a row of the camera's image
      * @param height rows of the camera's image
-     * @param picture where that whole image is drawn
-     * @param smallest smallest side of the frame, in pixels of the picture, so that a drone far away is found
+     * @param picture rectangle in which the whole image is drawn
+     * @param smallest smallest side of the frame, in pixels of the picture, so that a distant drone can be found
      */
     public static Rectangle2D.Double about(
             DronePixels drone, int width, int height, Rectangle picture, double smallest) {

@@ -8,8 +8,8 @@ import org.dronewatch.geometry.Position;
  * A drone as drawn in a view.
  *
  * @param drone as it is now
- * @param flown where it has been, up to now
- * @param toCome where it will be, from now on
+ * @param flown its path up to now
+ * @param toCome its path from now on
  * @param detected whether a sensor detects it now
  */
 public record DroneMark(Drone drone, List<Position> flown, List<Position> toCome, boolean detected) {

@@ -7,7 +7,7 @@ import java.util.Locale;
  *
  * @param from simulated time of its first frame, 0 or more, s
  * @param to simulated time at which it ends, not before {@code from}, s
- * @param fps frames a second, {@value #LEAST_FPS} to {@value #MOST_FPS}
+ * @param fps frames per second, {@value #LEAST_FPS} to {@value #MOST_FPS}
  * @param speed playback speed as a multiple of real time, 0.01 to 1000
  */
 public record Film(double from, double to, int fps, double speed) {
@@ -65,7 +65,7 @@ public record Film(double from, double to, int fps, double speed) {
         }
     }
 
-    /** How many frames it has, at least 1. */
+    /** The number of its frames, at least 1. */
     public int frames() {
         return (int) Math.floor((to - from) * fps / speed + 1e-9) + 1;
     }

@@ -26,13 +26,13 @@ public final class FilmMaker {
         this.pictures = pictures;
     }
 
-    /** Which times it shows. */
+    /** The times that it shows. */
     public Film film() {
         return film;
     }
 
     /**
-     * Writes the film into a file. The same pictures give the same bytes.
+     * Writes the film to a file. The same pictures give the same bytes.
      *
      * @param file an empty file
      * @param progress receives the number of frames written

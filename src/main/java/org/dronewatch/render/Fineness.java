@@ -1,6 +1,6 @@
 package org.dronewatch.render;
 
-/** How finely a site is painted: less while it moves, more at rest. */
+/** The resolution at which a site is painted: coarse while the view moves, fine at rest. */
 public enum Fineness {
     /** One ray per sixteen pixels, and not all sound rays. */
     COARSE(1, 4, false, 10_000),

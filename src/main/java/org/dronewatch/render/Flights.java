@@ -11,8 +11,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The paths of a scene's drones, sampled evenly in time. While a run with steered drones goes on, they are sampled as
- * far as they have flown. Thread-safe.
+ * The paths of a scene's drones, sampled evenly in time. During a run with steered drones, they are sampled up to the
+ * present. Thread-safe.
  */
 public final class Flights {
     private static final int STEPS = 600;
@@ -59,7 +59,7 @@ public final class Flights {
         return new DroneMark(drone, flown, toCome, detected);
     }
 
-    /** The box around all sensors and all flights as far as they are known, with some room around it. */
+    /** The box around all sensors and all flights as far as they are known, with a margin. */
     public synchronized AABB interest(SceneSettings settings) {
         sample();
         if (boxed != sampled) {

@@ -12,11 +12,11 @@ import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * One colour for each kind of sensor: kinds on the class path have the same colour in all pictures of all scenes,
- * others in all pictures of a scene. Immutable.
+ * The colours of the kinds of sensors: those of kinds on the class path are the same in all scenes, those of others in
+ * all pictures of a scene. Immutable.
  */
 public final class KindColours {
-    /** Drones and their paths have this colour in all pictures. */
+    /** The colour of drones and their paths in all pictures. */
     public static final Color DRONE = new Color(0xd62f1f);
 
     private static final Color[] COLOURS = {

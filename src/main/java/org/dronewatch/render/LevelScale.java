@@ -1,10 +1,10 @@
 package org.dronewatch.render;
 
 /**
- * Colours for levels, from violet for faint to red for loud: every change of level is visible, also to colour-blind
+ * A colour scale for levels, from violet for faint to red for loud. Changes of level are also visible to colour-blind
  * readers, because lightness varies at both ends.
  *
- * @param low the lowest level with a separate colour, dB
+ * @param low the lowest level that has a distinct colour, dB
  * @param high the loudest, dB
  */
 public record LevelScale(double low, double high) {

@@ -8,7 +8,7 @@ import org.dronewatch.sensor.optics.CameraObject;
  * The viewpoint of a site view, on a sphere around its target. Immutable.
  *
  * @param target the point in the middle of the picture, m
- * @param bearing where the eye stands as seen from the target, clockwise from north, rad
+ * @param bearing of the eye from the target, clockwise from north, rad
  * @param elevation of the eye above the target's horizon, -pi/2 to pi/2, rad
  * @param distance from eye to target, above 0, m
  * @param fov vertical field of view, rad
@@ -36,7 +36,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         bearing = Math.IEEEremainder(bearing, 2.0 * Math.PI);
     }
 
-    /** From the south-west and above, with all of a box in the picture. */
+    /** A view from the south-west and above, with all of a box in the picture. */
     public static Orbit about(AABB box, double aspect) {
         double narrow = 2.0 * Math.atan(Math.tan(0.5 * NATURAL) * Math.min(1.0, aspect));
         double radius = 0.5 * Math.max(1e-3, box.diagonal());
@@ -48,14 +48,14 @@ public record Orbit(Position target, double bearing, double elevation, double di
                 NATURAL);
     }
 
-    /** A plan, north up, with all of a box in the picture. */
+    /** A plan view, north up, with all of a box in the picture. */
     public static Orbit top(AABB box, double aspect) {
         double high = Math.max(box.maxY() - box.minY(), (box.maxX() - box.minX()) / aspect);
         // As if the eye had come from the south and risen: then north is up, and turning goes on from there.
         return flat(box, Math.PI, 0.5 * Math.PI, high);
     }
 
-    /** A level view, with all of a box in the picture; the eye stands on a bearing from the box. */
+    /** A horizontal view, with all of a box in the picture, from a bearing. */
     public static Orbit side(AABB box, double aspect, double bearing) {
         double across = Math.abs(Math.cos(bearing)) * (box.maxX() - box.minX())
                 + Math.abs(Math.sin(bearing)) * (box.maxY() - box.minY());
@@ -67,7 +67,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(Position.of(box.center()), bearing, elevation, distance, NARROW);
     }
 
-    /** This orbit with the eye elsewhere on its sphere, rad. */
+    /** This orbit with the eye moved on its sphere, rad. */
     public Orbit turned(double clockwise, double upwards) {
         double steep = Math.max(-STEEPEST, Math.min(STEEPEST, elevation + upwards));
         return new Orbit(target, bearing + clockwise, steep, distance, fov);
@@ -104,13 +104,13 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return at(target.plus(new Position(x, y, 0.0)));
     }
 
-    /** This orbit turned about its eye, which stays where it is: the target moves round it. */
+    /** This orbit rotated about its eye: the target moves around it. */
     public Orbit lookedAbout(double clockwise, double upwards) {
         Orbit next = turned(clockwise, -upwards);
         return next.at(target.plus(eye().minus(next.eye())));
     }
 
-    /** Where the eye is, m. */
+    /** The position of the eye, m. */
     public Position eye() {
         double level = Math.cos(elevation);
         return target.plus(new Position(
@@ -125,7 +125,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new CameraObject(eye, target.minus(eye), width, height, 0.5 * height / Math.tan(0.5 * fov));
     }
 
-    /** How many metres a pixel shows at the target, in a picture of a number of rows. */
+    /** The size of a pixel at the target, m, in a picture of a number of rows. */
     public double metresPerPixel(int height) {
         return 2.0 * distance * Math.tan(0.5 * fov) / height;
     }

@@ -5,8 +5,8 @@ import java.util.BitSet;
 import org.dronewatch.sensor.RayRecorder;
 
 /**
- * Collects the segments of the sound rays that one sensor traces from one drone. Beyond the
- * {@linkplain #MOST maximum number} of segments, more are only counted. For one thread.
+ * Collects the segments of the sound rays that one sensor traces from one drone. Segments beyond the
+ * {@linkplain #MOST maximum number} are only counted. For one thread.
  */
 public final class RayCollector implements RayRecorder {
     /** Maximum number of segments kept (30 MB). */
@@ -25,7 +25,7 @@ public final class RayCollector implements RayRecorder {
     private long leftOut;
 
     /**
-     * For the rays of a sensor and a drone of these names.
+     * A collector for the rays of a sensor and a drone of these names.
      *
      * @param time for which they are traced, seconds since the start of the run
      */

@@ -3,14 +3,14 @@ package org.dronewatch.render;
 import java.util.stream.IntStream;
 
 /**
- * Which segments of rays are drawn.
+ * A filter for the segments of rays to be drawn.
  *
  * @param fewest minimum reflection order: surfaces that their ray has met before
  * @param most maximum reflection order
  * @param heardOnly only paths that reached the sensor
  */
 public record RayFilter(int fewest, int most, boolean heardOnly) {
-    /** All of them. */
+    /** A filter that passes all segments. */
     public static final RayFilter ALL = new RayFilter(0, Integer.MAX_VALUE, false);
 
     /** Whether a segment is drawn. */

@@ -76,7 +76,7 @@ public final class RecordedRays {
      * One coordinate of an end of a segment, m.
      *
      * @param piece index of the segment
-     * @param which 0 to 2 for x, y, z where it begins, 3 to 5 for where it ends
+     * @param which 0 to 2 for x, y, z of its start, 3 to 5 for those of its end
      */
     public float end(int piece, int which) {
         return ends[ENDS * piece + which];

@@ -11,8 +11,8 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 
 /**
- * The history of one run for rendering: its site, where positioners pointed and which sensor detected which drone, at
- * any time so far. It listens to a single run. One thread at a time.
+ * The history of one run for rendering: its site, and the pointings and detections at any time so far. It listens to a
+ * single run. One thread at a time.
  */
 public final class RunHistory implements SceneListener {
     private Optional<Stage> stage = Optional.empty();
@@ -40,7 +40,7 @@ public final class RunHistory implements SceneListener {
     }
 
     /**
-     * Where the positioner of a sensor pointed at its last look up to a time; empty for a sensor on a fixed mount, and
+     * The pointing of a sensor's positioner at its last look up to a time; empty for a sensor on a fixed mount, and
      * before the first look.
      *
      * @param time seconds since the start of the run

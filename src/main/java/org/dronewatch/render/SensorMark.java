@@ -9,7 +9,7 @@ import org.dronewatch.sensor.Outline;
  *
  * @param id its name
  * @param kind its kind
- * @param position where it is, m
+ * @param position its position, m
  * @param outline its field of view
  * @param detecting whether it detects a drone now
  */

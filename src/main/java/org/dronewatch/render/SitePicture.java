@@ -30,8 +30,8 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Draws pictures of a run's site: first the site alone, which takes the longest and is the same at all times, then over
- * a copy of it what is there at one time. Lines are hidden by what stands in front of them. One picture at a time.
+ * Draws pictures of a run's site: first a backdrop of the site alone, which takes longest and is the same at all times,
+ * then, over a copy of it, the state at one time. Lines are hidden by surfaces in front of them. One picture at a time.
  */
 public final class SitePicture {
     private static final int TRACK = 0xd62f1f;
@@ -57,7 +57,7 @@ public final class SitePicture {
     private final Protection protection;
     private volatile Rayed rayed;
 
-    /** For one run of a scene. */
+    /** Pictures of one run of a scene. */
     public SitePicture(SceneSettings settings, Stage stage) {
         this.settings = settings;
         this.stage = stage;
@@ -76,7 +76,7 @@ public final class SitePicture {
      * @param time seconds since the start of the run
      * @param detects whether a sensor of a name detects a drone of a name then
      * @param pointing where the positioner of a sensor of a name points then; empty for a fixed one
-     * @param selected the sensor or drone that matters most
+     * @param selected the sensor or drone that is emphasised
      * @param rays rays of sound
      */
     public SiteState state(
@@ -102,17 +102,14 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /**
-     * The box that matters: all sensors, all flights, and some room around them; the whole site where there are none,
-     * m.
-     */
+    /** The box of interest: all sensors and all flights, with a margin; the whole site where there are none, m. */
     public AABB interest() {
         boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
         return empty ? world.bounds() : flights.interest(settings);
     }
 
     /**
-     * The box that a picture of the site frames: what matters, with what the sensors look into as far as it is drawn,
+     * The box that a picture of the site frames: the box of interest, with the fields of view as far as they are drawn,
      * m.
      */
     public AABB frame() {
@@ -178,7 +175,7 @@ public final class SitePicture {
      *
      * @param width columns of the picture
      * @param height rows of the picture
-     * @param cut what is cut away
+     * @param cut the part to be cut away
      * @param abandoned queried repeatedly: once it is true, the result is no longer needed
      */
     public Backdrop backdrop(

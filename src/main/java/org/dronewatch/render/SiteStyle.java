@@ -3,16 +3,16 @@ package org.dronewatch.render;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Which parts of a site's state are drawn, and how large.
+ * The style of a picture: the parts of a site's state that are drawn, and their size.
  *
- * @param scale pixels of the picture for one of a screen of normal density: 2 on a screen of twice the density
+ * @param scale pixels of the picture per pixel of a screen of normal density: 2 on a screen of twice the density
  * @param labels whether sensors and drones are named
- * @param outlines whether it shows fields of view
+ * @param outlines whether fields of view are drawn
  * @param flights whether the paths of drones are drawn
- * @param filter which rays of sound are drawn
+ * @param filter for the rays of sound that are drawn
  */
 public record SiteStyle(double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter) {
-    /** All of it on a screen of normal density. */
+    /** All parts, on a screen of normal density. */
     public static final SiteStyle DEFAULT = new SiteStyle(1.0, true, true, true, RayFilter.ALL);
 
     /** This style on a screen of another density. */

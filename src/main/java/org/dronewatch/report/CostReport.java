@@ -9,7 +9,8 @@ import org.dronewatch.bench.CostCurves;
 import org.knowm.xchart.XYChart;
 
 /**
- * Writes curves of costs: a table and a plot each, logarithmic but for threads and for costs within a factor of two.
+ * Writes cost curves: a table and a plot each, with logarithmic axes except for threads and for costs within a factor
+ * of two.
  */
 public final class CostReport {
     /** Format of the numbers at logarithmic axes, which would otherwise be shown as 1E4. */
@@ -18,7 +19,7 @@ public final class CostReport {
     private CostReport() {}
 
     /**
-     * Writes a CSV file and a PNG image for each.
+     * Writes a CSV file and a PNG image for each curve.
      *
      * @param directory target; created if missing; it receives all files or none
      * @param study runs once the directory is known to be writable

@@ -22,7 +22,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.render.KindColours;
 import org.dronewatch.world.World;
 
-/** A plan of a site, north up: shaded ground, the area covered by the sensors of each kind, the sensors themselves. */
+/** A plan view of a site, north up: shaded ground, the area covered by the sensors of each kind, and the sensors. */
 public final class CoveragePicture {
     private static final int MAP = 1000;
     private static final int SIDE = 380;

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.sensor.Cause;
 
-/** The numbers of a {@link Coverage} in readable tables: areas, and why each sensor misses the drone elsewhere. */
+/** Tables of a {@link Coverage}: areas, and the causes for which each sensor misses the drone elsewhere. */
 public final class CoverageTable {
     private static final String NAMES = "%-24s %-10s";
     /** Fractions below this are more than nothing, but less than what a table shows, %. */
@@ -28,10 +28,10 @@ public final class CoverageTable {
     }
 
     /**
-     * In which fraction of the cells with ground each sensor detects the drone, and in which it misses it, by cause; a
-     * line for each sensor, a column for each cause that occurs.
+     * The fraction of the cells with ground in which each sensor detects the drone, and that in which it misses it, by
+     * cause; a line for each sensor, a column for each cause that occurs.
      *
-     * @param causes in how many cells each holds, by sensor: {@link Coverage#causes}
+     * @param causes number of cells for each, by sensor: {@link Coverage#causes}
      */
     public static List<String> causes(Coverage coverage, Map<String, Map<Cause, Integer>> causes) {
         Set<Cause> shown = EnumSet.of(Cause.DETECTED);

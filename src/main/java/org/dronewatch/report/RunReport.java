@@ -35,10 +35,10 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, when asked for, {@code observations.csv}
- * while it goes on, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end,
- * and if it was not cut short, {@code report.html} and, of a scene with an origin on earth, {@code map.geojson} and
- * {@code map.kml}. They appear in the directory together, once all is done.
+ * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, on request, {@code observations.csv}
+ * during the run, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and
+ * if it was not cut short, {@code report.html} and, for a scene with a geographic origin, {@code map.geojson} and
+ * {@code map.kml}. They appear in the directory together, once all are complete.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -103,7 +103,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Writes pictures of some cameras, too, with the drones in them labelled; to be called before a run. */
+    /** Adds pictures of some cameras, with the drones in them labelled; to be called before a run. */
     public void label(LabelPlan plan) {
         labels = Optional.of(new Labels(plan, directory::file));
     }
@@ -173,12 +173,12 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
     }
 
-    /** Notes the command line in {@code provenance.json} and in the report; a run by a program has none. */
+    /** Records the command line in {@code provenance.json} and in the report; a run by a program has none. */
     public void command(List<String> arguments) {
         command = List.copyOf(arguments);
     }
 
-    /** Notes what the scene was run from, with the hashes of its files: {@code SceneRunner.inputs()} after the run. */
+    /** Records the inputs of the run, with the hashes of its files: {@code SceneRunner.inputs()} after the run. */
     public void inputs(InputFiles files) {
         inputs = Optional.of(files);
     }
@@ -269,7 +269,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Ends the report; what was not finished leaves nothing behind. */
+    /** Ends the report; an unfinished one leaves no files behind. */
     @Override
     public void close() {
         try {

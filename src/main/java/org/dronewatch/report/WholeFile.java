@@ -17,7 +17,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 
-/** A file that the user named for output: checked before any work is done, and written whole or not at all. */
+/** An output file named by the user: checked before any work is done, and written completely or not at all. */
 public final class WholeFile {
     private static final int BUFFER_BYTES = 1 << 16;
     private static final int LONGEST_LINE_BYTES = 1 << 12;
@@ -29,7 +29,7 @@ public final class WholeFile {
     /** Writes the file's contents. */
     @FunctionalInterface
     public interface Content {
-        /** Writes all of it; closing the stream is not its business. */
+        /** Writes all of it, without closing the stream. */
         void writeTo(OutputStream stream) throws IOException;
     }
 
@@ -43,7 +43,7 @@ public final class WholeFile {
     /**
      * Names a file.
      *
-     * @param option what messages call the setting that holds the name, such as {@code --out}
+     * @param option name of the option or setting in messages, such as {@code --out}
      * @param name the file's path as the user wrote it
      * @throws InputException when no file can be written there
      */
@@ -78,11 +78,11 @@ public final class WholeFile {
     }
 
     /**
-     * This file, provided that it holds nothing that a person or another command has written. Links are resolved, so
+     * This file, provided that it does not contain the work of a person or of another command. Links are resolved, so
      * that two names of a file are one target, as with a directory of results.
      *
-     * @param firstLine what the first line of a file is that may be replaced
-     * @param writer what messages call the command that writes such files, such as {@code 'save'}
+     * @param firstLine first line of a file that may be replaced
+     * @param writer name, in messages, of the command that writes such files, such as {@code 'save'}
      * @throws InputException when there is a file that may not be replaced
      */
     public WholeFile replacingOnly(Pattern firstLine, String writer) {
@@ -144,7 +144,7 @@ public final class WholeFile {
     }
 
     /**
-     * Writes the file; an older one is replaced. Whatever the content throws, the older file stays as it was.
+     * Writes the file; an older one is replaced. If the content throws anything, the older file is unchanged.
      *
      * @throws InputException if writing fails; the older file is then as it was
      */

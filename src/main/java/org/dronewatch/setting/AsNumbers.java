@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks a component that files give as numbers only, although other components of its type may also be given as a place
- * on a map. It is needed for the position of a model, since the heights of places above the surface depend on it.
+ * Marks a component that files must give as numbers, although other components of its type may also be given as a place
+ * on a map. It is needed for the position of a model, because the heights of places above the surface depend on that.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

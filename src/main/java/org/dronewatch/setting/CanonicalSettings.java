@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * A settings record as a text that is the same for the same settings on every machine: a line {@code path=value} for
- * each value, in the order of the record, numbers as {@link Double#toString(double)} writes them, and a line with the
- * type of each record that was chosen among several.
+ * The canonical text of a settings record, equal for equal settings on every machine: a line {@code path=value} for
+ * each value, in the order of the record, numbers as in {@link Double#toString(double)}, and a line with the type of
+ * each record that was chosen among several.
  */
 public final class CanonicalSettings {
     private final StringBuilder text = new StringBuilder();

@@ -32,7 +32,7 @@ public final class Check {
         return value;
     }
 
-    /** A value between two limits or on one of them. */
+    /** A value from one limit to another, both included. */
     public static double between(String name, double value, double low, double high, Quantity quantity) {
         if (!(value >= low && value <= high)) {
             throw fails(name, value, quantity, "must be " + quantity.number(low) + " to " + quantity.number(high));

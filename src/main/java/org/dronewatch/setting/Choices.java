@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** Kinds of settings of which one is chosen by its name: a propagation model, a flight. */
+/** Kinds of settings that files choose by name, such as a propagation model or a flight. */
 public final class Choices {
     private Choices() {}
 
@@ -29,7 +29,7 @@ public final class Choices {
         return Collections.unmodifiableMap(kinds);
     }
 
-    /** Whether settings choose among kinds of a type. */
+    /** Whether a type has kinds among which settings choose. */
     public static boolean isChoice(Class<?> type) {
         return type.isSealed() || type.isInterface() && KindRegistry.found().knows(type);
     }
@@ -39,7 +39,7 @@ public final class Choices {
         return KindRegistry.found().kindOf(settings).map(Kind::name).orElseGet(() -> name(settings.getSimpleName()));
     }
 
-    /** A Java name in the form used in files: lower case with hyphens. */
+    /** Converts a Java name to the form used in files: lower case with hyphens. */
     public static String name(String java) {
         return java.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
                 .toLowerCase(Locale.ROOT)

@@ -21,10 +21,10 @@ public final class CurrentPath {
     }
 
     /**
-     * The path with current names; the rest of a path that leads nowhere is left as it is.
+     * The path with current names; the rest of an invalid path is left unchanged.
      *
      * @param path names separated by dots
-     * @param place where the path is written, for the warning
+     * @param place location of the path, for the warning
      */
     public String of(String path, String place) {
         String[] names = path.split("\\.", -1);

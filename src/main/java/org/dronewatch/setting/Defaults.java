@@ -14,6 +14,6 @@ import java.lang.annotation.Target;
 @Retention(RetentionPolicy.RUNTIME)
 @Target({ElementType.METHOD, ElementType.FIELD})
 public @interface Defaults {
-    /** Components of the record that the method's parameters are, in their order. */
+    /** The components that are the method's parameters, in their order. */
     String[] value() default {};
 }

@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * States that a text in a settings record names a file, or each of a list of texts does. In a settings file it is
- * resolved against that file's directory, and may not lead out of it.
+ * Marks a text component, or a list of texts, as file names. In a settings file they are resolved against that file's
+ * directory, and may not lead out of it.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

@@ -6,12 +6,12 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Collects where settings are given under a former name, for one warning for each such name. Thread-safe. */
+/** Collects the locations of settings given under a former name, for one warning for each such name. Thread-safe. */
 public final class FormerNames {
     private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
 
     /**
-     * A setting whose name was different in earlier versions.
+     * A setting that had a different name in earlier versions.
      *
      * @param record the settings record that has it
      */
@@ -21,15 +21,15 @@ public final class FormerNames {
      * Adds a setting given under a former name; the same location counts once.
      *
      * @param form of the record that has the setting
-     * @param former name that is written
-     * @param place where: file, line and column, or the option
+     * @param former the name used
+     * @param place location: file, line and column, or the option
      */
     public synchronized void add(SettingsForm form, String former, String place) {
         Renamed setting = new Renamed(form.type(), former, form.currentName(former));
         places.computeIfAbsent(setting, one -> new LinkedHashSet<>()).add(place);
     }
 
-    /** Adds all that another collection has. */
+    /** Adds the contents of another collection. */
     public void addAll(FormerNames others) {
         others.copy().forEach(this::addAll);
     }

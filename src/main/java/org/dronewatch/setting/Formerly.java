@@ -17,8 +17,8 @@ import java.lang.annotation.Target;
  *         @Formerly("eyesight") @In(value = Quantity.ANGLE, from = 0.0003, to = 0.1) double acuity)
  * }</pre>
  *
- * <p>A former name must not be that of another component of the same record, nor a former name of one: then {@link
- * SettingsForm#of(Class)} throws an {@link IllegalStateException}.
+ * <p>A former name must not be a current or former name of another component of the same record: otherwise
+ * {@link SettingsForm#of(Class)} throws an {@link IllegalStateException}.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

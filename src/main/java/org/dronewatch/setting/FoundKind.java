@@ -8,11 +8,11 @@ import java.security.CodeSource;
 import java.util.regex.Pattern;
 
 /**
- * A kind and where it comes from.
+ * A kind with its origin.
  *
- * @param kind what was found
+ * @param kind the kind
  * @param source path of its jar or directory of classes
- * @param builtIn whether it comes with the library
+ * @param builtIn whether it belongs to the library
  */
 public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
     private static final String BUILT_IN = "built in";
@@ -52,7 +52,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         return new FoundKind(kind, place, isBuiltIn(place));
     }
 
-    /** Where a class was loaded from: path of its jar or directory of classes. */
+    /** The origin of a class: path of its jar or directory of classes. */
     public static String placeOf(Class<?> type) {
         CodeSource code = type.getProtectionDomain().getCodeSource();
         URL place = code == null ? null : code.getLocation();
@@ -66,7 +66,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         }
     }
 
-    /** Whether a class comes with the library. */
+    /** Whether a class belongs to the library. */
     public static boolean isBuiltIn(Class<?> type) {
         return isBuiltIn(placeOf(type));
     }
@@ -75,13 +75,13 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         return place.equals(placeOf(Kind.class));
     }
 
-    /** Where a class comes from, in words for a list. */
+    /** The origin of a class, in words for a list. */
     public static String originOf(Class<?> type) {
         String place = placeOf(type);
         return isBuiltIn(place) ? BUILT_IN : place;
     }
 
-    /** Where it comes from, in words for a list. */
+    /** Its origin, in words for a list. */
     public String origin() {
         return builtIn ? BUILT_IN : source;
     }

@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * The quantity of a number in a settings record and the limits within which it must lie. It works on every record that
- * is reached from a scene, users' own settings included:
+ * The quantity of a number in a settings record and the limits within which it must lie. It applies to every record
+ * that is reached from a scene, including users' settings:
  *
  * <pre>{@code
  * record GuardSettings(
@@ -24,15 +24,15 @@ import java.lang.annotation.Target;
  *
  * <ul>
  *   <li><b>Units.</b> The record keeps the number in {@link Quantity#unit()}, an SI unit: radians, hertz, metres. A
- *       bare number in an override is in that unit, too; any unit of the quantity may be written instead, as in
- *       {@code --set sensors.gate.acuity='0.1 deg'}. A unit of another quantity is refused, with those that fit.
+ *     bare number in an override is in that unit, too; any unit of the quantity may be written instead, as in
+ *     {@code --set sensors.gate.acuity='0.1 deg'}. A unit of another quantity is rejected, with a list of valid ones.
  *       <li><b>Limits</b> are numbers in that unit. {@link #from} and {@link #to} are themselves allowed,
  *       {@link #above} and {@link #below} are not; a limit that is omitted does not apply. Every number must be finite.
  *       <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxes, and
- *       lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and is not
- *       checked. <li><b>When it is checked.</b> Scenes check all their records once they are described, before anything
- *       is loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} refuses a wrong number where
- *       it is made, which names the line of code.
+ *         lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and is
+ *         not checked. <li><b>When it is checked.</b> Scenes check all their records once they are described, before
+ *         anything is loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} rejects a wrong
+ *         number immediately, so that the stack trace names the line of code.
  * </ul>
  *
  * <p>The messages name the component, the value and the limit:
@@ -43,10 +43,10 @@ import java.lang.annotation.Target;
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface In {
-    /** Two full turns, rad: the limit of directions, which exposes degrees that were taken for radians. */
+    /** Two full turns, rad: the limit of directions, which exposes degrees mistaken for radians. */
     double TWO_TURNS = 4.0 * Math.PI;
 
-    /** How far from the world's origin anything may be put, and how long a flight may be, m. */
+    /** The maximum distance of any position from the world's origin, and the maximum length of a flight, m. */
     double FARTHEST = 100_000.0;
 
     /** The narrowest field of view of a sensor, rad: a hundredth of a degree. */

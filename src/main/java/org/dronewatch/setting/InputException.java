@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Something that a user gave to the program is wrong: a file, a field, an option. The message has one
- * line for each mistake, which names the place, the value and the limit, and is shown as it is.
+ * Reports wrong input by the user: a file, a field, an option. The message has one line for each mistake, which gives
+ * the location, the value and the limit, and is shown unchanged.
  */
 public final class InputException extends RuntimeException {
     private static final long serialVersionUID = 1L;

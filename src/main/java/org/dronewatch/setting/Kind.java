@@ -1,20 +1,20 @@
 package org.dronewatch.setting;
 
 /**
- * One of several kinds among which a scene may choose: a kind of sensor, of flight, of propagation. A provider
- * implements this interface, has a public constructor without parameters, and is named in its jar's
- * {@code META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name
- * kinds, never classes: which code runs is decided by the class path alone.
+ * A kind of settings that scenes can choose by name: a kind of sensor, of flight, of propagation. A provider implements
+ * this interface, has a public constructor without parameters, and is named in its jar's {@code
+ * META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name kinds,
+ * never classes, so the class path alone decides which code can run.
  *
- * @param <T> what it is a kind of
+ * @param <T> the interface of which it is a kind
  */
 public interface Kind<T> {
 
-    /** What it is a kind of: the interface that is the type of a setting. */
+    /** The interface of which it is a kind, and which is the type of a setting. */
     Class<? super T> type();
 
     /**
-     * What files call it after {@code kind:}; lower-case letters, digits and hyphens, 1 to 64, unique among the kinds
+     * Its name in files, after {@code kind:}; lower-case letters, digits and hyphens, 1 to 64, unique among the kinds
      * of its type.
      */
     String name();
@@ -29,7 +29,7 @@ public interface Kind<T> {
      * A kind with these four properties.
      *
      * @param type the interface
-     * @param name what files call it
+     * @param name its name in files
      * @param settings a record class
      * @param summary one line
      */

@@ -3,11 +3,11 @@ package org.dronewatch.setting;
 import java.util.List;
 
 /**
- * Several kinds at once, for a jar that has many: found as a single {@link Kind} is, by
- * {@code META-INF/services/org.dronewatch.setting.KindGroup}. The library's own kinds come as one.
+ * A group of kinds, for a jar with many: found like a single {@link Kind}, by {@code
+ * META-INF/services/org.dronewatch.setting.KindGroup}. The library's kinds are such a group.
  */
 public interface KindGroup {
 
-    /** The kinds, in the order in which to show them. */
+    /** The kinds, in the order in which they are listed. */
     List<Kind<?>> kinds();
 }

@@ -13,8 +13,8 @@ import java.util.ServiceLoader;
 import java.util.function.Supplier;
 
 /**
- * The kinds that the class path has: first those of the library, then all others by type and name, so that the order in
- * which jars are given does not matter. Immutable.
+ * The kinds on the class path: first those of the library, then all others by type and name, so that the order of the
+ * jars does not matter. Immutable.
  */
 public final class KindRegistry {
     private static KindRegistry found;
@@ -102,7 +102,7 @@ public final class KindRegistry {
     }
 
     /**
-     * All providers of a service that the class path has.
+     * All providers of a service on the class path.
      *
      * @throws InputException when one cannot be loaded
      */
@@ -124,7 +124,7 @@ public final class KindRegistry {
         return providers;
     }
 
-    /** All kinds, in the order in which to show them. */
+    /** All kinds, in the order in which they are listed. */
     public List<FoundKind> all() {
         return Collections.unmodifiableList(all);
     }

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The requirements of a settings record on its components: that each is there, and that each number is finite and
- * within the limits that its {@link In} gives. A record's constructor calls {@link #check}.
+ * Checks the components of settings records: none may be missing, and each number must be finite and within the limits
+ * of its {@link In}. A record's constructor calls {@link #check}.
  */
 public final class Limits {
     private static final ClassValue<List<Component>> COMPONENTS = new ClassValue<>() {

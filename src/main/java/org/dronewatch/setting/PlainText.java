@@ -3,8 +3,8 @@ package org.dronewatch.setting;
 import java.util.Locale;
 
 /**
- * Text from files and users as messages may show it. Nothing in it can control a terminal or reorder the line: control
- * characters, line separators and the marks that change the direction of writing are written as {@code \u001b}. A value
+ * Makes text from files and users safe for messages. The result cannot control a terminal or reorder the line: control
+ * characters, line separators and marks that change the direction of writing are escaped as {@code \u001b}. A value
  * longer than {@value #LONGEST} characters is shortened in its middle.
  */
 public final class PlainText {
@@ -18,12 +18,12 @@ public final class PlainText {
 
     private PlainText() {}
 
-    /** A value as a message repeats it: visible, and {@value #LONGEST} characters at most. */
+    /** A value for a message: visible, and {@value #LONGEST} characters at most. */
     public static String value(Object value) {
         return shortened(visible(String.valueOf(value).strip(), false), LONGEST);
     }
 
-    /** The beginning of a text, with dots where it was cut; never half of a character. */
+    /** The beginning of a text, with dots if it was cut; never splits a character. */
     public static String beginning(String text, int longest) {
         if (text.length() <= longest) {
             return text;
@@ -33,7 +33,7 @@ public final class PlainText {
     }
 
     /**
-     * A message as one line: visible, every quoted value and every word in it {@value #LONGEST} characters at most.
+     * A message in one line: visible, every quoted value and every word in it {@value #LONGEST} characters at most.
      * Line breaks and tabs become spaces.
      */
     public static String line(String message) {

@@ -50,7 +50,7 @@ public enum Quantity {
     POWER("W", unit -> Power.valueOf(unit).si),
     /** A fraction, usually 0 to 1; percentages are accepted. */
     RATIO("", Quantity::share),
-    /** A level in dB; the setting says relative to what. */
+    /** A level in dB, relative to the reference of each setting. */
     LEVEL("dB", Quantity::unitOfItself),
     /** Kelvin per metre of height. */
     TEMPERATURE_GRADIENT("K/m", Quantity::unitOfItself),
@@ -125,8 +125,8 @@ public enum Quantity {
     }
 
     /**
-     * A value as displayed, with its unit: {@code 39.6 deg}. Where it looks as if radians had been written, with
-     * them: {@code 3437.747 deg (60 rad)}.
+     * A value as displayed, with its unit: {@code 39.6 deg}. If degrees were probably given as radians, these are
+     * added: {@code 3437.747 deg (60 rad)}.
      */
     public String inWords(double value) {
         String shown = (number(value) + " " + displayUnit()).strip();
@@ -139,8 +139,8 @@ public enum Quantity {
     }
 
     /**
-     * A value as it stands in a file, with its unit: {@link #parse} gives exactly this value again. Angles are in
-     * degrees where a number of degrees is exactly the value, otherwise in radians.
+     * A value for a file, with its unit: {@link #parse} returns exactly this value. Angles are in degrees if a number
+     * of degrees is exactly the value, otherwise in radians.
      *
      * @param value finite
      */

@@ -18,7 +18,7 @@ public final class SettingText {
     private SettingText() {}
 
     /**
-     * The value for a part of a settings record.
+     * The value of a component of a settings record.
      *
      * @throws IllegalArgumentException when the text is not a value of the component's type
      */
@@ -26,7 +26,7 @@ public final class SettingText {
         return parse(part.getGenericType(), quantity(part), text);
     }
 
-    /** What a part is measured in; a plain number unless annotated. */
+    /** The quantity of a component; a plain number unless annotated. */
     public static Quantity quantity(RecordComponent part) {
         In limits = part.getAnnotation(In.class);
         return limits == null ? Quantity.NUMBER : limits.value();
@@ -36,7 +36,7 @@ public final class SettingText {
      * The value of a type.
      *
      * @param type of a settings component
-     * @param quantity what a number is measured in
+     * @param quantity the quantity of a number
      * @throws IllegalArgumentException when the text is not a value of the type
      */
     public static Object parse(Type type, Quantity quantity, String text) {
@@ -159,7 +159,7 @@ public final class SettingText {
     /**
      * A record of numbers only.
      *
-     * @param texts one for each part, or a single one where it may stand for all: {@link OneForAll}
+     * @param texts one for each component, or a single one for all where that is allowed: {@link OneForAll}
      * @throws IllegalArgumentException when there are more or fewer, or one is not a number
      */
     public static Record numbers(SettingsForm form, List<String> texts) {

@@ -1,10 +1,10 @@
 package org.dronewatch.setting;
 
 /**
- * Everything needed to create an object: an immutable record, changed by its {@code with...} methods. One real sensor
- * is swapped for another by swapping its settings.
+ * Settings from which an object is created: an immutable record, changed by its {@code with...} methods. A real sensor
+ * is replaced by another by replacing its settings.
  *
- * @param <T> what the settings create
+ * @param <T> the type of object that they create
  */
 public interface Settings<T> {
 

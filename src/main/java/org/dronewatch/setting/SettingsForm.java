@@ -19,8 +19,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The form of a settings record: its parts, which of them must be filled in, and what the others are by default (see
- * {@link Defaults}). It makes records, always by their own constructor, so that all limits hold.
+ * The form of a settings record: its components, required or with their defaults (see {@link Defaults}). It creates
+ * records by their own constructor, so that all limits are checked.
  */
 public final class SettingsForm {
     private static final ClassValue<SettingsForm> FORMS = new ClassValue<>() {
@@ -84,7 +84,7 @@ public final class SettingsForm {
      * The form of a record class.
      *
      * @throws IllegalArgumentException when the class is not a record
-     * @throws IllegalStateException when a former name of a part is that of another one
+     * @throws IllegalStateException when a former name of a component is also a name of another one
      */
     public static SettingsForm of(Class<?> record) {
         if (!record.isRecord()) {
@@ -107,7 +107,7 @@ public final class SettingsForm {
                         .toList();
     }
 
-    /** The part with this name. */
+    /** The component with this name. */
     public Optional<RecordComponent> part(String name) {
         return parts().stream().filter(part -> part.getName().equals(name)).findFirst();
     }
@@ -130,8 +130,8 @@ public final class SettingsForm {
     }
 
     /**
-     * A question at the end of a message about an unknown name of a part: the current name of what was probably meant;
-     * empty if nothing is near enough.
+     * A question at the end of a message about an unknown name: the current name of the component that was probably
+     * meant; empty if none is similar enough.
      *
      * @param others names that are valid there, too
      */
@@ -158,17 +158,17 @@ public final class SettingsForm {
         return required;
     }
 
-    /** Whether the record is nothing but numbers, so that it may be written as a list of them. */
+    /** Whether the record consists of numbers only, so that it may be written as a list. */
     public boolean isNumbers() {
         return parts.stream().allMatch(part -> part.getType() == double.class);
     }
 
-    /** Whether there is a record without anything filled in. */
+    /** Whether all components have defaults. */
     public boolean isCompleteByDefault() {
         return required.isEmpty();
     }
 
-    /** Whether a part of a record has the value that it has where a file does not state it. */
+    /** Whether a component has the value that it has if a file omits it. */
     public boolean isDefault(Record settings, RecordComponent part) {
         if (required.contains(part.getName())) {
             return false;
@@ -180,7 +180,7 @@ public final class SettingsForm {
         return get(settings, part).equals(get(byDefault(stated), part));
     }
 
-    /** The value of a part. */
+    /** The value of a component. */
     public static Object get(Record settings, RecordComponent part) {
         try {
             return opened(part.getAccessor()).invoke(settings);
@@ -190,9 +190,9 @@ public final class SettingsForm {
     }
 
     /**
-     * A new record.
+     * Creates a record.
      *
-     * @param values by name of the part; all that are required, and any others
+     * @param values by name of the component; all required ones, and any others
      * @throws IllegalArgumentException when a limit does not hold
      */
     public Record create(Map<String, Object> values) {
@@ -219,7 +219,7 @@ public final class SettingsForm {
     }
 
     /**
-     * A copy of a record with one part changed: the body of every {@code withX} of settings.
+     * A copy of a record with one component changed: the body of every {@code withX} of settings.
      *
      * @param part name of a component
      * @throws IllegalArgumentException when a limit does not hold, or the record has no such component
@@ -229,7 +229,8 @@ public final class SettingsForm {
     }
 
     /**
-     * A copy of a record with several parts changed at once, so that a limit between them need not hold in between.
+     * A copy of a record with several components changed at once, so that limits between them are checked only for the
+     * result.
      *
      * @param values by name of the component
      * @throws IllegalArgumentException when a limit does not hold, or the record has no such component

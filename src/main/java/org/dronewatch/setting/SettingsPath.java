@@ -22,7 +22,7 @@ public final class SettingsPath {
     private final String path;
     private final List<String> names;
 
-    /** A path as a person writes it. */
+    /** A path as users write it. */
     public SettingsPath(String path) {
         this.path = path;
         this.names = Arrays.asList(path.split("\\.", -1));
@@ -33,7 +33,7 @@ public final class SettingsPath {
      *
      * @param tree settings
      * @param text the value, with a unit or without
-     * @throws InputException when the path leads nowhere or the value does not fit
+     * @throws InputException when the path is invalid or the value does not fit
      */
     public <T> T write(T tree, String text) {
         @SuppressWarnings("unchecked")
@@ -46,7 +46,7 @@ public final class SettingsPath {
     /**
      * The value at this path.
      *
-     * @throws InputException when the path leads nowhere
+     * @throws InputException when the path is invalid
      */
     public Object read(Object tree) {
         Optional<Switches> toggle = Switches.at(tree, names);
@@ -60,7 +60,7 @@ public final class SettingsPath {
         return here;
     }
 
-    /** The quantity of the setting at this path: what it is measured in; a plain number unless annotated. */
+    /** The quantity of the setting at this path; a plain number unless annotated. */
     public Quantity quantity(Object tree) {
         if (Switches.at(tree, names).isPresent()) {
             return Quantity.NUMBER;

@@ -29,14 +29,14 @@ public final class Spelling {
                 .toList();
     }
 
-    /** The nearest name if it is near enough to be what was meant: about one letter in four may differ. */
+    /** The nearest name, if it is similar enough to be the one that was meant: about one letter in four may differ. */
     public static Optional<String> meant(String typed, Collection<String> names) {
         return nearest(typed, names, 1).stream()
                 .filter(name -> distance(typed, name) <= 1.0 + 0.25 * Math.min(typed.length(), LONGEST))
                 .findFirst();
     }
 
-    /** A question at the end of a message: {@code ; did you mean 'camera'?}; empty if no name is near enough. */
+    /** A question at the end of a message: {@code ; did you mean 'camera'?}; empty if no name is similar enough. */
     public static String didYouMean(String typed, Collection<String> names) {
         return meant(typed, names).map(Spelling::question).orElse("");
     }
@@ -46,7 +46,7 @@ public final class Spelling {
     }
 
     /**
-     * The end of a message about an unknown name: {@code closest matches: camera, radar}, or
+     * The last part of a message about an unknown name: {@code closest matches: camera, radar}, or
      * {@code closest match: camera}.
      */
     public static String closestMatches(String typed, Collection<String> names) {

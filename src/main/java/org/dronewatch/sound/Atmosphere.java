@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The air of a site. It absorbs sound as at one temperature, humidity and pressure everywhere; wind and a temperature
- * that changes with height bend the paths of sound.
+ * The air of a site. Its absorption of sound is that at one temperature, humidity and pressure everywhere; wind and a
+ * temperature that changes with height bend the paths of sound.
  *
  * @param temperature air temperature, 213.15 to 333.15 K (-60 to 60 degrees Celsius)
  * @param humidity relative humidity, 0 to 1
@@ -23,7 +23,9 @@ public record Atmosphere(
         @In(value = Quantity.PRESSURE, from = 50_000, to = 120_000) double pressure,
         @In(value = Quantity.TEMPERATURE_GRADIENT, from = -1, to = 1) double temperatureGradient,
         Wind wind) {
-    /** 20 degrees Celsius, 70 %, one standard atmosphere; still, and at the same temperature at every height. */
+    /**
+     * 20 degrees Celsius, 70 %, one standard atmosphere; without wind, and with the same temperature at all heights.
+     */
     @Defaults
     public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
 
@@ -47,7 +49,7 @@ public record Atmosphere(
     }
 
     /**
-     * Still air, at the same temperature at every height.
+     * Air without wind, and with the same temperature at all heights.
      *
      * @param temperature K
      * @param humidity relative humidity, 0 to 1
@@ -83,12 +85,12 @@ public record Atmosphere(
         return SettingsForm.with(this, "wind", other);
     }
 
-    /** Whether neither wind nor a change of temperature with height bends the paths of sound. */
+    /** Whether the paths of sound are straight: neither wind nor a change of temperature with height. */
     public boolean isUniform() {
         return temperatureGradient == 0.0 && wind.speed() == 0.0;
     }
 
-    /** This air as it is without wind, and without a change of temperature with height. */
+    /** This air without wind, and without a change of temperature with height. */
     public Atmosphere uniform() {
         return new Atmosphere(temperature, humidity, pressure);
     }

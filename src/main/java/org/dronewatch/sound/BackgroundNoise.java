@@ -5,15 +5,15 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The sound at a site without drones: one level, and its distribution over the octave bands.
+ * The background noise of a site, without drones: its level and its spectrum.
  *
- * @param level A-weighted sound pressure level of all bands together, -20 to 140 dB re 20 uPa
+ * @param level A-weighted total sound pressure level, -20 to 140 dB re 20 uPa
  * @param shape levels of the bands relative to one another, dB
  */
 public record BackgroundNoise(@In(value = Quantity.LEVEL, from = -20, to = 140) double level, BandLevels shape) {
     /**
-     * Falls by 4 dB per octave. Assumed: between wind in leaves, which is flatter, and far traffic, which is
-     * steeper. Detection by bands depends strongly on it, so measure your own spectrum.
+     * A spectrum that falls by 4 dB per octave. Assumed: between wind in leaves, which is flatter, and distant traffic,
+     * which is steeper. Detection by bands depends strongly on it, so measure the spectrum of your site.
      */
     public static final BandLevels FALLING = BandLevels.of(0, -4, -8, -12, -16, -20, -24, -28);
 

@@ -7,8 +7,8 @@ import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A fraction for each octave band, such as the fraction of sound that a surface absorbs. In a scene file eight numbers,
- * or one for all bands.
+ * A fraction for each octave band, such as the fraction of sound that a surface absorbs. In a scene file it is written
+ * as eight numbers, or one for all bands.
  *
  * @param hz63 in the band at 63 Hz, 0 to 1
  * @param hz125 in the band at 125 Hz, 0 to 1

@@ -10,8 +10,8 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * A spectrum: one level for each octave band, dB, relative to a reference that depends on where it is used. Every level
- * is finite, and in a scene's settings -200 to 200 dB; silence is written as a very low level, such as -200 dB. In
- * a scene file eight numbers, or one for all bands.
+ * is finite, and in a scene's settings -200 to 200 dB; silence is written as a very low level, such as -200 dB. In a
+ * scene file it is written as eight numbers, or one for all bands.
  *
  * @param hz63 level of the band at 63 Hz, -200 to 200 dB in settings
  * @param hz125 level of the band at 125 Hz, -200 to 200 dB in settings
@@ -103,12 +103,12 @@ public record BandLevels(
         return toArray()[band];
     }
 
-    /** All bands together as incoherent sound, dB. */
+    /** The total level of all bands as incoherent sound, dB. */
     public double total() {
         return Levels.sum(toArray());
     }
 
-    /** All bands together with A-weighting (IEC 61672-1), dB(A). */
+    /** The total level of all bands with A-weighting (IEC 61672-1), dB(A). */
     public double aWeighted() {
         double[] levels = toArray();
         for (int band = 0; band < levels.length; band++) {
@@ -117,12 +117,12 @@ public record BandLevels(
         return Levels.sum(levels);
     }
 
-    /** Every band louder by a gain, dB; fainter for a negative one. */
+    /** This spectrum with a gain added to every band, dB. */
     public BandLevels plus(double gain) {
         return mapped(level -> level + gain);
     }
 
-    /** This sound and another one that is incoherent with it, band by band. */
+    /** The sum of this sound and another one that is incoherent with it, band by band. */
     public BandLevels energySumWith(BandLevels other) {
         double[] levels = toArray();
         for (int band = 0; band < levels.length; band++) {

@@ -16,12 +16,12 @@ public final class Barrier {
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
     /**
-     * How far below 0 the path difference is, in wavelengths, from which on an edge causes no attenuation: N = -0.1,
+     * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation: N = -0.1,
      * since N counts half wavelengths.
      */
     public static final double MAEKAWA_REACH = 0.05;
 
-    /** The same in ISO 9613-2, in wavelengths: N = -0.2. */
+    /** The same limit in ISO 9613-2, in wavelengths: N = -0.2. */
     public static final double ISO_REACH = 0.1;
 
     private static final double AT_THE_BORDER = 3.0;

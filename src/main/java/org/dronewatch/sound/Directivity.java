@@ -1,6 +1,6 @@
 package org.dronewatch.sound;
 
-/** How a source's sound depends on the elevation at which it leaves. */
+/** The dependence of a source's sound on the elevation at which it is radiated. */
 public enum Directivity {
     /** The same in all directions. */
     OMNIDIRECTIONAL {
@@ -10,10 +10,10 @@ public enum Directivity {
         }
     },
     /**
-     * Of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of
-     * {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how
-     * a shelf at 500 Hz divides among octave bands is assumed: nothing up to 250 Hz, half the decibels at 500 Hz, all
-     * of them from 1 kHz on.
+     * Directivity of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of
+     * {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); the
+     * division of a shelf at 500 Hz among octave bands is assumed: nothing up to 250 Hz, half the decibels at 500 Hz,
+     * all of them from 1 kHz on.
      */
     ROTOR {
         @Override
@@ -23,10 +23,10 @@ public enum Directivity {
         }
     },
     /**
-     * That of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical (Ramos-Romero
-     * and others, Aerospace Science and Technology 140, 108537, 2023). Filled in, not measured: nearer to the rotors'
-     * plane, and above it, where the sound is taken to be the same as below. The published gain is the level at 1 m
-     * relative to that straight below.
+     * Directivity of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical
+     * (Ramos-Romero and others, Aerospace Science and Technology 140, 108537, 2023). Nearer to the rotors' plane it is
+     * extrapolated; above the plane, the sound is assumed to be the same as below. The published gain is the level at 1
+     * m relative to that straight below.
      */
     M300 {
         @Override
@@ -56,7 +56,7 @@ public enum Directivity {
     public abstract double publishedGain(int band, double elevation);
 
     /**
-     * Directivity index, dB: what to add to the sound power level for a direction. Its energy mean over all directions
+     * Directivity index, dB, to be added to the sound power level for a direction. Its energy mean over all directions
      * is 0 dB, so that the sound power is unchanged.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz

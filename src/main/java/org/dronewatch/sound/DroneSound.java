@@ -5,21 +5,21 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What a kind of drone sounds like.
+ * The sound of a type of drone.
  *
  * @param name its name in the table, or any name for a sound that is not in it
  * @param level A-weighted sound power level, dB re 1 pW
  * @param shape A-weighted level of each octave band over that of the loudest, dB
  * @param basis whether the spectrum was measured or is assumed
- * @param source where the figures come from
+ * @param source source of the figures
  */
 public record DroneSound(String name, double level, List<Double> shape, Basis basis, String source) {
 
-    /** What figures rest on. */
+    /** The basis of figures. */
     public enum Basis {
-        /** Measured; the source says where. */
+        /** Measured, as the source states. */
         MEASURED,
-        /** Assumed; the source says from what. */
+        /** Assumed, as the source explains. */
         ASSUMED
     }
 
@@ -61,7 +61,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
      * @param name any name
      * @param power levels without weighting, dB re 1 pW
      * @param basis whether they were measured or are assumed
-     * @param source where they come from
+     * @param source source of the levels
      */
     public static DroneSound of(String name, BandLevels power, Basis basis, String source) {
         double[] weighted = power.toArray();

@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.sound.DroneSound.Basis;
 
-/** The drone sounds that come with the library, each with its source. */
+/** The drone sounds of the library, each with its source. */
 public final class DroneSounds {
-    /** The sound of a small quadrotor, which a drone has unless its settings say otherwise. */
+    /** The sound of a small quadrotor, the default of drones. */
     public static final String SMALL_QUADROTOR = "c1-quadrotor";
 
     private static final CsvTable<DroneSound> TABLE = new CsvTable<>("drones.csv", "drone sound", DroneSounds::toSound);

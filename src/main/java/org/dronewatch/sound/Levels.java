@@ -14,7 +14,7 @@ public final class Levels {
         return Math.pow(10.0, 0.1 * level);
     }
 
-    /** The level of incoherent sounds together, dB; minus infinity for none. */
+    /** The total level of incoherent sounds, dB; minus infinity for none. */
     public static double sum(double... levels) {
         double ratio = 0.0;
         for (double level : levels) {
@@ -24,8 +24,8 @@ public final class Levels {
     }
 
     /**
-     * Reduction of a sound power level by even spreading over a sphere: {@code 10 lg(4 pi r^2)}, with the reference
-     * impedance of 400 Pa s/m at which power and pressure levels agree.
+     * Reduction of a sound power level by spherical spreading: {@code 10 lg(4 pi r^2)}, with the reference impedance of
+     * 400 Pa s/m at which power and pressure levels agree.
      *
      * @param distance above 0, m
      * @return dB

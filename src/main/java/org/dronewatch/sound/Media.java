@@ -2,7 +2,7 @@ package org.dronewatch.sound;
 
 import java.util.Set;
 
-/** The media that come with the library, each with its source. */
+/** The acoustic media of the library, each with its source. */
 public final class Media {
     private static final CsvTable<Medium> TABLE = new CsvTable<>(
             "media.csv",

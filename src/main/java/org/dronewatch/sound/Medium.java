@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
  * @param name its name in the table
  * @param density kg/m3, above 0
  * @param speed speed of sound, m/s, above 0
- * @param source where the figures come from
+ * @param source source of the figures
  */
 public record Medium(String name, double density, double speed, String source) {
 

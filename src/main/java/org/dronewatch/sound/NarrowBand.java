@@ -3,7 +3,7 @@ package org.dronewatch.sound;
 import java.util.Optional;
 
 /**
- * The band in which a line is searched for: as wide as the line, within one octave band.
+ * The band in which a tone is searched for: as wide as the tone, within one octave band.
  *
  * @param frequency of its middle, Hz
  * @param width Hz, above 0 and at most that of the octave band
@@ -20,11 +20,11 @@ public record NarrowBand(double frequency, double width, int octave) {
     private static final double HALF_OCTAVE = 0.15;
 
     /**
-     * The band of a line. The rotors of a drone never turn quite steadily, and less so in wind: the relative jitter of
-     * their speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their lines (Heutschi and
-     * others, Acta Acustica 4, 24, 2020, at a height of 10 m).
+     * The band of a tone. The rotors of a drone do not turn quite steadily, least of all in wind: the relative jitter
+     * of their speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their tones (Heutschi
+     * and others, Acta Acustica 4, 24, 2020, at a height of 10 m).
      *
-     * @param frequency at which it is heard, Hz
+     * @param frequency at the listener, Hz
      * @param wind speed, m/s, 0 or more
      * @return empty outside the octave bands from 63 Hz to 8 kHz
      */
@@ -43,9 +43,7 @@ public record NarrowBand(double frequency, double width, int octave) {
         return width / octaveWidth(octave);
     }
 
-    /**
-     * How much less noise it lets in than its octave band, if its spectrum is flat, dB: {@code 10 lg(B_octave / B)}.
-     */
+    /** The reduction of noise with a flat spectrum, compared with the octave band, dB: {@code 10 lg(B_octave / B)}. */
     public double gain() {
         return -Levels.ofRatio(fraction());
     }

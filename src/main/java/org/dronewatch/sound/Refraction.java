@@ -3,7 +3,8 @@ package org.dronewatch.sound;
 import java.util.OptionalDouble;
 
 /**
- * A plane wave at the flat interface between two fluids. Angles are measured from the normal, radians, 0 to pi/2.
+ * Refraction of a plane wave at the flat interface between two fluids. Angles are measured from the normal, radians, 0
+ * to pi/2.
  *
  * <p>From air the critical angle of solids is below 7 degrees, so this does not model a wall: a wall has a transmission
  * loss.

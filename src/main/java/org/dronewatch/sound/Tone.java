@@ -3,17 +3,17 @@ package org.dronewatch.sound;
 import java.util.OptionalDouble;
 
 /**
- * A line in a drone's spectrum.
+ * A tone in a drone's spectrum.
  *
  * @param harmonic its number: 1 for the blade-passing frequency
  * @param frequency that the drone emits, Hz, above 0
- * @param share the fraction of its octave band's power that it has, 0 to 1
+ * @param share its fraction of the power of its octave band, 0 to 1
  */
 public record Tone(int harmonic, double frequency, double share) {
 
     /**
      * The frequency at which it is heard, Hz: {@code f / (1 - v / c)} (Doppler). Empty at and above the speed of sound,
-     * where its waves pile up into a shock.
+     * where a shock wave forms.
      *
      * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies
      *     away

@@ -8,10 +8,10 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * The wind over a site: its mean speed grows with the logarithm of the height over the ground, {@code ln(1 + z / z0)},
- * as in a surface layer that is neither heated nor cooled from below.
+ * as in a neutral surface layer.
  *
  * @param speed at a height of 10 m over the ground, 0 to 60 m/s
- * @param from where it blows from, clockwise from north, rad
+ * @param from direction from which it blows, clockwise from north, rad
  * @param roughness the roughness length z0 of the surroundings, 0.0001 to 2 m: 0.0002 water, 0.03 grass, 0.25 bushes, 1
  *     suburbs
  */
@@ -60,8 +60,8 @@ public record Wind(
     }
 
     /**
-     * How fast its speed grows with height between two heights, in the mean: that of the linear profile that has the
-     * same speed at both, 1/s.
+     * The mean increase of its speed with height between two heights: that of the linear profile with the same speed at
+     * both, 1/s.
      *
      * @param height over the ground, m
      * @param other over the ground, m
@@ -80,12 +80,12 @@ public record Wind(
         return Math.log1p(Math.max(0.0, height) / roughness);
     }
 
-    /** The part of a unit of wind that blows east: negative for wind from the east. */
+    /** The component of a unit of wind towards east: negative for wind from the east. */
     public double eastward() {
         return -Math.sin(from);
     }
 
-    /** The part of a unit of wind that blows north. */
+    /** The component of a unit of wind towards north. */
     public double northward() {
         return -Math.cos(from);
     }

@@ -1,14 +1,14 @@
 package org.dronewatch.sound;
 
 /**
- * The noise that wind makes at a microphone in its screen: {@code L = 40 lg V - 23 lg(f D / V) + 15} in each
+ * The noise that wind causes at a microphone in a windscreen: {@code L = 40 lg V - 23 lg(f D / V) + 15} in each
  * third-octave band , V in m/s, D the screen's diameter (M. Strasberg, JASA 83, 544, 1988, from the measurements of
  * four authors, within about 3 dB for 0.1 to 5 of the Strouhal number f D / V; in SI units in G. P. van den Berg, "The
- * sounds of high winds", Groningen 2006, equation VIII.2). Measured in smooth flow: in natural wind, which is gusty,
- * there is more at low frequencies. Outside its range the formula is extrapolated.
+ * sounds of high winds", Groningen 2006, equation VIII.2). Measured in smooth flow: natural wind, which is gusty,
+ * causes more noise at low frequencies. Outside its range the formula is extrapolated.
  */
 public final class WindNoise {
-    /** Diameter of the common foam ball, m. */
+    /** Diameter of a common foam windscreen, m. */
     public static final double SCREEN = 0.09;
 
     private static final double THIRD_OF_AN_OCTAVE = 0.1;

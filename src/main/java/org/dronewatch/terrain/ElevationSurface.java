@@ -4,6 +4,6 @@ package org.dronewatch.terrain;
 public enum ElevationSurface {
     /** Bare ground: a digital terrain model. */
     DTM,
-    /** Roofs and treetops where there are any, as seen from above: a digital surface model. */
+    /** The highest surface, including roofs and treetops: a digital surface model. */
     DSM
 }

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * Where a terrain has ground. Its holes and what lies beyond its rim are unknown: anything may be hidden there.
- * Immutable.
+ * The area in which the ground of a terrain is known. Its holes and the land beyond its rim are unknown, and may hide
+ * anything. Immutable.
  */
 public final class KnownGround {
     private final TerrainGround ground;

@@ -10,11 +10,11 @@ import org.dronewatch.setting.file.FileHash;
  * @param mesh triangles in the world frame, counter-clockwise seen from above
  * @param posts number of posts near the origin that have a height
  * @param holes number of posts there that have none
- * @param all number of triangles if every post had been kept
+ * @param all number of triangles with every post kept
  * @param error the greatest vertical distance of a post from the triangle under or over it, m
- * @param files the files, with hashes of what was read
- * @param description what was read, in lines for the report
- * @param warnings anything suspicious, one line each
+ * @param files the files, with hashes of their bytes as read
+ * @param description of the files, in lines for the report
+ * @param warnings about suspicious content, one line each
  */
 public record LoadedTerrain(
         TriangleMesh mesh,

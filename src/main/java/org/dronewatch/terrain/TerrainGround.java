@@ -142,7 +142,7 @@ public final class TerrainGround {
         return az + second * (mesh.coordinate(triangle, 1, 2) - az) + third * (mesh.coordinate(triangle, 2, 2) - az);
     }
 
-    /** Names the triangles near a rectangle; some may lie outside of it, and some may be named more than once. */
+    /** Lists the triangles near a rectangle; some may lie outside it, and some may be listed more than once. */
     public void trianglesNear(double fromX, double toX, double fromY, double toY, IntConsumer target) {
         if (toX < west || toY < south || fromX > west + columns * step || fromY > south + rows * step) {
             return;

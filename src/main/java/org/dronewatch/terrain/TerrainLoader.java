@@ -16,8 +16,8 @@ import org.dronewatch.terrain.io.ElevationFiles;
 import org.dronewatch.terrain.io.Window;
 
 /**
- * Turns elevation files into triangles in the world frame: the posts near the origin are read, as few of them are kept
- * as the accuracy allows, and each is transformed to the world frame in double precision. Immutable.
+ * Converts elevation files to triangles in the world frame: it reads the posts near the origin, thins them out as far
+ * as the accuracy allows, and transforms each to the world frame in double precision. Immutable.
  */
 public final class TerrainLoader {
     /** Reading more takes seconds. */
@@ -41,7 +41,7 @@ public final class TerrainLoader {
      * Reads a terrain.
      *
      * @param settings with at least one file
-     * @param origin of the world frame; where its height is not known, z is the height that the files state
+     * @param origin of the world frame; if its height is not known, z is the height that the files state
      * @throws InputException in one line when a file is missing, of no known format or damaged, has no posts near the
      *     origin or too many, or does not match the others
      * @throws java.util.concurrent.CancellationException when the thread is interrupted

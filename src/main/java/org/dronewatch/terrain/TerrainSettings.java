@@ -14,24 +14,25 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
 
 /**
- * The ground of a real place, from files of elevations: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII
- * grids (.asc). It lies about the scene's geographic origin, {@code world.origin}, which such a scene must give.
+ * The ground of a real place, from elevation files: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII grids
+ * (.asc). Its centre is the scene's geographic origin, {@code world.origin}, which such a scene must state.
  *
- * @param file the file of elevations, or {@code packaged:NAME} for one that comes with the library
- * @param files several files instead, which make one terrain; they must have the same grid of posts. Where they
- *     overlap, the first one that has a height there is used
+ * @param file the elevation file, or {@code packaged:NAME} for one of the library
+ * @param files several files instead, which are joined to one terrain; they must have the same grid of posts. Where
+ *     they overlap, the first one that has a height there is used
  * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it to use the one that
  *     the files state
- * @param radius how far from the origin the terrain reaches, 10 m to 100 km; it is cut along the rows and columns of
- *     its grid
+ * @param radius distance from the origin to which the terrain extends, 10 m to 100 km; it is cut along the rows and
+ *     columns of its grid
  * @param accuracy greatest vertical error that thinning out the triangles may cause, 0 to 1000 m; at 0 every post is
  *     kept
- * @param surface what the heights describe: the bare ground (dtm), or roofs and treetops where there are any (dsm)
- * @param verticalOffset what is added to the heights of the files, -1000 to 1000 m: for files whose
- *     heights refer to another level than {@code world.origin.height} does
+ * @param surface surface that the heights describe: the bare ground (dtm), or the highest surface, including roofs and
+ *     treetops (dsm)
+ * @param verticalOffset added to the heights of the files, -1000 to 1000 m: for files whose heights refer to a
+ *     different level from that of {@code world.origin.height}
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
- * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; one that
- *     is in the table of surfaces itself needs no assignment
+ * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; a name in
+ *     the table of surfaces needs no assignment
  */
 public record TerrainSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
@@ -43,10 +44,10 @@ public record TerrainSettings(
         @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
         @In(Quantity.NUMBER) Optional<Double> nodata,
         String material) {
-    /** What ground looks like in daylight, that of meadows: red, green and blue in the lowest 24 bits. */
+    /** The colour of ground in daylight, that of meadows: red, green and blue in the lowest 24 bits. */
     public static final int COLOUR = 0x617838;
 
-    /** Half a metre, within 2 km, on pasture; without a file yet. */
+    /** Half a metre of accuracy, within 2 km, pasture; without a file yet. */
     @Defaults
     public static final TerrainSettings DEFAULT = new TerrainSettings(
             Optional.empty(),

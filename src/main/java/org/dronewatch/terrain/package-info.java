@@ -1,2 +1,2 @@
-/** The ground of a real place: files of elevations become triangles in the world frame. */
+/** The ground of a real place: elevation files are converted to triangles in the world frame. */
 package org.dronewatch.terrain;

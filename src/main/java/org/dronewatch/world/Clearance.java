@@ -10,8 +10,8 @@ import org.dronewatch.kdtree.RayTracer;
  */
 public final class Clearance {
     /**
-     * How far from a surface a position is moved, m: negligible for a sound wave, and above {@link Visibility#MARGIN},
-     * so that the surface still hides what is behind it.
+     * The distance from the surface to which a position is moved, m: negligible for a sound wave, and above
+     * {@link Visibility#MARGIN}, so that the surface still hides everything behind it.
      */
     public static final double GAP = 1e-4;
 
@@ -24,7 +24,7 @@ public final class Clearance {
     private final RayTracer traversal;
     private final double[] normal = new double[3];
 
-    /** For the surfaces of a world. */
+    /** Creates a clearance from the surfaces of a world. */
     public Clearance(World world) {
         this.mesh = world.mesh();
         this.traversal = world.newRayTracer();
@@ -36,7 +36,7 @@ public final class Clearance {
     }
 
     /**
-     * The position itself, or one just in front of the surfaces that it lies on: on the side from which their corners
+     * The position itself or, if it lies on surfaces, one just in front of them: on the side from which their corners
      * run counter-clockwise.
      */
     public Position of(Position position) {

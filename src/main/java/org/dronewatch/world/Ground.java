@@ -3,12 +3,12 @@ package org.dronewatch.world;
 import java.util.OptionalDouble;
 
 /**
- * The ground below a flight. {@link World#newGround()} gives that of a world; it is for one thread, while it creates
- * paths: finished paths no longer query it.
+ * The ground below a flight. {@link World#newGround()} gives that of a world; it is for one thread, and only for the
+ * creation of paths: finished paths no longer query it.
  */
 @FunctionalInterface
 public interface Ground {
-    /** Nothing anywhere: enough for a flight that does not follow the ground. */
+    /** A ground without any surface, for flights that do not follow the ground. */
     Ground NONE = (x, y) -> OptionalDouble.empty();
 
     /**

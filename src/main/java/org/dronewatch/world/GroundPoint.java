@@ -5,7 +5,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A point in plan, without a height: {@code [120, -40]} in a scene file.
+ * A point in plan view, without a height: {@code [120, -40]} in a scene file.
  *
  * @param x east, -100 to 100 km, m
  * @param y north, -100 to 100 km, m

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Visibility, daylight and turbulence; they matter to cameras that decide by contrast, and turbulence to thermal
+ * Visibility, daylight and turbulence; they affect cameras that detect by contrast, and turbulence affects thermal
  * cameras, too.
  *
  * @param visibility visibility, above 0 and at most 1000 km, m
@@ -18,12 +18,12 @@ import org.dronewatch.setting.SettingsForm;
  *     for the meteorological optical range that weather stations report, 0.02 for Koschmieder's
  * @param illuminance illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at
  *     dusk, 0.2 under a full moon, 0.001 in starlight
- * @param sun where the sun is, or empty if it does not shine
- * @param cn2 refractive-index structure constant Cn2 of the air, as if it were the same everywhere, 0 to 1e-10
- *     m^(-2/3): 5e-15 by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and
- *     more over hot ground; 0 for still air
- * @param skyToGroundRatio how many times brighter than the ground the sky at the horizon is, 0.05 to 100: about 1.4 for
- *     grass and 5 for dark forest under a clear sky, 4 and 15 under clouds; 1 as if both were equally bright
+ * @param sun position of the sun, or empty if it does not shine
+ * @param cn2 refractive-index structure constant Cn2 of the air, assumed equal everywhere, 0 to 1e-10 m^(-2/3): 5e-15
+ *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and more over hot
+ *     ground; 0 for still air
+ * @param skyToGroundRatio ratio of the brightness of the sky at the horizon to that of the ground, 0.05 to 100: about
+ *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds; 1: equally bright
  */
 public record Light(
         @In(value = Quantity.LENGTH, above = 0, to = 1e6) double visibility,
@@ -74,21 +74,21 @@ public record Light(
         return SettingsForm.with(this, "sun", Optional.of(shining));
     }
 
-    /** This light through turbulent air, with another structure constant Cn2, m^(-2/3). */
+    /** This light with turbulent air of another structure constant Cn2, m^(-2/3). */
     public Light withCn2(double structure) {
         return SettingsForm.with(this, "cn2", structure);
     }
 
-    /** This light over other ground, with another ratio of the sky's brightness to that of the ground. */
+    /** This light with another ratio of the sky's brightness to that of the ground. */
     public Light withSkyToGroundRatio(double ratio) {
         return SettingsForm.with(this, "skyToGroundRatio", ratio);
     }
 
     /**
-     * This light in rain, with the visibility that air and rain together leave. Each of the drops of Marshall and
-     * Palmer (1948), {@code 8000 exp(-4.1 R^-0.21 D)} per cubic metre and millimetre of diameter D, takes twice what
-     * its cross-section covers from the light (van de Hulst, "Light Scattering by Small Particles", 1957). The sum over
-     * all drops is {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, with R in mm/h.
+     * This light in rain, with the visibility through air and rain. Each of the drops of Marshall and Palmer (1948),
+     * {@code 8000 exp(-4.1 R^-0.21 D)} per cubic metre and millimetre of diameter D, removes light from twice its
+     * cross-section (van de Hulst, "Light Scattering by Small Particles", 1957). The sum over all drops is
+     * {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, with R in mm/h.
      *
      * @param rain rain rate, 0 or more, mm/h
      */
@@ -104,9 +104,9 @@ public record Light(
     }
 
     /**
-     * What is left of a contrast at a distance: {@code exp(-s d)} with
-     * {@code s = -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a target seen
-     * against the horizon sky under uniform illumination.
+     * The fraction of a contrast that remains at a distance: {@code exp(-s d)} with {@code s =
+     * -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a target seen against the
+     * horizon sky under uniform illumination.
      *
      * @param distance m
      */
@@ -115,11 +115,11 @@ public record Light(
     }
 
     /**
-     * How bright what a camera sees behind a target is at the target, relative to the sky at the horizon: the ground is
-     * {@code 1 / skyToGroundRatio} times as bright, and haze brightens it on its way to the target, {@code 1 - (1 -
-     * 1 / skyToGroundRatio) exp(-s G)} with s as for {@link #contrastLeft(double)}.
+     * The brightness of a target's background as it appears at the target, relative to the sky at the horizon: the
+     * ground is {@code 1 / skyToGroundRatio} times as bright, and haze brightens it on the path to the target,
+     * {@code 1 - (1 - 1 / skyToGroundRatio) exp(-s G)} with s as for {@link #contrastLeft(double)}.
      *
-     * @param behind G, how far behind the target the ground is, 0 or more, m; infinite for the sky
+     * @param behind G, distance of the ground behind the target, 0 or more, m; infinite for the sky
      * @return above 0; 1 for the sky
      */
     public double backgroundBrightness(double behind) {
@@ -127,10 +127,11 @@ public record Light(
     }
 
     /**
-     * What is left at a distance R of a contrast against any background: {@code 1 / (1 + K (exp(s R) - 1))} with s as
-     * for {@link #contrastLeft(double)}, where K is how many times brighter than the background the sky at the horizon
-     * is: the air scatters its light into the line of sight (Duntley, "The reduction of apparent contrast by the
-     * atmosphere", Journal of the Optical Society of America 38, 179, 1948). For K = 1 it is Koschmieder's law.
+     * The fraction of a contrast against any background that remains at a distance R:
+     * {@code 1 / (1 + K (exp(s R) - 1))} with s as for {@link #contrastLeft(double)}, where K is the ratio of the
+     * brightness of the sky at the horizon to that of the background: the air scatters light into the line of sight
+     * (Duntley, "The reduction of apparent contrast by the atmosphere", Journal of the Optical Society of America 38,
+     * 179, 1948). For K = 1 it is Koschmieder's law.
      *
      * @param distance R, 0 or more, m
      * @param brightness 1/K, of the background, relative to the sky at the horizon, above 0
@@ -142,7 +143,7 @@ public record Light(
     }
 
     /**
-     * Where the sun is.
+     * The position of the sun.
      *
      * @param azimuth clockwise from north, rad
      * @param elevation above the horizon, -pi/2 to pi/2, rad

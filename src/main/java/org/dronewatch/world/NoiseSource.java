@@ -13,11 +13,11 @@ import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.sound.BandLevels;
 
 /**
- * A source of steady noise on the site, such as a plant or a road. Microphones hear it through the world, as they hear
- * drones, in addition to the background noise.
+ * A source of steady noise on the site, such as a plant or a road. Its sound travels to microphones as that of drones
+ * does, in addition to the background noise.
  *
- * @param positions where it is, m: one position for a plant, or the corners of a line, such as a road, over whose
- *     length its sound is spread evenly
+ * @param positions of the source, m: a single one for a plant, or the corners of a line, such as a road, whose power is
+ *     uniform along its length
  * @param soundPowerLevel A-weighted sound power level of the whole source, -20 to 200 dB re 1 pW, in the energy model
  * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting,
  *     dB
@@ -78,14 +78,14 @@ public record NoiseSource(
     }
 
     /**
-     * A piece of a source, so short that it is a point to a listener.
+     * A piece of a source, short enough to be a point source for a listener.
      *
      * @param position of its middle, m
      * @param fraction of the source's power, 0 to 1
      */
     public record Piece(Position position, double fraction) {}
 
-    /** The source in pieces for a listener, in the order of its positions. */
+    /** The pieces of the source for a listener, in the order of its positions. */
     public List<Piece> pieces(Position listener) {
         if (positions.size() == 1) {
             return List.of(new Piece(positions.get(0), 1.0));

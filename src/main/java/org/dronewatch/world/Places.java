@@ -13,8 +13,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.In;
 
 /**
- * Finds the positions of places on a map, or above the surface of a site, in its world frame. The site is only looked
- * at for heights above its surface. For one thread.
+ * Converts places on a map, or above the surface of a site, to positions in its world frame. The site is only queried
+ * for heights above its surface. For one thread.
  */
 public final class Places {
     /** How exactly the surface below a place is found, m. */
@@ -35,7 +35,7 @@ public final class Places {
      * Places of a site.
      *
      * @param world its settings
-     * @param ground gives its highest surfaces, and is called when they are needed first
+     * @param ground gives its highest surfaces; called when they are first needed
      */
     public Places(WorldSettings world, Supplier<Ground> ground) {
         this.origin = world.origin();
@@ -45,11 +45,11 @@ public final class Places {
     }
 
     /**
-     * The position of a place by latitude and longitude. A height above the surface counts along the vertical of that
-     * place.
+     * The position of a place by latitude and longitude. A height above the surface is measured along the vertical at
+     * that place.
      *
-     * @throws IllegalArgumentException when the scene has no origin, there is no surface below a place above it, its
-     *     height above sea level has no meaning, or it is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, there is no surface below a place above the
+     *     surface, its height above sea level has no meaning, or it is more than 100 km away
      */
     public Position at(EarthPlace place) {
         Geodesy geodesy = geodesy();
@@ -94,7 +94,7 @@ public final class Places {
     }
 
     /**
-     * A point in plan by latitude and longitude, at the level of the origin.
+     * A point in plan view by latitude and longitude, at the level of the origin.
      *
      * @throws IllegalArgumentException when the scene has no origin, or it is more than 100 km away
      */
@@ -120,14 +120,13 @@ public final class Places {
         return ground;
     }
 
-    /** Whether heights above sea level have a meaning: the origin's is stated, or a terrain counts from there. */
+    /** Whether heights above sea level have a meaning: that of the origin is stated, or a terrain has such heights. */
     public boolean heightsAreKnown() {
         return heightsAreKnown;
     }
 
     /**
-     * The position of a place at a height above what the origin's height counts from, or above 0 where that is not
-     * known.
+     * The position of a place at a height above the datum of the origin's height, or above 0 if that is not known.
      *
      * @param latitude rad
      * @param longitude rad
@@ -139,8 +138,8 @@ public final class Places {
     }
 
     /**
-     * The height of the highest surface on the place's own vertical, above what the origin's height counts from, or
-     * above 0 where that is not known, m; empty in a hole and beyond the rim.
+     * The height of the highest surface on the vertical at a place, above the datum of the origin's height, or above 0
+     * if that is not known, m; empty in a hole and beyond the rim.
      *
      * @param latitude rad
      * @param longitude rad
@@ -191,7 +190,7 @@ public final class Places {
         return position;
     }
 
-    /** Latitude and longitude, in rad, as messages give them. */
+    /** Text of a latitude and longitude, in rad, for messages. */
     public static String inWords(double latitude, double longitude) {
         return String.format(
                 Locale.ROOT,

@@ -10,14 +10,14 @@ import org.dronewatch.terrain.TerrainSettings;
 /**
  * One of the models that a world was merged from.
  *
- * @param file its file, without the prefix of packaged models; empty for a world that was made of a tree, not of files
- * @param role what it is to the site
+ * @param file its file, without the prefix of packaged models; empty for a world made from a tree instead of files
+ * @param role its role on the site
  */
 public record SiteModel(String file, ModelRole role) {
     /** A model about which nothing is known: a building without a file. */
     static final SiteModel UNNAMED = new SiteModel("", ModelRole.BUILDING);
 
-    /** The ground that a scene's terrain is. */
+    /** The ground of a scene's terrain. */
     public static SiteModel of(TerrainSettings settings) {
         return new SiteModel(
                 settings.allFiles().stream().map(PackagedSite::plain).collect(Collectors.joining(", ")),
@@ -34,7 +34,7 @@ public record SiteModel(String file, ModelRole role) {
         return new SiteModel(of(settings).file(), ModelRole.VEGETATION);
     }
 
-    /** As its settings name it. */
+    /** A model of the settings. */
     public static SiteModel of(ModelSettings settings) {
         return new SiteModel(settings.shownFile(), settings.role());
     }

@@ -8,9 +8,9 @@ import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.mesh.io.ModelRole;
 
 /**
- * All surfaces of a world above and below one another at a point, the highest first.
+ * All surfaces of a world on the vertical through a point, the highest first.
  *
- * @param surfaces empty where the world has nothing
+ * @param surfaces empty where there are none
  */
 public record SurfaceColumn(List<Surface> surfaces) {
     /** Nearer surfaces are one, m. */
@@ -23,8 +23,8 @@ public record SurfaceColumn(List<Surface> surfaces) {
      * A surface.
      *
      * @param z its height, m
-     * @param what its model and material
-     * @param facesUp whether its corners run counter-clockwise seen from above: it is no underside
+     * @param what model and material of the surface
+     * @param facesUp whether its corners run counter-clockwise seen from above, so it is not an underside
      */
     public record Surface(double z, Obstacle what, boolean facesUp) {}
 
@@ -54,7 +54,7 @@ public record SurfaceColumn(List<Surface> surfaces) {
         return new SurfaceColumn(found);
     }
 
-    /** The highest surface; empty where the world has nothing. */
+    /** The highest surface; empty where there is none. */
     public Optional<Surface> highest() {
         return surfaces.stream().findFirst();
     }

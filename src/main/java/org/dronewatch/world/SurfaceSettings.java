@@ -16,12 +16,12 @@ import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterials;
 
 /**
- * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is
- * that of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}. What
- * follows a colon in a name does not count: {@code brick_rough:assumed-height} uses the surface {@code brick_rough}.
+ * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is that
+ * of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}. The part of
+ * a name after a colon is ignored: {@code brick_rough:assumed-height} uses the surface {@code brick_rough}.
  *
- * @param materials the surface of each material in the model files: names of surfaces, from {@code own} or the table of
- *     surfaces, by name of the material
+ * @param materials the surface of each material in the model files: names of surfaces, from {@code own} or from the
+ *     table, by name of the material
  * @param defaultSurface name of the surface for all other materials
  * @param own surfaces defined in the scene, by name; they replace those of the same name in the table
  */
@@ -34,7 +34,7 @@ public record SurfaceSettings(
     @Defaults
     public static final SurfaceSettings DEFAULT = new SurfaceSettings(Map.of(), SurfaceMaterials.SOLID, Map.of());
 
-    /** Copies the maps. Names are looked up by {@link #checkNames}, which {@link WorldSettings} calls. */
+    /** Copies the maps. Names are checked by {@link #checkNames}, which {@link WorldSettings} calls. */
     public SurfaceSettings {
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("materials", materials)));
         Check.present("defaultSurface", defaultSurface);
@@ -42,7 +42,7 @@ public record SurfaceSettings(
     }
 
     /**
-     * Looks all names up.
+     * Checks all names.
      *
      * @throws IllegalArgumentException when there is no surface of such a name
      */
@@ -97,7 +97,7 @@ public record SurfaceSettings(
                 .orElseGet(() -> named(defaultSurface));
     }
 
-    /** Those of the given model materials without a known surface, to which the default surface applies. */
+    /** The given model materials without a known surface, to which the default surface applies. */
     public List<String> leftOver(List<String> ofTheModels) {
         return ofTheModels.stream()
                 .filter(name -> assigned(name).isEmpty()

@@ -5,27 +5,27 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Whether something in a world stands between two points, and what.
+ * Line-of-sight queries: whether a world has an obstacle between two points, and which.
  *
- * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken for the one on which the end lies, and
- * hides nothing: sensors on walls and microphones on the ground see and hear as they do just in front of it, and so do
- * drones that touch it. What is met farther away counts. So a sensor within the margin of a wall sees out on both sides
- * of the wall, and one farther behind it is blind to what lies in front of it. The margin is a length and not a
- * fraction of the segment, since neither the position of a sensor nor the rounding of coordinates becomes less exact
- * with the distance of what it looks at: whether a sensor on a wall is blind does not depend on the range. Nothing
- * counts as standing between points closer together than twice the margin.
+ * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken to be the one on which that end lies, and
+ * hides nothing: sensors on walls and microphones on the ground, and drones that touch a surface, are treated as if
+ * they were just in front of it. Surfaces met farther away count. So a sensor within the margin of a wall sees on both
+ * sides of it, and one farther behind the wall sees nothing in front of it. The margin is a length, not a fraction of
+ * the segment, since neither the position of a sensor nor the rounding of coordinates depends on the range: whether a
+ * sensor on a wall is blind does not depend on the range either. Points closer together than twice the margin always
+ * see each other.
  *
  * <p>Whether two points of one oblique face see each other depends on the rounding of their coordinates;
  * {@link Clearance} moves points off their surfaces where that matters.
  *
- * <p>The methods that take primitives allocate nothing. Keeps scratch memory: one thread at a time.
+ * <p>The methods that take primitives do not allocate. Keeps scratch memory: one thread at a time.
  */
 public final class Visibility {
     /**
-     * How far along a segment, from either end, surfaces do not count, m. It is above the rounding of a mesh's
+     * Distance from either end of a segment within which surfaces do not count, m. It is above the rounding of a mesh's
      * coordinates, which are of single precision, within 100 m of the origin (4e-6 m), and far above that of computed
-     * points; and it is below the distance to which {@link Clearance} moves what lies on a surface, on the far side of
-     * which it stays hidden.
+     * points; and it is below the distance by which {@link Clearance} moves points off a surface, so that they stay
+     * hidden from the other side.
      */
     public static final double MARGIN = 1e-5;
 
@@ -50,7 +50,7 @@ public final class Visibility {
     private double margin;
     private double last;
 
-    /** In a world. */
+    /** Visibility in a world. */
     public Visibility(World world) {
         this(world, world.newRayTracer(), MARGIN);
     }
@@ -62,10 +62,9 @@ public final class Visibility {
     }
 
     /**
-     * In a world, for segments that are unrelated to each other, such as the paths of diffuse sound (see {@link
-     * World#newIncoherentRayTracer()}), and end at points that have been moved off the surfaces on which they lie.
-     * There no surface is skipped: in a corner, another wall may be nearer than {@link #MARGIN}, and sound would leak
-     * through it.
+     * Visibility in a world for incoherent segments, such as the paths of diffuse sound (see
+     * {@link World#newIncoherentRayTracer()}), that end at points moved off the surfaces on which they lie. No surface
+     * is skipped: in a corner, another wall may be nearer than {@link #MARGIN}, and sound would leak through it.
      */
     public static Visibility ofClearPoints(World world) {
         return new Visibility(world, world.newIncoherentRayTracer(), MARGIN_OF_CLEAR_POINTS);
@@ -76,22 +75,22 @@ public final class Visibility {
         return world;
     }
 
-    /** Whether nothing stands between two points, m. */
+    /** Whether two points, m, see each other. */
     public boolean isFree(Position from, Position to) {
         return isFree(from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
     }
 
-    /** Whether nothing stands between two points, m. */
+    /** Whether two points, m, see each other. */
     public boolean isFree(double fromX, double fromY, double fromZ, double toX, double toY, double toZ) {
         return isFreeAlong(fromX, fromY, fromZ, toX - fromX, toY - fromY, toZ - fromZ, 1.0);
     }
 
     /**
-     * Whether nothing stands along a vector from a point.
+     * Whether a segment is free of obstacles.
      *
      * @param fromX of the point, m
      * @param alongX of the vector, m
-     * @param end which multiple of the vector leads to the end of the segment, 0 or more; infinite for one without end
+     * @param end the segment ends at this multiple of the vector, 0 or more; infinite for a ray without end
      */
     public boolean isFreeAlong(
             double fromX, double fromY, double fromZ, double alongX, double alongY, double alongZ, double end) {
@@ -99,7 +98,7 @@ public final class Visibility {
         return !tracer.isOccluded(fromX, fromY, fromZ, alongX, alongY, alongZ, room, end - room);
     }
 
-    /** What stands first between two points, as seen from the first; empty where they see each other. */
+    /** The first obstacle from one point to another; empty if they see each other. */
     public Optional<Obstacle> obstacle(Position from, Position to) {
         Position along = to.minus(from);
         boolean hidden = findFirstAlong(from.x(), from.y(), from.z(), along.x(), along.y(), along.z(), 1.0);
@@ -111,8 +110,8 @@ public final class Visibility {
      *
      * @param fromX of the point, m
      * @param alongX of the vector, m
-     * @param end which multiple of the vector leads to the end of the segment, 0 or more; infinite for one without end
-     * @return whether there is one, whose number {@link #triangle()} then is
+     * @param end the segment ends at this multiple of the vector, 0 or more; infinite for a ray without end
+     * @return whether there is one; {@link #triangle()} is its number
      */
     public boolean findFirstAlong(
             double fromX, double fromY, double fromZ, double alongX, double alongY, double alongZ, double end) {
@@ -128,8 +127,8 @@ public final class Visibility {
     }
 
     /**
-     * Looks for the next surface behind the one that was found last; two that are met within {@link #MARGIN} of each
-     * other, or between clear points within 1e-10 m, count as one.
+     * Finds the next surface behind the last one found; two that are met within {@link #MARGIN} of each other, or
+     * within 1e-10 m between clear points, count as one.
      *
      * @return whether there is one
      */
@@ -137,12 +136,12 @@ public final class Visibility {
         return find(tracer.distance() + margin);
     }
 
-    /** The number of the triangle that was found last. */
+    /** The number of the last triangle found. */
     public int triangle() {
         return tracer.triangle();
     }
 
-    /** Which multiple of the vector leads to what was found last. */
+    /** The last surface found, as a multiple of the vector. */
     public double distance() {
         return tracer.distance();
     }

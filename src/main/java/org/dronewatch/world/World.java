@@ -48,10 +48,10 @@ public final class World {
     private final NavigableMap<Integer, SiteModel> models;
 
     /**
-     * A world around a finished tree.
+     * A world from a finished tree.
      *
      * @param tree tree over the mesh, in the world's frame
-     * @param backgroundNoise the sound of the site without drones
+     * @param backgroundNoise the sound of the site without drones and noise sources
      * @param surfaces acoustic surfaces of the mesh's materials
      * @param atmosphere the air
      */
@@ -60,10 +60,10 @@ public final class World {
     }
 
     /**
-     * A world around a finished index. Worlds that share it share its BVH, too.
+     * A world from a finished index. Worlds that share an index share its BVH, too.
      *
      * @param index of the mesh, in the world's frame
-     * @param backgroundNoise the sound of the site without drones
+     * @param backgroundNoise the sound of the site without drones and noise sources
      * @param surfaces acoustic surfaces of the mesh's materials
      * @param atmosphere the air
      */
@@ -76,10 +76,10 @@ public final class World {
     }
 
     /**
-     * A world around a finished tree whose surfaces are not those of the table.
+     * A world from a finished tree, with given surfaces instead of those of the table.
      *
      * @param tree tree over the mesh, in the world's frame
-     * @param backgroundNoise the sound of the site without drones
+     * @param backgroundNoise the sound of the site without drones and noise sources
      * @param surfaces one for each material of the mesh, by the mesh's material numbers
      * @param atmosphere the air
      * @throws IllegalArgumentException when there are more or fewer surfaces than materials
@@ -161,14 +161,14 @@ public final class World {
         return new World(this, rain, light, noiseSources, known, new TreeMap<>(byFirstTriangle));
     }
 
-    /** This world with ground that is known only in places, that of a terrain from files. */
+    /** This world with ground that is known only within a terrain from files. */
     public World withKnownGround(KnownGround ground) {
         return new World(this, rain, light, noiseSources, Optional.of(ground), models);
     }
 
     /**
-     * Whether the ground below the line between two points is known everywhere: what is not known may hide anything. In
-     * a world of models, all of it is.
+     * Whether the ground below the line between two points is known everywhere: unknown ground may hide anything. In a
+     * world of models, all ground is known.
      */
     public boolean isKnown(Position from, Position to) {
         return known.isEmpty() || known.get().containsLine(from.x(), from.y(), to.x(), to.y());
@@ -184,7 +184,7 @@ public final class World {
         return new World(KDTree.of(mesh), BackgroundNoise.of(0.0), SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
-    /** Merges meshes into one, so that one tree holds them all; source numbers run on from mesh to mesh. */
+    /** Merges meshes into one, for a single tree; source numbers continue from mesh to mesh. */
     public static TriangleMesh merge(List<TriangleMesh> meshes) {
         if (meshes.size() == 1) {
             return meshes.get(0);
@@ -225,15 +225,15 @@ public final class World {
         }
     }
 
-    /** The closest hit along a ray, or empty. For convenience; loops use one {@link #newRayTracer()} for many rays. */
+    /** The closest hit along a ray, or empty. For convenience: for many rays, use one {@link #newRayTracer()}. */
     public Optional<Hit> closestHit(Ray ray) {
         return newRayTracer().closestHit(ray);
     }
 
     /**
-     * Whether something lies between two points. A surface within {@link Visibility#MARGIN} of either end hides
-     * nothing, so that points on surfaces see each other. For convenience; loops use one {@link
-     * Visibility} for many segments.
+     * Whether an obstacle lies between two points. A surface within {@link Visibility#MARGIN} of either end hides
+     * nothing, so that points on surfaces see each other. For convenience: for many segments, use one
+     * {@link Visibility}.
      */
     public boolean isOccluded(Point3d from, Point3d to) {
         return !new Visibility(this).isFree(from.x, from.y, from.z, to.x, to.y, to.z);
@@ -244,7 +244,7 @@ public final class World {
      *
      * @param x east, m
      * @param y north, m
-     * @return its z in metres, empty where the world has nothing
+     * @return its z in metres, empty where there is none
      */
     public OptionalDouble surfaceHeight(double x, double y) {
         return newGround().height(x, y);
@@ -268,8 +268,8 @@ public final class World {
     }
 
     /**
-     * Whether a point seems to be inside a wall or under the ground: most surfaces that rays from it hit face away from
-     * it. Right for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
+     * Whether a point appears to be inside a wall or under the ground: most surfaces that rays from it hit face away
+     * from it. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
      */
     public boolean isInsideWall(Position position) {
         return new Surroundings(this).showTheirBacks(position);
@@ -289,7 +289,7 @@ public final class World {
     }
 
     /**
-     * A tracer of pictures, for the use of one thread.
+     * A tracer of images, for the use of one thread.
      *
      * @param tree the world's, or a drone's
      */
@@ -320,12 +320,12 @@ public final class World {
         return new Obstacle(models.floorEntry(triangle).getValue(), material);
     }
 
-    /** The sound of the site without drones. */
+    /** The sound of the site without drones and noise sources. */
     public BackgroundNoise backgroundNoise() {
         return backgroundNoise;
     }
 
-    /** What makes noise on the site, by name. */
+    /** The noise sources of the site, by name. */
     public Map<String, NoiseSource> noiseSources() {
         return noiseSources;
     }

@@ -25,7 +25,7 @@ import org.dronewatch.terrain.TerrainSettings;
  *
  * @param models the meshes, merged into one with the terrain and the buildings; at least one, unless there is terrain
  *     or there are buildings
- * @param terrain the ground of a real place, from files of elevations; omit it for none. It needs the origin
+ * @param terrain the ground of a real place, from elevation files; omit it for none. It needs the origin
  * @param buildings the buildings of a real place, from a map; omit it for none. They need the origin
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
  * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
@@ -38,7 +38,7 @@ import org.dronewatch.terrain.TerrainSettings;
  * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and
  *     records it in the
  *     summary
- * @param tracing how rays are traced; it affects speed, not results
+ * @param tracing method of tracing rays; it affects speed, not results
  */
 public record WorldSettings(
         List<ModelSettings> models,
@@ -56,12 +56,12 @@ public record WorldSettings(
     /** Background of a quiet rural site, dB re 20 uPa. */
     public static final double QUIET = 30.0;
 
-    /** A quiet world of nothing yet. */
+    /** A quiet world without models yet. */
     @Defaults
     public static final WorldSettings EMPTY = of(List.of());
 
     /**
-     * Checks the limits and copies the list. That there is something in the world, the whole scene checks.
+     * Checks the limits and copies the list. The whole scene checks that the world is not empty.
      *
      * @throws IllegalArgumentException if a value is out of range, or a surface has an unknown name
      */
@@ -89,12 +89,12 @@ public record WorldSettings(
         noiseSources = Collections.unmodifiableMap(new LinkedHashMap<>(noiseSources));
     }
 
-    /** A quiet world of one model. */
+    /** A quiet world with one model. */
     public static WorldSettings of(ModelSettings model) {
         return of(List.of(model));
     }
 
-    /** A quiet world of some models, merged into one. */
+    /** A quiet world with several models, merged into one. */
     public static WorldSettings of(List<ModelSettings> models) {
         return new WorldSettings(
                 models,
@@ -111,7 +111,7 @@ public record WorldSettings(
                 TracingSettings.DEFAULT);
     }
 
-    /** These settings with one more model: a house on the hill. */
+    /** These settings with one more model, such as a house on the hill. */
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);
@@ -165,7 +165,7 @@ public record WorldSettings(
         return SettingsForm.with(this, "origin", Optional.of(other));
     }
 
-    /** These settings with rays traced otherwise. */
+    /** These settings with another method of tracing rays. */
     public WorldSettings withTracing(TracingSettings other) {
         return SettingsForm.with(this, "tracing", other);
     }

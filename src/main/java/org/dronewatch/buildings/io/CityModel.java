@@ -3,8 +3,7 @@ package org.dronewatch.buildings.io;
 import java.util.List;
 
 /**
- * Buildings with their walls and roofs, as a city model has them. The arrays are not copied: callers must not
- * modify them.
+ * The buildings of a city model, with their walls and roofs. The arrays are not copied: callers must not modify them.
  *
  * @param vertices x, y and height of each vertex in turn, in the map's coordinates
  * @param solids in the order of the file

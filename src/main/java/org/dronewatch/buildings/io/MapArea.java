@@ -6,7 +6,7 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 
 /**
- * The part of a map about a site: what lies elsewhere need not be kept in memory.
+ * The part of a map around a site; features elsewhere need not be kept in memory.
  *
  * @param west least longitude, degrees
  * @param east greatest longitude, degrees; beyond 180 where the area contains the date line
@@ -17,7 +17,7 @@ public record MapArea(double west, double east, double south, double north) {
     private static final double FULL_TURN = 360.0;
 
     /**
-     * The square about an origin.
+     * The square around an origin.
      *
      * @param half of its side, m
      */

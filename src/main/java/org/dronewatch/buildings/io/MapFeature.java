@@ -5,11 +5,11 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * A building, a part of one, or a wood, as a map has it. The arrays are not copied: callers must not modify
- * them.
+ * A feature of a map: a building, a part of one, or a wood. The arrays are not copied: callers must not modify them.
  *
  * @param id its identifier on the map, such as {@code way/4713}
- * @param outers closed outlines: x and y of each corner in turn, in the map's coordinates, without the first one again
+ * @param outers closed outlines: x and y of each corner in turn, in the map's coordinates, without repeating the first
+ *     one
  * @param inners courtyards, likewise
  * @param tags what the map states about it, by key
  */

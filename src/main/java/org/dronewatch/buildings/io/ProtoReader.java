@@ -6,8 +6,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Reads a message of Protocol Buffers, field by field. Lengths are checked against the bytes that there are, so a
- * length that lies costs nothing.
+ * Reads a message of Protocol Buffers, field by field. Lengths are checked against the bytes available, so a false
+ * length costs nothing.
  */
 final class ProtoReader {
     private static final int VARINT = 0;

@@ -1,2 +1,2 @@
-/** Reads maps: the outlines of buildings, and what the map states about each. */
+/** Readers of maps: the outlines of buildings, and their attributes. */
 package org.dronewatch.buildings.io;

@@ -5,14 +5,14 @@ import java.util.OptionalDouble;
 import org.dronewatch.geo.EarthPoint;
 
 /**
- * What a map calls by a name.
+ * A named feature of a map.
  *
- * @param where its line or number in the file, for messages
- * @param shape what it is, such as {@code Point} or {@code Polygon}
- * @param point where it is; empty unless it is a point
+ * @param where its location in the file, a line or a number, for messages
+ * @param shape its type, such as {@code Point} or {@code Polygon}
+ * @param point its coordinates; empty unless it is a point
  * @param above its height above the ground, if the file states that, m
  * @param height its height above sea level, if the file states that, m
- * @param unclear a height in the file that may count from anything, m
+ * @param unclear a height in the file whose datum is not stated, m
  */
 public record Feature(
         String where,

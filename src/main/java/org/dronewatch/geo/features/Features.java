@@ -64,9 +64,9 @@ public final class Features {
     }
 
     /**
-     * Reads a file, whose format is recognised by how it begins.
+     * Reads a file, whose format is recognised by its beginning.
      *
-     * @param shown what messages call it
+     * @param shown its name in messages
      * @throws InputException in one line when it is neither GeoJSON nor KML, or a point in it is wrong
      */
     public static Features read(String shown, byte[] bytes) {
@@ -89,20 +89,20 @@ public final class Features {
     /**
      * The point of this name.
      *
-     * @throws IllegalArgumentException when there is none, there are several, or it is no point
+     * @throws IllegalArgumentException when there is none, there are several, or it is not a point
      */
     public EarthPoint point(String name) {
         return only(name).point().orElseThrow();
     }
 
     /**
-     * The place of this name: at a height that the caller gives, or else at that of the file, if that says what it
-     * counts from, or else on the surface.
+     * The place of this name: at the given height; otherwise at that in the file, if its datum is stated; otherwise on
+     * the surface.
      *
      * @param above height above the surface, m
      * @param height height above sea level, m
-     * @throws IllegalArgumentException when there is none, there are several, it is no point, or its height is not
-     *     clear
+     * @throws IllegalArgumentException when there is none, there are several, it is not a point, or its height is
+     *     unclear
      */
     public EarthPlace place(String name, Optional<Double> above, Optional<Double> height) {
         Feature feature = only(name);

@@ -1,2 +1,2 @@
-/** Places with names, from files of maps. */
+/** Named places from map files. */
 package org.dronewatch.geo.features;

@@ -11,16 +11,16 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * What was read from a model file.
+ * A model read from a file.
  *
  * @param name the file's name
  * @param mesh its triangles, placed in the world's frame
- * @param dropped how many triangles without area were left out
- * @param skipped how many statements without effect there were, by keyword
- * @param colours what its materials look like in daylight, red, green and blue in the lowest 24 bits, by material name;
- *     those without a colour are left out
- * @param files the bytes that were read: the model's own file first, then its material libraries
- * @param warnings what looked odd but did not stop the reading, one line each
+ * @param dropped number of triangles without area that were left out
+ * @param skipped number of statements without effect, by keyword
+ * @param colours of its materials in daylight, red, green and blue in the lowest 24 bits, by material name; those
+ *     without a colour are left out
+ * @param files the files, with hashes of their bytes: the model file first, then its material libraries
+ * @param warnings about suspicious content that is not an error, one line each
  */
 public record LoadedModel(
         String name,
@@ -39,7 +39,7 @@ public record LoadedModel(
         warnings = List.copyOf(warnings);
     }
 
-    /** A one-line summary: triangles and extent, and how many statements were skipped because they have no effect. */
+    /** A one-line summary: triangles and extent, and the number of skipped statements. */
     public String describe() {
         AABB bounds = mesh.bounds();
         return String.format(

@@ -11,7 +11,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.KindRegistry;
 import org.dronewatch.setting.PlainText;
 
-/** The readers of model files that the class path has, by file extension. Immutable. */
+/** The readers of model files on the class path, by file extension. Immutable. */
 public final class MeshReaders {
     private static final String OBJ = "obj";
 

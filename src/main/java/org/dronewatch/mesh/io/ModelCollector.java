@@ -9,8 +9,8 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
 
 /**
- * What a {@link MeshReader} finds in a file becomes a model: vertices are placed, polygons cut into triangles,
- * triangles without area left out and counted, and all limits checked. One thread at a time.
+ * Collects the contents of a file for a {@link MeshReader}, and makes a model of them: places vertices, cuts polygons
+ * into triangles, drops and counts triangles without area, and checks all limits. One thread at a time.
  */
 public final class ModelCollector {
     /** Maximum number of triangles of a model. */
@@ -26,7 +26,7 @@ public final class ModelCollector {
     private long stated;
     private long faces;
 
-    /** Collects what one file has. */
+    /** A collector for one file. */
     public ModelCollector(ModelFile file, ModelSettings settings) {
         this.file = file;
         this.placement = new Placement(settings);
@@ -34,7 +34,8 @@ public final class ModelCollector {
 
     /**
      * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed:
-     * those of a national grid lose nothing if the model's {@linkplain ModelSettings#origin() origin} lies on the site.
+     * coordinates of a national grid remain exact if the model's {@linkplain ModelSettings#origin() origin} lies on the
+     * site.
      *
      * @return its index, from 0 on
      * @throws InputException when it is not finite, or placed too far from the origin
@@ -78,7 +79,7 @@ public final class ModelCollector {
     }
 
     /**
-     * Says what a material looks like in daylight.
+     * Sets the colour of a material in daylight.
      *
      * @param colour red, green and blue in the lowest 24 bits
      */
@@ -86,7 +87,7 @@ public final class ModelCollector {
         colours.put(material, colour & 0xFFFFFF);
     }
 
-    /** Adds a line about something odd that did not stop the reading. */
+    /** Adds a line about suspicious content that is not an error. */
     public void warn(String line) {
         warnings.add(line);
     }

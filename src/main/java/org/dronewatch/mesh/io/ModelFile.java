@@ -97,10 +97,10 @@ public final class ModelFile {
     }
 
     /**
-     * A file in the same directory or below it: a model never reads files elsewhere, links included. Backslashes
+     * A file in the same directory or below it: a model never reads files elsewhere, not even by links. Backslashes
      * separate directories, as on Windows.
      *
-     * @throws InputException with the end of a sentence when the name leads elsewhere or there is no such file
+     * @throws InputException with the last part of a sentence when the name leads elsewhere or there is no such file
      */
     public ModelFile beside(String sibling) {
         return beside(sibling, MAX_BYTES_BESIDE);
@@ -138,7 +138,7 @@ public final class ModelFile {
         return other;
     }
 
-    /** What messages call the file. */
+    /** The file's name in messages. */
     public String name() {
         return name;
     }
@@ -153,7 +153,7 @@ public final class ModelFile {
         }
     }
 
-    /** Which bytes it has. */
+    /** The hash of its bytes. */
     public FileHash hash() {
         try (InputStream bytes = open()) {
             return FileHash.of(shortName(), bytes);

@@ -9,7 +9,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 
-/** Reads triangle meshes from model files, in whatever formats the class path has a {@link MeshReader} for. */
+/** Reads triangle meshes from model files, in all formats with a {@link MeshReader} on the class path. */
 public final class ModelLoader {
     private final Path directory;
 
@@ -26,7 +26,7 @@ public final class ModelLoader {
      * Reads a model and places it.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
-     * @throws InputException when the file is missing, too large, or no mesh
+     * @throws InputException when the file is missing, too large, or not a mesh
      */
     public LoadedModel load(ModelSettings settings) {
         ModelFile file = ModelFile.find(directory, settings.file());
@@ -74,7 +74,7 @@ public final class ModelLoader {
      * Reads a model in the file's own coordinates, unconverted.
      *
      * @param file path of a model file, or {@code packaged:NAME}
-     * @throws InputException when the file is missing, too large, or no mesh
+     * @throws InputException when the file is missing, too large, or not a mesh
      */
     public LoadedModel loadAsWritten(String file) {
         return load(ModelSettings.of(file).withUpAxis(UpAxis.Z));

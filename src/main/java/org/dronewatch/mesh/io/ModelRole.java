@@ -1,12 +1,12 @@
 package org.dronewatch.mesh.io;
 
-/** What kind of object a model is on the site. */
+/** The role of a model on the site. */
 public enum ModelRole {
     /** The ground: hills, dams, pits. */
     TERRAIN,
-    /** What was built: houses, walls, masts. */
+    /** Structures: houses, walls, masts. */
     BUILDING,
-    /** What grows: trees, hedges. */
+    /** Plants: trees, hedges. */
     VEGETATION,
     /** Anything else, such as parked vehicles. */
     OTHER

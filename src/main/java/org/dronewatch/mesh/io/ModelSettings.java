@@ -11,19 +11,19 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Which model file to load and how to place it. The model is first moved so that the file's {@code origin} is at zero,
- * then turned upright, then scaled, then turned to its heading, then moved to its position, all in double precision.
+ * A model file and its placement. The model is first moved so that the file's {@code origin} is at zero, then rotated
+ * to stand upright, scaled, rotated to its heading, and moved to its position, all in double precision.
  *
- * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model that comes with the
- *     library
- * @param upAxis which axis of the file points up
+ * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model of the library
+ * @param upAxis axis of the file that points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
- * @param origin which point of the file goes to {@code position}, in the file's unit and along its axes; for a file in
- *     coordinates of a national grid a point on the site, so that nothing is lost when coordinates are stored as floats
- * @param position where the model's origin goes, m
+ * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; for a file
+ *     in coordinates of a national grid, use a point on the site, so that no precision is lost when coordinates are
+ *     stored as floats
+ * @param position of the model's origin, m
  * @param heading rotation about the vertical, clockwise as seen from above, rad
- * @param role what kind of object it is on the site, so that reports can say what hides a drone; it has no meaning for
- *     a drone's model
+ * @param role its role on the site, by which reports name the obstacles that hide drones; of no effect for a drone's
+ *     model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
@@ -33,7 +33,7 @@ public record ModelSettings(
         @AsNumbers Position position,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading,
         ModelRole role) {
-    /** The prefix of models that come with the library. */
+    /** The prefix of the names of the library's models. */
     public static final String PACKAGED = "packaged:";
 
     private static final String HILL = PACKAGED + "hill.obj";
@@ -60,7 +60,7 @@ public record ModelSettings(
         return new ModelSettings(file, UpAxis.Y, 1.0, FilePoint.ZERO, new Position(0, 0, 0), 0.0, role);
     }
 
-    /** A model that comes with the library, such as {@code hill.obj}. */
+    /** A model of the library, such as {@code hill.obj}. */
     public static ModelSettings packaged(String name) {
         return of(PACKAGED + name);
     }
@@ -75,7 +75,7 @@ public record ModelSettings(
         return SettingsForm.with(this, "scale", factor);
     }
 
-    /** These settings with another point of the file at the position, in the file's unit and along its axes. */
+    /** These settings with another point of the file placed at the position, in the file's unit and along its axes. */
     public ModelSettings withOrigin(FilePoint point) {
         return SettingsForm.with(this, "origin", point);
     }
@@ -90,12 +90,12 @@ public record ModelSettings(
         return SettingsForm.with(this, "heading", angle);
     }
 
-    /** These settings as another part of the site. */
+    /** These settings with another role on the site. */
     public ModelSettings withRole(ModelRole other) {
         return SettingsForm.with(this, "role", other);
     }
 
-    /** The file's name as results show it: without {@value #PACKAGED}. */
+    /** The file's name in results: without {@value #PACKAGED}. */
     public String shownFile() {
         return file.startsWith(PACKAGED) ? file.substring(PACKAGED.length()) : file;
     }

@@ -1,2 +1,2 @@
-/** Models read from files: their settings, and a reader for each format. */
+/** Readers of model files: the settings of models, and a reader for each format. */
 package org.dronewatch.mesh.io;

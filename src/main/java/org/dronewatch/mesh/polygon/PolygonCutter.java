@@ -6,9 +6,9 @@ import org.dronewatch.geometry.Ints;
 import org.maplibre.earcut4j.Earcut;
 
 /**
- * Cuts polygons into triangles that are wound as the polygon is. A polygon all of which is seen from its first corner,
- * as a convex one is, becomes a fan from there; any other that does not cross itself is cut by clipping ears in its
- * plane.
+ * Cuts polygons into triangles with the winding of the polygon. A polygon that is visible as a whole from its first
+ * corner, such as a convex one, is cut into a fan from there; any other that does not cross itself is cut by ear
+ * clipping in its plane.
  */
 public final class PolygonCutter {
     /**
@@ -28,7 +28,7 @@ public final class PolygonCutter {
      * Appends the corners of the triangles, at most two triangles fewer than the polygon has corners.
      *
      * @param polygon vertex indices of its corners in turn, 3 or more
-     * @return whether they cover the polygon; false for one that crosses itself, which becomes a fan as well
+     * @return whether they cover the polygon; false for one that crosses itself, which is also cut into a fan
      */
     public boolean cut(int[] polygon, Ints target) {
         if (polygon.length == 3) {

@@ -12,19 +12,19 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.World;
 
 /**
- * Takes the pictures that a camera would take: the colours of the materials, Lambert's cosine law and shadows for the
- * sun, light from the sky, and haze by Koschmieder's law, all according to the world's {@link
- * org.dronewatch.world.Light}. Surfaces are matt; drones cast no shadows. No detection depends on it: the pixels that
- * a sensor counts are those whose centres show the drone, whatever a picture shows.
+ * Takes photographs as a camera would: the colours of the materials, Lambert's cosine law and shadows for the sun,
+ * light from the sky, and haze by Koschmieder's law, all according to the world's {@link org.dronewatch.world.Light}.
+ * Surfaces are matt; drones cast no shadows. Detection does not depend on it: sensors count the pixels whose centres
+ * show the drone, independently of these pictures.
  *
- * <p>The site without drones is exposed once and kept, so further pictures of a camera that stands still cost little.
+ * <p>The site without drones is exposed once and kept, so further pictures of a camera that does not move are cheap.
  * Pixels are the same for any number of {@link Workers}. One thread at a time.
  */
 public final class ColourCamera {
     /** The largest number of parts into which a pixel is divided along each axis. */
     public static final int MOST_SAMPLES = 8;
 
-    /** Enough for soft edges. */
+    /** The default number, sufficient for soft edges. */
     public static final int SAMPLES = 2;
 
     /** Pixels that are metered along each axis. */

@@ -1,4 +1,2 @@
-/**
- * What a camera would photograph: materials, sun, sky and haze in colour. Nothing here decides what a sensor detects.
- */
+/** Photographs by cameras: materials, sun, sky and haze in colour. Detection does not depend on them. */
 package org.dronewatch.render.photo;

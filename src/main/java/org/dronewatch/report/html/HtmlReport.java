@@ -18,7 +18,7 @@ import org.dronewatch.scenario.ConditionAdvice;
 /**
  * A self-contained HTML file for a browser or for printing: the verdict over all runs, which sensor detected which
  * drone and when, what was missed and why, the site, the settings, the limitations of the model, and the provenance of
- * the results. It loads no external resources. The same results and provenance give the same bytes.
+ * the results. It loads no external resources. The bytes depend only on the results and the provenance.
  */
 public final class HtmlReport {
     /**
@@ -49,9 +49,9 @@ public final class HtmlReport {
      * A report of a finished scene.
      *
      * @param looks the looks recorded in all runs
-     * @param views called for one run after another
+     * @param views called for each run in turn
      * @param plots plots of the measured values
-     * @param provenance where the results come from, as names and values; empty to omit this section
+     * @param provenance origin of the results, as names and values; empty to omit this section
      */
     public HtmlReport(
             SceneResult result, Looks looks, Views views, List<Figure> plots, Map<String, String> provenance) {

@@ -13,8 +13,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /**
- * Keeps the looks and the sites of the runs that a report shows in full: of all runs where there are at most
- * {@value #MAX_RUNS}, else of the first and of the {@value #WORST_OF_MANY} worst, so that memory does not grow with the
+ * Keeps the looks and the sites of the runs that a report shows in full: all runs if there are at most
+ * {@value #MAX_RUNS}, otherwise the first and the {@value #WORST_OF_MANY} worst, so that memory does not grow with the
  * number of runs.
  */
 public final class Looks implements SceneListener {

@@ -10,8 +10,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /**
- * The looks of one run: for each sensor and drone the best look and the number of detections, and where positioners
- * pointed.
+ * The looks of one run: for each sensor and drone the best look and the number of detections, and the pointings of
+ * positioners.
  */
 public final class RunLooks {
     /**
@@ -53,7 +53,7 @@ public final class RunLooks {
         return stage;
     }
 
-    /** Where the positioners of the run's sensors pointed. */
+    /** The pointings of the positioners of the run's sensors. */
     public Pointings pointings() {
         return pointings;
     }

@@ -9,7 +9,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Which cameras' pictures are written, and how many there will be.
+ * A plan for labelled pictures: the cameras, and the number of their pictures.
  *
  * @param cameras ids, in the order of the scene
  * @param samples each pixel is the mean of samples x samples rays
@@ -17,10 +17,10 @@ import org.dronewatch.setting.PlainText;
  * @param pixels number of pixels of all pictures
  */
 public record LabelPlan(List<String> cameras, int samples, long pictures, long pixels) {
-    /** How many pictures may be written at once. */
+    /** Maximum number of pictures that may be written at once. */
     public static final long MOST_PICTURES = 100_000;
 
-    /** How many pixels they may have together. */
+    /** Maximum number of pixels of all pictures together. */
     public static final long MOST_PIXELS = 50_000_000_000L;
 
     /** Looks at the end of the run count in spite of rounding: tolerance as a fraction of the time between them. */
@@ -36,7 +36,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
     /**
      * Plans the pictures of some cameras.
      *
-     * @param option what messages call the list of cameras, such as {@code --labels}
+     * @param option name of the list of cameras in messages, such as {@code --labels}
      * @param chosen ids of cameras
      * @param runs the settings of all runs
      * @throws InputException when one is not a camera of the scene that takes pictures in visible light, or is switched
@@ -104,7 +104,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
         return (long) Math.floor(duration * rate + ROUNDING) + 1;
     }
 
-    /** How much will be written, in words. */
+    /** The amount of data to be written, in words. */
     public String inWords() {
         return String.format(
                 Locale.ROOT, "%d pictures of %s, %.1f megapixels", pictures, String.join(", ", cameras), pixels / MEGA);

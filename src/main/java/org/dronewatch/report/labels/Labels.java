@@ -26,9 +26,9 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes each look of some cameras as a picture, and what they show of the drones as {@code coco.json}, in the COCO
+ * Writes each look of some cameras as a picture, and the drones in them as {@code coco.json}, in the COCO
  * object-detection format: one annotation for each drone with at least one hit, whose mask consists of the sensor's
- * hits. Looks are written as they come; numbers follow the order of runs, cameras, looks and drones.
+ * hits. Looks are written during the run; numbers follow the order of runs, cameras, looks and drones.
  */
 public final class Labels implements AutoCloseable {
     /** Name of the file with all annotations. */
@@ -40,7 +40,7 @@ public final class Labels implements AutoCloseable {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
     private static final int DECIMALS = 6;
 
-    /** Where files are written. */
+    /** The destination of files. */
     @FunctionalInterface
     public interface Target {
         /** The path of a file of the results; its directory exists. */
@@ -59,7 +59,7 @@ public final class Labels implements AutoCloseable {
 
     private boolean several;
 
-    /** Labels by a plan. */
+    /** Labels according to a plan. */
     public Labels(LabelPlan plan, Target target) {
         this.plan = plan;
         this.target = target;
@@ -78,7 +78,7 @@ public final class Labels implements AutoCloseable {
         }
     }
 
-    /** Writes what the cameras saw that looked. */
+    /** Writes the looks of the cameras in a frame. */
     public void observed(Frame frame) throws IOException {
         for (int i = 0; i < cameras.size(); i++) {
             LabelledCamera camera = cameras.get(i);
@@ -154,7 +154,7 @@ public final class Labels implements AutoCloseable {
         return shortest.scale() < 0 ? shortest.setScale(0) : shortest;
     }
 
-    /** Writes {@code coco.json} from all that was seen. */
+    /** Writes {@code coco.json} for all pictures. */
     public void finish(String scene) throws IOException {
         closeParts();
         ObjectNode info = JsonNodeFactory.instance.objectNode();
@@ -197,7 +197,7 @@ public final class Labels implements AutoCloseable {
     }
 
     /**
-     * Ends the labels; what was not finished is the target's to remove.
+     * Ends the labels; the target has to remove unfinished files.
      *
      * @throws UncheckedIOException when the last lines cannot be written
      */

@@ -1,2 +1,2 @@
-/** Pictures of cameras with the drones in them marked, for those who train and test detectors. */
+/** Pictures of cameras with the drones in them labelled, for training and testing detectors. */
 package org.dronewatch.report.labels;

@@ -8,10 +8,9 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 
 /**
- * A map of a run, for programs that show maps: sensors, their fields of view, the flights, and where each drone was
- * when a sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above
- * the sea, or above the level of the scene's origin where its own height is not known. The same results give the same
- * bytes.
+ * A map of a run for map viewers: sensors, their fields of view, the flights, and the position of each drone when a
+ * sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the sea,
+ * or above the level of the scene's origin if the height of that is not known. The bytes depend only on the results.
  */
 public final class SiteMap {
     /** The name of the GeoJSON file (RFC 7946). */
@@ -30,7 +29,7 @@ public final class SiteMap {
     }
 
     /**
-     * The map of a result's first run; none unless its scene says where on earth its origin lies.
+     * The map of a result's first run; none unless its scene states the geographic position of its origin.
      *
      * @param stage the site of that run
      */

@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Properties;
 
-/** The version of this program, as the build wrote it into a resource. */
+/** The version of this program, which the build writes to a resource. */
 public final class ProgramVersion {
     /** The name of the program. */
     public static final String PROGRAM = "dronewatch";
@@ -17,7 +17,7 @@ public final class ProgramVersion {
 
     private ProgramVersion() {}
 
-    /** The version, such as {@code 1.2.0}; {@code development} where the build has not filled it in. */
+    /** The version, such as {@code 1.2.0}; {@code development} if the build has not filled it in. */
     public static String text() {
         Properties properties = new Properties();
         try (InputStream resource = ProgramVersion.class.getResourceAsStream(RESOURCE)) {

@@ -12,10 +12,10 @@ import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * Where results come from. It differs from run to run, unlike the results.
+ * The provenance of results. It differs from run to run, unlike the results.
  *
  * @param date when the run was started, to the second
- * @param command the arguments of the command line; none where a program ran the scene
+ * @param command the arguments of the command line; none if a program ran the scene
  * @param inputs the settings, scene files and models
  */
 public record Provenance(Instant date, List<String> command, InputFiles inputs) {

@@ -13,7 +13,7 @@ import tools.jackson.databind.node.ObjectNode;
 public final class ProvenanceFile {
     private ProvenanceFile() {}
 
-    /** All keys; {@code command} only where there was a command. */
+    /** All keys; {@code command} only if there was a command. */
     public static ObjectNode of(Provenance provenance, SceneResult result) {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("program", ProgramVersion.PROGRAM);

@@ -1,2 +1,2 @@
-/** Where results come from: the program, its version, the command, and which bytes the scene and its models had. */
+/** The provenance of results: the program, its version, the command, and the hashes of the scene and its models. */
 package org.dronewatch.report.provenance;

@@ -17,7 +17,7 @@ public final class BoundedFile {
     /**
      * All bytes of a file.
      *
-     * @param most bytes that it may have; no more is read
+     * @param most maximum number of bytes; no more are read
      * @throws InputException when there is no such file, or it is a directory, a pipe or a device, or larger
      */
     public static byte[] read(Path file, int most) {

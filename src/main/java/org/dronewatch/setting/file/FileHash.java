@@ -8,9 +8,9 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * Identifies the bytes that a file had when it was read.
+ * The name of a file with the hash of its bytes when it was read.
  *
- * @param file what the file is called, without the directories of the machine
+ * @param file name of the file, without the directories of the machine
  * @param sha256 SHA-256 of its bytes, 64 hexadecimal digits in lower case
  */
 public record FileHash(String file, String sha256) {

@@ -14,7 +14,7 @@ public final class JsonText {
     /**
      * The document.
      *
-     * @param name what messages call it
+     * @param name its name in messages
      * @throws InputException in one line when it is not JSON
      */
     public static JsonNode read(String name, byte[] bytes) {

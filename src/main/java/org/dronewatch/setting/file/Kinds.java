@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.dronewatch.setting.Choices;
 
-/** The kinds of settings from which a file may choose, and the ready settings that it may start from. Immutable. */
+/** The kinds of settings among which a file may choose, and the named settings on which it may build. Immutable. */
 public final class Kinds {
     /** The kinds of sealed interfaces, and those found on the class path. */
     public static final Kinds FOUND = new Kinds(Map.of(), Map.of(), Map.of());
@@ -19,11 +19,11 @@ public final class Kinds {
     private final Map<Class<?>, List<OtherForm>> others;
 
     /**
-     * Another form in which files may write values of a type.
+     * An alternative form of values of a type in files.
      *
-     * @param parts what is written
-     * @param value the value that follows from it; empty when it cannot be known, since something else in the file is
-     *     wrong. An {@link IllegalArgumentException} says what is wrong with what is written
+     * @param parts the form as written
+     * @param value converts it to the value; empty when that is unknown because of another mistake in the file. An
+     *     {@link IllegalArgumentException} states the mistake in the form
      */
     public record OtherForm(Class<? extends Record> parts, Function<Record, Optional<?>> value) {}
 
@@ -36,10 +36,10 @@ public final class Kinds {
         this.others = Map.copyOf(others);
     }
 
-    /** Ready settings that a file may take by name and change in part. */
+    /** Named settings that a file may use, and change in part. */
     public interface NamedSettings {
         /**
-         * The settings with this name, as if they stood in the file.
+         * The settings with this name, as if they were written in the file.
          *
          * @throws org.dronewatch.setting.InputException when they cannot be read
          */
@@ -57,14 +57,14 @@ public final class Kinds {
         }
     }
 
-    /** These and the kinds of one more interface, by the names used in files. */
+    /** These kinds and those of one more interface, by the names used in files. */
     public Kinds with(Class<?> type, Map<String, Class<? extends Record>> kinds) {
         Map<Class<?>, Map<String, Class<?>>> more = new LinkedHashMap<>(registered);
         more.put(type, new LinkedHashMap<>(kinds));
         return new Kinds(more, named, others);
     }
 
-    /** These, with ready settings for an interface. */
+    /** These kinds, with named settings for an interface. */
     public Kinds with(Class<?> type, NamedSettings settings) {
         Map<Class<?>, NamedSettings> more = new LinkedHashMap<>(named);
         more.put(type, settings);
@@ -72,11 +72,10 @@ public final class Kinds {
     }
 
     /**
-     * These, with another form in which files may write values of a type, by the parts of a record that have other
-     * names than its own.
+     * These kinds, with an alternative form of values of a type: a record whose components have other names than those
+     * of the type.
      *
-     * @param value the value that follows from what is written; empty when it cannot be known, since something else in
-     *     the file is wrong
+     * @param value converts the form to the value; empty when that is unknown because of another mistake in the file
      */
     public <T, F extends Record> Kinds with(Class<T> type, Class<F> parts, Function<F, Optional<T>> value) {
         List<OtherForm> forms = new ArrayList<>(otherForms(type));
@@ -86,7 +85,7 @@ public final class Kinds {
         return new Kinds(registered, named, more);
     }
 
-    /** The other forms in which files may write values of a type. */
+    /** The alternative forms of values of a type in files. */
     public List<OtherForm> otherForms(Class<?> type) {
         return others.getOrDefault(type, List.of());
     }
@@ -101,7 +100,7 @@ public final class Kinds {
         return registered.containsKey(type) ? registered.get(type) : Choices.of(type);
     }
 
-    /** Ready settings for a type. */
+    /** The named settings for a type. */
     public Optional<NamedSettings> named(Class<?> type) {
         return Optional.ofNullable(named.get(type));
     }

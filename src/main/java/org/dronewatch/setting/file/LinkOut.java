@@ -6,19 +6,19 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Links that lead out of a scene's directory: a scene file from another author can read nothing elsewhere. Names that
- * start from the working directory are the user's choice, and so are names that visibly lead elsewhere: scene files may
- * not contain such names.
+ * Rejects links that lead out of a scene's directory, so that a scene file from another author cannot read other files.
+ * Names relative to the working directory, and names that visibly lead elsewhere, are the user's choice: scene files
+ * may not contain such names.
  */
 public final class LinkOut {
     private LinkOut() {}
 
     /**
-     * Refuses a file that is reached by such a link.
+     * Rejects a file that is reached by such a link.
      *
      * @param directory that of the scene file; empty for the working directory
      * @param file that exists
-     * @param what the beginning of a message, such as {@code model file}
+     * @param what first words of the message, such as {@code model file}
      * @throws InputException when it lies elsewhere, or cannot be read
      */
     public static void refuse(Path directory, Path file, String what) {

@@ -7,23 +7,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** A node of a document and its location. Immutable; an alias makes one node appear at two locations. */
+/** A node of a document with its location. Immutable; with an alias, one node appears at two locations. */
 public sealed interface Node {
     /** Its location. */
     Mark mark();
 
     /**
-     * The location of the value whose path a text begins with, if this node holds values by name; otherwise the
-     * location of this node.
+     * The location of the value whose path is at the beginning of a text, if this node holds values by name; otherwise
+     * the location of this node.
      */
     default Mark markOf(String text) {
         return mark();
     }
 
-    /**
-     * Number of nodes it consists of, itself included; a node that appears twice counts twice. At most
-     * {@link Long#MAX_VALUE}.
-     */
+    /** Its number of nodes, itself included; a node that appears twice counts twice. At most {@link Long#MAX_VALUE}. */
     long size();
 
     /**
@@ -39,9 +36,9 @@ public sealed interface Node {
     }
 
     /**
-     * A ready value that a program put into a document.
+     * A value that a program put into a document.
      *
-     * @param value of the type that is wanted in its place
+     * @param value of the type required at its location
      */
     record Ready(Object value, Mark mark) implements Node {
         @Override
@@ -53,7 +50,7 @@ public sealed interface Node {
     /**
      * A list.
      *
-     * @param size how many nodes it is made of
+     * @param size its number of nodes
      */
     record Sequence(List<Node> items, Mark mark, long size) implements Node {
         static Sequence of(List<Node> items, Mark mark) {
@@ -64,8 +61,8 @@ public sealed interface Node {
     /**
      * Values by name, in their order.
      *
-     * @param keys where each name stands
-     * @param size how many nodes it is made of
+     * @param keys the location of each name
+     * @param size its number of nodes
      */
     record Mapping(Map<String, Node> values, Map<String, Mark> keys, Mark mark, long size) implements Node {
         static Mapping of(Map<String, Node> values, Map<String, Mark> keys, Mark mark) {
@@ -82,8 +79,8 @@ public sealed interface Node {
         }
 
         /**
-         * This mapping with the values of another one laid over it: mappings that both have are merged unless the other
-         * one names another kind, everything else is replaced.
+         * This mapping with the values of another one on top: mappings that both have are merged unless the other one
+         * names another kind, everything else is replaced.
          */
         public Mapping overlaidWith(Mapping over) {
             Map<String, Node> all = new LinkedHashMap<>(values);
@@ -134,8 +131,8 @@ public sealed interface Node {
         }
 
         /**
-         * The location of the value whose path a text begins with, as in {@code alert.rule.count 5 must be}; for a
-         * value that is not written, the location of the mapping that should hold it.
+         * The location of the value whose path is at the beginning of a text, as in {@code alert.rule.count 5 must be};
+         * for a value that is not written, the location of the mapping that should hold it.
          */
         @Override
         public Mark markOf(String text) {

@@ -5,7 +5,7 @@ import java.io.InputStream;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
-/** Files of real places that come with the library, by names such as {@code packaged:monaco-srtm.asc}. */
+/** Files of real places that are included in the library, by names such as {@code packaged:monaco-srtm.asc}. */
 public final class PackagedSite {
     /** The prefix of such names. */
     public static final String PREFIX = "packaged:";

@@ -44,9 +44,9 @@ public final class SettingsFile {
     }
 
     /**
-     * The document that a stream holds.
+     * The document in a stream.
      *
-     * @param name what messages call it
+     * @param name its name in messages
      * @throws InputException when it is not such a document
      * @throws IOException when the stream cannot be read
      */
@@ -61,7 +61,7 @@ public final class SettingsFile {
      * Reads a record from a part of a document.
      *
      * @param type a record, or an interface with kinds
-     * @param directory where file names start
+     * @param directory directory of relative file names
      * @param used receives the settings that are written under a former name
      * @throws InputException with a line for each mistake
      */
@@ -77,8 +77,8 @@ public final class SettingsFile {
      * default value.
      *
      * @param kinds among which to choose where the record has an interface
-     * @param from directory where names of files in the settings start
-     * @param file that is to hold the text; names of files in it start from its directory
+     * @param from directory of relative file names in the settings
+     * @param file that is to hold the text; file names in it are relative to its directory
      * @return the text, which has been read back and is equal to the settings
      * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
      *     below it
@@ -102,12 +102,12 @@ public final class SettingsFile {
     }
 
     /**
-     * A record as it would stand in a file, as a part of a document.
+     * A record as a part of a document, as it would be written to a file.
      *
      * @param type the type of the setting that holds it: its own, or an interface with kinds
      * @param kinds among which to choose
-     * @param from directory where names of files in the settings start
-     * @param file that is to hold the part; names of files in it start from its directory
+     * @param from directory of relative file names in the settings
+     * @param file that is to hold the part; file names in it are relative to its directory
      * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
      *     below it
      */
@@ -117,12 +117,12 @@ public final class SettingsFile {
     }
 
     /**
-     * A record likewise, but with all its values, including those at their defaults.
+     * A record as a part of a document with all its values, including those at their defaults.
      *
      * @param type the type of the setting that holds it: its own, or an interface with kinds
      * @param kinds among which to choose
-     * @param from directory where names of files in the settings start
-     * @param file that is to hold the part; names of files in it start from its directory
+     * @param from directory of relative file names in the settings
+     * @param file that is to hold the part; file names in it are relative to its directory
      * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
      *     below it
      */

@@ -38,7 +38,7 @@ public final class XmlText {
     /**
      * Reads a document.
      *
-     * @param name what messages call it
+     * @param name its name in messages
      * @param root name of its outermost element
      * @param reading receives it inside that element
      * @throws InputException in one line when it is not such a document
@@ -84,7 +84,7 @@ public final class XmlText {
         return xml.hasNext();
     }
 
-    /** Goes on to what follows, as {@link XMLStreamReader#next()} does. */
+    /** Advances to the next event, as {@link XMLStreamReader#next()} does. */
     public int next() throws XMLStreamException {
         int event = xml.next();
         if (event == XMLStreamConstants.DTD) {

@@ -6,7 +6,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.BandFractions;
 
 /**
- * What a surface absorbs of sound that arrives at an angle.
+ * The absorption of a surface at one angle of incidence.
  *
  * @param angle angle between the direction of the sound and the surface's normal, 0 to 90 degrees, rad
  * @param absorption fraction that is not reflected, 0 to 1: eight octave bands, or one number

@@ -7,7 +7,7 @@ import org.dronewatch.sound.OctaveBands;
  * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is that of the
  * {@link SphericalReflection} and C the coherence. The caller accounts for spreading, air and directivity.
  *
- * @param ground what reflects
+ * @param ground impedance of the ground
  * @param soundSpeed m/s, above 0
  * @param direct length of the direct path R1, m, above 0
  * @param reflected length of the reflected path R2, m, R1 or more

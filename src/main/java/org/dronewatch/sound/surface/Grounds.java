@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.sound.CsvTable;
 
-/** The impedances of the surfaces that come with the library and can be ground, each with its source. */
+/** The ground impedances of the library's surfaces, each with its source. */
 public final class Grounds {
     private static final CsvTable<GroundImpedance> TABLE = new CsvTable<>(
             "ground.csv", "ground", row -> new GroundImpedance(Double.parseDouble(row.getField("sigma"))));

@@ -32,7 +32,7 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  *     20,000 m/s; omit it if unknown
  * @param flowResistivity with {@code ground: coherent}, the effective flow resistivity of this surface as ground, above
  *     0 to 1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; if it is omitted, the value of the surface of the
- *     same name in the table is used; if there is none, the surface reflects in phase what it does not absorb
+ *     same name in the table is used; if there is none, the surface reflects all unabsorbed sound in phase
  */
 public record OwnSurface(
         Optional<BandFractions> absorption,
@@ -44,7 +44,7 @@ public record OwnSurface(
         @In(value = Quantity.NUMBER, above = 0, to = 1_000_000) Optional<Double> flowResistivity) {
     private static final BandFractions ORDINARY_ABSORPTION = BandFractions.flat(0.1);
 
-    /** As the table's ordinary hard surface: an opaque sheet that absorbs a tenth and scatters a fifth of the rest. */
+    /** The table's ordinary hard surface: an opaque sheet that absorbs a tenth and scatters a fifth of the rest. */
     @Defaults
     public static final OwnSurface DEFAULT = new OwnSurface(
             Optional.empty(),
@@ -56,7 +56,7 @@ public record OwnSurface(
             Optional.empty());
 
     /**
-     * Checks the limits and keeps its own list.
+     * Checks the limits and copies the list.
      *
      * @throws IllegalArgumentException if a value is out of range, absorption is given twice, angles do not increase,
      *     or more energy would be reflected and transmitted than arrives
@@ -94,7 +94,7 @@ public record OwnSurface(
         return SettingsForm.with(this, Map.of("absorption", Optional.empty(), "absorptionByAngle", table));
     }
 
-    /** This surface with another scattered fraction of what it reflects. */
+    /** This surface with another scattered fraction of the reflected energy. */
     public OwnSurface withScattering(BandFractions fractions) {
         return SettingsForm.with(this, "scattering", fractions);
     }

@@ -21,7 +21,7 @@ import org.dronewatch.sound.OctaveBands;
  * @param transmissionLoss loss through the wall, 0 or more, one for each band, dB; none for an opaque wall
  * @param wall whether one surface is the whole wall
  * @param speed speed of sound inside, m/s; empty if unknown or opaque
- * @param source where the figures come from
+ * @param source source of the figures
  * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse
  *     field. Empty if it is the same at all angles
  * @param ground its impedance as ground, where direct and reflected sound interfere; empty for that of the surface of
@@ -38,7 +38,7 @@ public record SurfaceMaterial(
         Optional<AngularAbsorption> angular,
         Optional<GroundImpedance> ground) {
 
-    /** How a wall is modelled in a mesh. */
+    /** The model of a wall in a mesh. */
     public enum Wall {
         /** One surface is the whole wall, however thick. */
         SHEET,
@@ -49,8 +49,8 @@ public record SurfaceMaterial(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more than all would be
-     *     reflected and transmitted together
+     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more energy would be
+     *     reflected and transmitted than arrives
      */
     public SurfaceMaterial {
         Check.present("name", name);
@@ -70,10 +70,10 @@ public record SurfaceMaterial(
     }
 
     /**
-     * A material that absorbs the same at all angles.
+     * A material with the same absorption at all angles.
      *
-     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more than all would be
-     *     reflected and transmitted together
+     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more energy would be
+     *     reflected and transmitted than arrives
      */
     public SurfaceMaterial(
             String name,

@@ -13,8 +13,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /**
- * The surfaces that come with the library, each with its source. The published tables begin at 125 Hz and end at 4 kHz:
- * 63 Hz takes the value at 125 Hz and 8 kHz that at 4 kHz; scattering is one value for all bands.
+ * The acoustic surfaces of the library, each with its source. The published tables begin at 125 Hz and end at 4 kHz: 63
+ * Hz has the value at 125 Hz, and 8 kHz that at 4 kHz; scattering is the same in all bands.
  */
 public final class SurfaceMaterials {
     /** The default surface, for materials without a name. */

@@ -1,8 +1,9 @@
 package org.dronewatch.sound.surface;
 
 /**
- * How much of the reflected energy a rough surface scatters, as a function of the angle of incidence. Materials state
- * it for a diffuse field (ISO 17497-1); at grazing incidence a rough surface acts as a mirror (Rayleigh's criterion).
+ * The fraction of the reflected energy that a rough surface scatters, as a function of the angle of incidence.
+ * Materials state it for a diffuse field (ISO 17497-1); at grazing incidence a rough surface acts as a mirror
+ * (Rayleigh's criterion).
  */
 public final class SurfaceRoughness {
     private static final int HALVINGS = 50;

@@ -6,7 +6,7 @@ package org.dronewatch.sound.surface;
  * {@code exp(-r^2 / L^2)}; then the coherence of two paths of length R whose distance from each other grows to h is
  * {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} with {@code rho = sqrt(pi) / 2 L / h erf(h / L)}.
  *
- * <p>This counts the fluctuations of phase and of amplitude, as the mean of the product of two waves does (S. F.
+ * <p>This includes the fluctuations of phase and of amplitude, as in the mean of the product of two waves (S. F.
  * Clifford and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is in the phase; far from it,
  * beyond {@code k L^2}, half is in the phase and half in the logarithm of the amplitude, with the same sum. With the
  * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent is half as large beyond {@code k L^2}.

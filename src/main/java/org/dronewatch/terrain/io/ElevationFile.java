@@ -4,18 +4,21 @@ import java.io.IOException;
 import java.util.Optional;
 import org.dronewatch.geo.CoordinateReferenceSystem;
 
-/** A file of posts: where they are is known, their heights are read when they are needed. One thread at a time. */
+/**
+ * A file of elevation posts, whose positions are known and whose heights are read when they are needed. One thread at a
+ * time.
+ */
 public interface ElevationFile {
     /** Its name in messages. */
     String name();
 
-    /** How many columns of posts it has, 2 or more. */
+    /** The number of its columns of posts, 2 or more. */
     int columns();
 
-    /** How many rows of posts it has, 2 or more. */
+    /** The number of its rows of posts, 2 or more. */
     int rows();
 
-    /** Where its posts are. */
+    /** The positions of its posts. */
     Lattice lattice();
 
     /** The coordinate reference system that the file states, if it does. */
@@ -30,9 +33,9 @@ public interface ElevationFile {
      */
     float[] heights(Window window) throws IOException;
 
-    /** Whether heights are known to be those of roofs and treetops. */
+    /** Whether its heights are known to include roofs and treetops. */
     boolean isSurfaceModel();
 
-    /** Whether the file says which height stands for none. */
+    /** Whether the file states a height that means "no data". */
     boolean statesNodata();
 }

@@ -21,7 +21,7 @@ import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.setting.file.PackagedSite;
 
 /**
- * Opens files of elevations by what they begin with, whatever they are called; only tiles of SRTM must have their
+ * Opens elevation files, whose format is recognised by their first bytes; only SRTM tiles are recognised by their
  * names.
  */
 public final class ElevationFiles {
@@ -56,7 +56,7 @@ public final class ElevationFiles {
         return path;
     }
 
-    /** Which bytes a file has. */
+    /** The hash of a file's bytes. */
     public FileHash hash(String name) {
         if (PackagedSite.isNamed(name)) {
             return packagedHash(name);
@@ -97,7 +97,7 @@ public final class ElevationFiles {
         }
     }
 
-    /** What is wrong with a file, in one line. */
+    /** The exception for a file that cannot be read, in one line. */
     public static InputException unreadable(String name, IOException problem) {
         if (problem instanceof EOFException) {
             return new InputException(name + ": ends too early: it is cut off or damaged", problem);

@@ -1,15 +1,15 @@
 package org.dronewatch.terrain.io;
 
 /**
- * Some columns and rows of a grid.
+ * A window of columns and rows of a grid.
  *
  * @param column the first of them
  * @param row the first of them
- * @param columns how many
- * @param rows how many
+ * @param columns their number
+ * @param rows their number
  */
 public record Window(int column, int row, int columns, int rows) {
-    /** What it shares with another one; without columns or rows if nothing. */
+    /** The intersection with another window; without columns or rows if they do not overlap. */
     public Window and(Window other) {
         int west = Math.max(column, other.column);
         int north = Math.max(row, other.row);
@@ -23,12 +23,12 @@ public record Window(int column, int row, int columns, int rows) {
         return columns == 0 || rows == 0;
     }
 
-    /** As many columns and rows further on. */
+    /** This window moved by a number of columns and rows. */
     public Window moved(int byColumns, int byRows) {
         return new Window(column + byColumns, row + byRows, columns, rows);
     }
 
-    /** How many posts it has. */
+    /** The number of its posts. */
     public long posts() {
         return (long) columns * rows;
     }

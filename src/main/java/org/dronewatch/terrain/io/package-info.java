@@ -1,2 +1,2 @@
-/** Reads files of elevations: where their posts are on the map, and how high. */
+/** Readers of elevation files: positions and heights of their posts. */
 package org.dronewatch.terrain.io;
