@@ -5,13 +5,13 @@ import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
- * How a ray from the sensor reached the surface that it hits: its legs between scatterings, straight, over walls or
+ * How a ray from the start reached the surface that it hits: its legs between scatterings, straight, over walls or
  * through them. One per thread.
  */
 final class Arrival {
     private final SpecularLeg leg = new SpecularLeg();
 
-    private static final int LEGS = Connections.FROM_SOURCE + 1;
+    private static final int LEGS = Connections.FROM_TARGET + 1;
 
     /** The inverse densities of the last legs, the one that ends here first. */
     private final double[] inverseDensities = new double[LEGS];
@@ -19,13 +19,13 @@ final class Arrival {
     /** Whether each of these legs went through a wall. */
     private final boolean[] throughWalls = new boolean[LEGS];
 
-    /** Whether rays from the source are not connected at these legs but may pass the sensor. */
+    /** Whether rays from the target are not connected at these legs but may pass the start. */
     private final boolean[] isPassing = new boolean[LEGS];
 
     /** How many surfaces the ray had hit where each of these legs ends, including the one there. */
     private final int[] orders = new int[LEGS];
 
-    private boolean isFromSensor;
+    private boolean isFromStart;
     private double leaving;
     private Ends ends;
     private ReceiverSphere receiver;
@@ -33,12 +33,12 @@ final class Arrival {
     /**
      * A new ray.
      *
-     * @param ofSensor the sphere in which rays from the source that pass the sensor are counted
+     * @param ofStart the sphere in which rays from the target that pass the start are counted
      */
-    void start(Ends both, ReceiverSphere ofSensor, AcousticRay ray) {
+    void start(Ends both, ReceiverSphere ofStart, AcousticRay ray) {
         ends = both;
-        receiver = ofSensor;
-        isFromSensor = true;
+        receiver = ofStart;
+        isFromStart = true;
         Arrays.fill(inverseDensities, Connections.NEVER);
         Arrays.fill(throughWalls, false);
         leg.begin(ray);
@@ -50,7 +50,7 @@ final class Arrival {
      * @param cosine of the angle between the new direction and the surface's normal
      */
     void scatter(AcousticRay ray, double cosine) {
-        isFromSensor = false;
+        isFromStart = false;
         leaving = cosine;
         for (int leg = inverseDensities.length - 1; leg > 0; leg--) {
             inverseDensities[leg] = inverseDensities[leg - 1];
@@ -76,14 +76,14 @@ final class Arrival {
     }
 
     private double inverseDensity(double arriving) {
-        boolean isOfImage = isFromSensor ? leg.matchesFromStart(ends.ofSensor()) : leg.matchesFromEnd(ends.ofSource());
+        boolean isOfImage = isFromStart ? leg.matchesFromStart(ends.ofStart()) : leg.matchesFromEnd(ends.ofTarget());
         isPassing[0] = leg.order() > 0 && !isOfImage;
         if (isPassing[0]) {
-            return isFromSensor && ends.isOpen() && !leg.isThroughWalls()
+            return isFromStart && ends.isOpen() && !leg.isThroughWalls()
                     ? receiver.inverseDensity(leg.length())
                     : Connections.NEVER;
         }
-        double inAir = isFromSensor
+        double inAir = isFromStart
                 ? Connections.fromPoint(arriving, leg.length())
                 : Connections.betweenSurfaces(leaving, arriving, leg.length());
         return leg.isThroughWalls() ? Connections.throughWalls(inAir) : inAir;
@@ -99,26 +99,26 @@ final class Arrival {
         leg.passThrough();
     }
 
-    /** The leg since the ray left the sensor or was scattered last. */
+    /** The leg since the ray left the start or was scattered last. */
     SpecularLeg leg() {
         return leg;
     }
 
-    /** Whether the sound that would arrive straight from the source is computed exactly, or was connected already. */
+    /** Whether what would arrive straight from the target is computed exactly, or was connected already. */
     boolean isExact() {
-        if (!isFromSensor) {
-            return leg.matchesFromEnd(ends.ofSource());
+        if (!isFromStart) {
+            return leg.matchesFromEnd(ends.ofTarget());
         }
         return !leg.isThroughWalls()
                 && (leg.order() == 1
-                        || leg.matchesFromStart(ends.pureOfSensor())
-                        || leg.matchesFromEnd(ends.pureOfSource())
+                        || leg.matchesFromStart(ends.pureOfStart())
+                        || leg.matchesFromEnd(ends.pureOfTarget())
                         || leg.matchesFromEnd(ends.exactly()));
     }
 
     /**
      * The sum of the inverse densities of those legs so far at which the same path could also be connected, if rays
-     * from the source reached them.
+     * from the target reached them.
      *
      * @param scatterings how many times the rest of the path is scattered before it comes here
      * @param surfaces how many surfaces the rest of the path hits
@@ -128,8 +128,8 @@ final class Arrival {
     }
 
     /**
-     * The sum of the inverse densities of the legs before the ray was scattered last: where the ray passes the source
-     * after specular reflections, rays from the source can be connected at these. 0 if they cannot reach them.
+     * The sum of the inverse densities of the legs before the ray was scattered last: where the ray passes the target
+     * after specular reflections, rays from the target can be connected at these. 0 if they cannot reach them.
      */
     double inverseDensityBefore() {
         return leg.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);
@@ -141,12 +141,12 @@ final class Arrival {
             if (surfaces + orders[0] - orders[leg] + 1 > ScatteredSound.MOST) {
                 return sum;
             }
-            // To pass the sensor a ray from the source must go on from the last surface.
+            // To pass the start a ray from the target must go on from the last surface.
             if (!isPassing[leg] || leg < end - 1 && surfaces + orders[0] < ScatteredSound.MOST) {
                 sum += inverseDensities[leg];
             }
             if (throughWalls[leg]) {
-                // Rays from the source end at walls.
+                // Rays from the target end at walls.
                 return sum;
             }
         }

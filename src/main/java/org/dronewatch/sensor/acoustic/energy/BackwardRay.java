@@ -15,15 +15,15 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * One ray traced backward from the sensor. A surface absorbs part of its energy; the rest goes on as one ray, reflected
- * specularly, scattered by Lambert's law or transmitted through the wall, drawn at random so that the mean is right.
- * Where the ray is scattered, it is connected to the source; where it passes the source after specular reflections, it
- * is counted in a sphere around the source, unless its path is computed exactly or was connected before. One per
- * thread.
+ * One ray that is followed to its end: backward from the sensor or, if that is the start (see {@link Ends}), from the
+ * source. A surface absorbs part of its energy; the rest goes on as one ray, reflected specularly, scattered by
+ * Lambert's law or transmitted through the wall, drawn at random so that the mean is right. Where the ray is scattered,
+ * it is connected to the target; where it passes the target after specular reflections, it is counted in a sphere
+ * around the target, unless its path is computed exactly or was connected before. One per thread.
  */
 final class BackwardRay {
     /**
-     * Up to this order every surface that scatters is connected to the source, later ones only if the ray is scattered
+     * Up to this order every surface that scatters is connected to the target, later ones only if the ray is scattered
      * there.
      */
     private static final int ALWAYS_JOINED = 2;
@@ -36,8 +36,8 @@ final class BackwardRay {
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
-    private final ReceiverSphere ofSource;
-    private final ReceiverSphere ofSensor;
+    private final ReceiverSphere ofTarget;
+    private final ReceiverSphere ofStart;
     private final DiffuseConnection connection;
     private final EnergyPacket energy;
     private final Arrival arrival = new Arrival();
@@ -51,15 +51,15 @@ final class BackwardRay {
     private RayRecorder recorder;
     private int traced;
 
-    /** Whether the last interaction was a specular reflection: such rays cannot be connected to a point source. */
+    /** Whether the last interaction was a specular reflection: such rays cannot be connected to a point. */
     private boolean fromMirror;
 
     /**
-     * Rays from one sensor.
+     * Rays from one end.
      *
-     * @param ofSource the sphere around the source
-     * @param ofSensor the sphere around the sensor
-     * @param connection connects scattered rays to the source
+     * @param ofTarget the sphere around the target
+     * @param ofStart the sphere around the start
+     * @param connection connects scattered rays to the target
      * @param energy of the ray
      */
     BackwardRay(
@@ -67,8 +67,8 @@ final class BackwardRay {
             World world,
             WallPlanes planes,
             BandSurfaces surfaces,
-            ReceiverSphere ofSource,
-            ReceiverSphere ofSensor,
+            ReceiverSphere ofTarget,
+            ReceiverSphere ofStart,
             DiffuseConnection connection,
             EnergyPacket energy) {
         this.model = model;
@@ -76,16 +76,16 @@ final class BackwardRay {
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.planes = planes;
-        this.ofSource = ofSource;
-        this.ofSensor = ofSensor;
+        this.ofTarget = ofTarget;
+        this.ofStart = ofStart;
         this.connection = connection;
         this.energy = energy;
     }
 
     /**
-     * Follows one ray to its end, looking for the source.
+     * Follows one ray to its end, looking for the target.
      *
-     * @param near where a ray from the source was scattered
+     * @param near where a ray from the target was scattered
      * @return the number of segments traced
      */
     int follow(Ends both, ScatteredSound near, RandomGenerator chance, RayRecorder listener) {
@@ -122,26 +122,26 @@ final class BackwardRay {
     }
 
     private void start() {
-        energy.fill(ends.source());
-        ray.originX = ends.sensor().x();
-        ray.originY = ends.sensor().y();
-        ray.originZ = ends.sensor().z();
+        ray.originX = ends.start().x();
+        ray.originY = ends.start().y();
+        ray.originZ = ends.start().z();
         Directions.draw(random, ray);
+        energy.fill(ends, ray.directionZ);
         ray.travelled = 0.0;
         ray.order = 0;
         ray.medium = AcousticRay.AIR;
         fromMirror = false;
-        arrival.start(ends, ofSensor, ray);
+        arrival.start(ends, ofStart, ray);
     }
 
     private void countPassing(double end) {
-        if (!ofSource.isCrossed(ray, arrival.leg(), end, random)) {
+        if (!ofTarget.isCrossed(ray, arrival.leg(), end, random)) {
             return;
         }
         for (int band = 0; band < emitted.length; band++) {
-            emitted[band] = energy.byBand()[band] * ends.source().factor(band, ofSource.rise());
+            emitted[band] = energy.byBand()[band] * ends.targetFactor(band, ofTarget.rise());
         }
-        ofSource.count(ray, emitted, arrival.inverseDensityBefore());
+        ofTarget.count(ray, emitted, arrival.inverseDensityBefore());
     }
 
     private void recordFlight(double length) {
@@ -156,7 +156,7 @@ final class BackwardRay {
 
     private void recordConnection() {
         if (recorder != RayRecorder.NONE) {
-            Position position = ends.source().position();
+            Position position = ends.target();
             record(position.x(), position.y(), position.z(), true);
         }
     }

@@ -2,18 +2,18 @@ package org.dronewatch.sensor.acoustic.energy;
 
 /**
  * The weights of paths that can be found in several ways. Sound from a drone to a sensor that is scattered n times
- * follows n + 1 legs. Rays from the sensor may find the path up to any of these legs, rays from the source the rest,
- * and that leg connects the two. Each of these strategies is weighted by its fraction of the probability density with
- * which all of them find the path (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), so that the path counts
- * once, and no path is rare, whether its surfaces lie near the sensor or near the source.
+ * follows n + 1 legs. Rays from one end, the start, may find the path up to any of these legs, rays from the other end,
+ * the target, the rest, and that leg connects the two. Each of these strategies is weighted by its fraction of the
+ * probability density with which all of them find the path (Veach and Guibas, SIGGRAPH 1995, the balance heuristic), so
+ * that the path counts once, and no path is rare, whether its surfaces lie near the start or near the target.
  *
  * <p>By Lambert's law a ray from one end of a leg finds the other end with the same density both ways. So the density
  * of a strategy is the product of the densities of all legs but the one at which it connects, and its weight is
  * proportional to the reciprocal of that leg's density, here called the <em>inverse density</em>, m2.
  */
 final class Connections {
-    /** In the open, the maximum number of times that a ray from the source is scattered, and connected there. */
-    static final int FROM_SOURCE = 3;
+    /** In the open, the maximum number of times that a ray from the target is scattered, and connected there. */
+    static final int FROM_TARGET = 3;
 
     /** A leg that rays cannot connect. */
     static final double NEVER = 0.0;
@@ -26,7 +26,7 @@ final class Connections {
     private Connections() {}
 
     /**
-     * The inverse density of a leg from a source or a sensor, from which rays leave isotropically.
+     * The inverse density of a leg from one of the ends, from which rays leave isotropically.
      *
      * @param arriving cosine of the angle between the leg and the normal of the surface at which it ends
      * @param length of the leg, m

@@ -9,8 +9,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Connects a point where a ray from the sensor is scattered to the source, and to the points where a ray from the
- * source was scattered first: straight, through the walls in between, and by the reflections of the image sources.
+ * Connects a point where a ray from the start is scattered to the target, and to the points where a ray from the
+ * target was scattered first: straight, through the walls in between, and by the reflections of image sources.
  * Paths that are connected here must not be counted again in the sphere. One per thread.
  */
 final class DiffuseConnection {
@@ -24,7 +24,7 @@ final class DiffuseConnection {
     private final double[] brought = new double[BANDS];
     private Ends ends;
     private double[] images = new double[3];
-    private double[] imagesOfSensor = new double[3];
+    private double[] imagesOfStart = new double[3];
 
     DiffuseConnection(
             EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
@@ -38,8 +38,8 @@ final class DiffuseConnection {
     /** Prepares for one look. */
     void seek(Ends next, WallPlanes planes) {
         ends = next;
-        images = imagesOf(next.source().position(), next.ofSource(), planes, images);
-        imagesOfSensor = imagesOf(next.sensor(), next.ofSensor(), planes, imagesOfSensor);
+        images = imagesOf(next.target(), next.ofTarget(), planes, images);
+        imagesOfStart = imagesOf(next.start(), next.ofStart(), planes, imagesOfStart);
     }
 
     private static double[] imagesOf(Position point, ImageSources imageSources, WallPlanes planes, double[] into) {
@@ -49,14 +49,14 @@ final class DiffuseConnection {
     }
 
     /**
-     * Adds the sound that a surface scatters towards the source.
+     * Adds the sound that a surface scatters towards the target.
      *
      * @param ray at the point where it hits the surface
      * @param normal of the surface, on the ray's side
      * @param material of the surface
      * @param leaving the energy that leaves by Lambert's law, in each band
      * @param arrival how the ray reached that point
-     * @param scattered where a ray from the source was scattered first
+     * @param scattered where a ray from the target was scattered first
      * @return how many connections were tried
      */
     int add(
@@ -66,16 +66,16 @@ final class DiffuseConnection {
             double[] leaving,
             Arrival arrival,
             ScatteredSound scattered) {
-        leg.bend(ends.curvature(), false);
-        for (int image = ImageSources.ORIGINAL; image < ends.ofSource().count(); image++) {
-            if (ray.order + ends.ofSource().order(image) <= maxOrder) {
-                addFromSource(image, ray, normal, material, leaving, arrival);
+        leg.bend(ends.curvature(), ends.isFromSource());
+        for (int image = ImageSources.ORIGINAL; image < ends.ofTarget().count(); image++) {
+            if (ray.order + ends.ofTarget().order(image) <= maxOrder) {
+                addFromTarget(image, ray, normal, material, leaving, arrival);
             }
         }
         for (int i = 0; i < scattered.count(); i++) {
             ScatteredSound.Point point = scattered.point(i);
-            for (int image = ImageSources.ORIGINAL; image < ends.ofSource().count(); image++) {
-                if (ray.order + point.order + ends.ofSource().order(image) <= maxOrder) {
+            for (int image = ImageSources.ORIGINAL; image < ends.ofTarget().count(); image++) {
+                if (ray.order + point.order + ends.ofTarget().order(image) <= maxOrder) {
                     join(image, ray, normal, material, leaving, arrival, point);
                 }
             }
@@ -83,9 +83,9 @@ final class DiffuseConnection {
         return leg.takeTraced();
     }
 
-    private void addFromSource(
+    private void addFromTarget(
             int image, AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
-        if (!leg.find(ends.ofSource(), images, image, ray.originX, ray.originY, ray.originZ)) {
+        if (!leg.find(ends.ofTarget(), images, image, ray.originX, ray.originY, ray.originZ)) {
             return;
         }
         double cosine = leg.cosineAtBeginning(normal);
@@ -93,26 +93,26 @@ final class DiffuseConnection {
             return;
         }
         double distance = leg.length();
-        // Rays from the source end at walls.
+        // Rays from the target end at walls.
         double weight = leg.isThroughWalls()
                 ? 1.0
                 : Connections.weight(
                         Connections.fromPoint(cosine, distance),
-                        arrival.inverseDensity(0, ends.ofSource().order(image)));
+                        arrival.inverseDensity(0, ends.ofTarget().order(image)));
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
                     * surfaces.scatteredTo(material, band, cosine)
                     * geometry
                     * leg.passed(band)
-                    * ends.source().factor(band, leg.riseFromEnd())
+                    * ends.targetFactor(band, leg.riseFromEnd())
                     * air.left(band, distance);
         }
         tally.add(ray, brought, distance);
     }
 
     private boolean isOpen(AcousticRay ray, double toX, double toY, double toZ) {
-        double curvature = ends.curvature().along(ray.originX - toX, ray.originY - toY, ray.originZ - toZ);
+        double curvature = ends.curvature(ray.originX - toX, ray.originY - toY, ray.originZ - toZ);
         return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, ray.medium, curvature);
     }
 
@@ -124,7 +124,7 @@ final class DiffuseConnection {
             double[] leaving,
             Arrival arrival,
             ScatteredSound.Point point) {
-        if (!leg.find(ends.ofSource(), point.images, image, ray.originX, ray.originY, ray.originZ)) {
+        if (!leg.find(ends.ofTarget(), point.images, image, ray.originX, ray.originY, ray.originZ)) {
             return;
         }
         double here = leg.cosineAtBeginning(normal);
@@ -141,7 +141,7 @@ final class DiffuseConnection {
                         point.inverseDensity
                                 + arrival.inverseDensity(
                                         point.scatterings,
-                                        point.order + ends.ofSource().order(image)));
+                                        point.order + ends.ofTarget().order(image)));
         double geometry = weight * 4.0 * here * there / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = leaving[band]
@@ -156,35 +156,35 @@ final class DiffuseConnection {
     }
 
     /**
-     * Adds the sound that reaches the sensor from the points where a ray from the source was scattered first.
+     * Adds the sound that reaches the start from the points where a ray from the target was scattered first.
      *
      * @return how many connections were tried
      */
     int addFrom(ScatteredSound scattered, AcousticRay scratch) {
-        ImageSources imageSources = ends.ofSensor();
-        leg.bend(ends.curvature(), true);
+        ImageSources imageSources = ends.ofStart();
+        leg.bend(ends.curvature(), !ends.isFromSource());
         for (int i = 0; i < scattered.count(); i++) {
             ScatteredSound.Point point = scattered.point(i);
             for (int image = ImageSources.ORIGINAL; image < imageSources.count(); image++) {
                 if (image == ImageSources.ORIGINAL || point.order + imageSources.order(image) <= maxOrder) {
-                    addToSensor(image, point, scratch);
+                    addToStart(image, point, scratch);
                 }
             }
         }
         return leg.takeTraced();
     }
 
-    private void addToSensor(int image, ScatteredSound.Point point, AcousticRay scratch) {
-        if (!leg.find(ends.ofSensor(), imagesOfSensor, image, point.x, point.y, point.z)) {
+    private void addToStart(int image, ScatteredSound.Point point, AcousticRay scratch) {
+        if (!leg.find(ends.ofStart(), imagesOfStart, image, point.x, point.y, point.z)) {
             return;
         }
         double cosine = leg.cosineAtBeginning(point.normal);
-        Position sensor = ends.sensor();
-        // From the sensor, as rays come: so the surface is at the far end of both.
-        double curvature = ends.curvature().along(sensor.x() - point.x, sensor.y() - point.y, sensor.z() - point.z);
+        Position start = ends.start();
+        // From the start, as rays come: so the surface is at the far end of both.
+        double curvature = ends.curvature(start.x() - point.x, start.y() - point.y, start.z() - point.z);
         if (!(cosine > 0.0)
                 || !leg.isOpen(
-                        sensor.x(), sensor.y(), sensor.z(), point.x, point.y, point.z, AcousticRay.AIR, curvature)) {
+                        start.x(), start.y(), start.z(), point.x, point.y, point.z, AcousticRay.AIR, curvature)) {
             return;
         }
         double distance = leg.length();
@@ -194,6 +194,7 @@ final class DiffuseConnection {
         double geometry = weight * cosine / (Math.PI * distance * distance);
         for (int band = 0; band < BANDS; band++) {
             brought[band] = ends.source().fraction(band)
+                    * ends.startFactor(band, leg.riseFromEnd())
                     * point.energy[band]
                     * surfaces.scatteredTo(point.material, band, cosine)
                     * geometry

@@ -14,7 +14,6 @@ import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
@@ -47,14 +46,10 @@ final class EndSearch {
     /** The same for a single image source with a purely specular path: there may be thousands. */
     private static final double HARDLY_ANYTHING = 1e-6;
 
-    /** A sample nearer to an end than this does not represent others, m. */
-    private static final double NEAREST = 1.0;
-
-    /** Where less than this fraction of rays leaves the site, sound comes from all sides. */
+    /** Where less than this fraction of rays leaves the site over their first surfaces, the space is enclosed. */
     private static final double OPEN = 0.1;
 
-    private static final int SAMPLES_OF_SENSOR = 64;
-    private static final int SAMPLES_OF_SOURCE = 64;
+    private static final int SAMPLES = 64;
     private static final int SCATTERINGS = 3;
 
     private final int maxOrder;
@@ -64,12 +59,11 @@ final class EndSearch {
     private final ImageSourceSearch search;
     private final ScatterSamples samples;
     private final SpecularPath path;
-    private final Visibility visibility;
+    private final RoughEstimate rough;
     private final ImageSources pureOfSensor;
     private final double[] mirrored;
-    private final ImageSources candidatesOfSensor;
     private final int[] wallsOfSensor;
-    private final Samples heardFrom;
+    private final End ofSensor;
 
     EndSearch(
             EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
@@ -80,12 +74,16 @@ final class EndSearch {
         this.search = new ImageSourceSearch(world, planes, surfaces);
         this.samples = new ScatterSamples(world, surfaces);
         this.path = new SpecularPath(world, planes, surfaces);
-        this.visibility = Visibility.ofClearPoints(world);
+        this.rough = new RoughEstimate(world);
         ImageSourceCandidates found = search.from(sensor, RAYS_OF_SENSOR, maxOrder);
         this.pureOfSensor = found.best(MOST_PURE, 0.0);
-        this.candidatesOfSensor = found.best(MOST_CANDIDATES, 0.0);
         this.wallsOfSensor = found.firstWalls(MOST_EXTRA);
-        this.heardFrom = samples.from(sensor, SAMPLES_OF_SENSOR, SCATTERINGS);
+        this.ofSensor = new End(
+                sensor,
+                found,
+                RAYS_OF_SENSOR,
+                found.best(MOST_CANDIDATES, 0.0),
+                samples.from(sensor, SAMPLES, SCATTERINGS));
         this.mirrored = new double[planes.count()];
         for (int wall = 0; wall < mirrored.length; wall++) {
             for (int band = 0; band < OctaveBands.COUNT; band++) {
@@ -96,19 +94,33 @@ final class EndSearch {
     }
 
     /**
+     * One end of the paths.
+     *
+     * @param position where it is, m
+     * @param found its image sources
+     * @param rays how many rays found them
+     * @param candidates the best of them
+     * @param samples where rays from it are scattered
+     */
+    private record End(
+            Position position, ImageSourceCandidates found, int rays, ImageSources candidates, Samples samples) {}
+
+    /**
      * Finds the image sources of one look, and with them the exact paths.
      *
      * @param curvature of the paths of sound
      */
     Ends find(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
-        double scattered = scattered(drone, heardFrom);
-        double guess = scattered + straight(drone);
+        double guess = rough.scattered(drone, ofSensor.samples()) + rough.straight(drone, sensor);
         ImageSources fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
-        if (heardFrom.escaped() <= OPEN) {
+        Samples sentTo = samples.from(drone, SAMPLES, SCATTERINGS);
+        boolean isSourceEnclosed = sentTo.escaped() <= OPEN;
+        boolean isSensorEnclosed = ofSensor.samples().escaped() <= OPEN;
+        if (isSourceEnclosed && isSensorEnclosed) {
             exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
             ImageSources none = ImageSources.NONE;
-            return new Ends(source, sensor, none, none, none, fromSensor, none, guess, curvature, false);
+            return new Ends(source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false);
         }
         ImageSourceCandidates found = search.from(drone, RAYS_OF_SOURCE, maxOrder);
         ImageSources fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
@@ -116,28 +128,58 @@ final class EndSearch {
                 .distinct()
                 .toArray();
         exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
-        ImageSourceCandidates pure = new ImageSourceCandidates();
+        End ofSource = new End(drone, found, RAYS_OF_SOURCE, found.best(MOST_CANDIDATES, 0.0), sentTo);
+        return isSourceEnclosed
+                ? between(source, true, ofSource, fromSource, ofSensor, fromSensor, exact, curvature)
+                : between(source, false, ofSensor, fromSensor, ofSource, fromSource, exact, curvature);
+    }
+
+    private Ends between(
+            SoundSource source,
+            boolean isFromSource,
+            End start,
+            ImageSources pureOfStart,
+            End target,
+            ImageSources pureOfTarget,
+            ExactPaths exact,
+            PathCurvature curvature) {
+        ImageSourceCandidates exactly = new ImageSourceCandidates();
         ImageSourceCandidates near = new ImageSourceCandidates();
         ImageSourceCandidates far = new ImageSourceCandidates();
         // Sound that walls reflect from one end to the other returns over the same walls in reverse order.
-        ImageSources candidatesOfSource = found.best(MOST_CANDIDATES, 0.0);
-        addAll(candidatesOfSource, near, far);
-        addAll(candidatesOfSensor, far, near);
-        for (int[] walls : exact.wallSequences()) {
-            pure.add(walls, 0.0);
+        addAll(target.candidates(), near, far);
+        addAll(start.candidates(), far, near);
+        for (int[] fromSource : exact.wallSequences()) {
+            int[] walls = isFromSource ? SpecularPaths.reversed(fromSource) : fromSource;
+            exactly.add(walls, 0.0);
             near.add(walls, 0.0);
             far.add(SpecularPaths.reversed(walls), 0.0);
         }
-        double known = scattered;
+        double known = rough.scattered(target.position(), start.samples());
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             known += exact.heard(band);
         }
-        Samples firstScattered = samples.from(drone, SAMPLES_OF_SOURCE, 1);
-        double first = scattered(sensor, firstScattered) / RAYS_OF_SOURCE;
-        ImageSources ofSource = chosen(near, drone, heardFrom, known, walls -> first * found.worth(walls));
-        ImageSources ofSensor = chosen(far, sensor, firstScattered, known, walls -> 0.0);
-        ImageSources exactly = pure.best(Integer.MAX_VALUE, 0.0);
-        return new Ends(source, sensor, ofSource, ofSensor, fromSource, fromSensor, exactly, known, curvature, true);
+        Samples firstScattered = samples.from(target.position(), SAMPLES, 1);
+        double first = rough.scattered(start.position(), firstScattered) / target.rays();
+        ImageSources ofTarget = chosen(
+                near,
+                target.position(),
+                start.samples(),
+                known,
+                walls -> first * target.found().worth(walls));
+        ImageSources ofStart = chosen(far, start.position(), firstScattered, known, walls -> 0.0);
+        return new Ends(
+                source,
+                sensor,
+                isFromSource,
+                ofTarget,
+                ofStart,
+                pureOfTarget,
+                pureOfStart,
+                exactly.best(Integer.MAX_VALUE, 0.0),
+                known,
+                curvature,
+                true);
     }
 
     /**
@@ -162,27 +204,6 @@ final class EndSearch {
             isWorthwhile[image] = heard * left[image] * ofOneRay >= HARDLY_ANYTHING * known * known;
         }
         return imageSources.kept(isWorthwhile);
-    }
-
-    /** Direct sound, as intensity over power, 1/m2. */
-    private double straight(Position drone) {
-        double distance = Math.max(NEAREST, drone.distance(sensor));
-        return visibility.isFree(drone, sensor) ? 1.0 / (4.0 * Math.PI * distance * distance) : 0.0;
-    }
-
-    /** A rough estimate of the sound scattered straight from some points to an end, 1/m2. */
-    private double scattered(Position end, Samples near) {
-        double sum = 0.0;
-        for (Sample point : near.points()) {
-            Position to = end.minus(point.at());
-            double distance = Math.max(NEAREST, to.length());
-            double cosine =
-                    (to.x() * point.normal()[0] + to.y() * point.normal()[1] + to.z() * point.normal()[2]) / distance;
-            if (cosine > 0.0 && visibility.isFree(point.at(), end)) {
-                sum += point.energy() * cosine / (Math.PI * distance * distance);
-            }
-        }
-        return sum / near.rays();
     }
 
     private static void addAll(ImageSources imageSources, ImageSourceCandidates same, ImageSourceCandidates reverse) {

@@ -31,13 +31,24 @@ final class EnergyPacket {
         this.ledger = ledger;
     }
 
-    /** Sets the energies to those that a ray carries at first. */
-    void fill(SoundSource source) {
+    /**
+     * Sets the energies to those that a ray carries at first.
+     *
+     * @param rise sine of the elevation at which it leaves
+     */
+    void fill(Ends ends, double rise) {
         for (int band = 0; band < BANDS; band++) {
-            energy[band] = source.fraction(band);
+            energy[band] = ends.source().fraction(band);
         }
         add();
         first = all;
+        if (ends.isFromSource()) {
+            for (int band = 0; band < BANDS; band++) {
+                energy[band] *= ends.startFactor(band, rise);
+            }
+            add();
+            ledger.exchange(first, all);
+        }
     }
 
     /** The energies by band; not to be modified. */

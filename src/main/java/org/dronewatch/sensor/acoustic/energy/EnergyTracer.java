@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
  * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
  * their energy that reaches the source is the fraction that the source would have sent to the sensor. The first few
  * surfaces of a path from the source are also sampled from there, and both parts are connected: see
- * {@link Connections}.
+ * {@link Connections}. If the source alone is in an enclosed space, the two exchange their parts: see {@link Ends}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
  * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
@@ -100,7 +100,7 @@ public final class EnergyTracer {
      *
      * @param drone the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder receives every segment of every ray that counts, from the sensor on
+     * @param recorder receives every segment of every ray that counts, from where the ray began
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.position()));

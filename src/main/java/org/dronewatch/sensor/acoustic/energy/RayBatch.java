@@ -14,8 +14,8 @@ final class RayBatch {
     private final EnergyTally tally;
     private final EnergyLedger ledger = new EnergyLedger();
     private final BackwardRay ray;
-    private final ReceiverSphere ofSource;
-    private final ReceiverSphere ofSensor;
+    private final ReceiverSphere ofTarget;
+    private final ReceiverSphere ofStart;
     private final DiffuseConnection connection;
     private final ScatteredSound scattered;
     private final AcousticRay scratch = new AcousticRay();
@@ -25,19 +25,19 @@ final class RayBatch {
         this.model = model;
         this.planes = planes;
         this.tally = new EnergyTally(air);
-        this.ofSource = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
-        this.ofSensor = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
+        this.ofTarget = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
+        this.ofStart = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
         this.connection = new DiffuseConnection(model, world, planes, surfaces, air, tally);
         this.ray = new BackwardRay(
                 model,
                 world,
                 planes,
                 surfaces,
-                ofSource,
-                ofSensor,
+                ofTarget,
+                ofStart,
                 connection,
                 new EnergyPacket(model, surfaces, air, ledger));
-        this.scattered = new ScatteredSound(world, planes, surfaces, ofSource, ofSensor, air);
+        this.scattered = new ScatteredSound(world, planes, surfaces, ofTarget, ofStart, air);
     }
 
     /** Traces a number of rays; discards the results of the previous ones. */
@@ -46,8 +46,8 @@ final class RayBatch {
         ledger.clear();
         traced = 0;
         double known = ends.isOpen() ? ends.known() : Double.POSITIVE_INFINITY;
-        ofSource.surround(ends.source().position(), known);
-        ofSensor.surround(ends.sensor(), known);
+        ofTarget.surround(ends.target(), known);
+        ofStart.surround(ends.start(), known);
         connection.seek(ends, planes);
         for (int i = 0; i < rays; i++) {
             traced += scattered.follow(ends, model.maxOrder(), random);

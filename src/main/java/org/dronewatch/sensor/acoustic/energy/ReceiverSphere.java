@@ -38,8 +38,10 @@ final class ReceiverSphere {
     /** No sphere is wider than this in order to catch more rays, m. */
     private static final double WIDEST = 25.0;
 
+    /** Nor, in a room, is it wider than this multiple of the radius of a ball of the room's volume. */
+    private static final double ROOM = 1.5;
+
     private final double radius;
-    private final double widest;
     private final Air air;
     private final EnergyTally tally;
     private final RayTracer tracer;
@@ -50,6 +52,7 @@ final class ReceiverSphere {
     private final double[] free = new double[LOOKS];
     private final double[] brought = new double[BANDS];
     private Position centre;
+    private double widest;
     private double wanted;
     private double length;
     private double at;
@@ -63,7 +66,6 @@ final class ReceiverSphere {
      */
     ReceiverSphere(double radius, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.radius = radius;
-        this.widest = Math.max(radius, WIDEST);
         this.air = air;
         this.tally = tally;
         this.tracer = world.newIncoherentRayTracer();
@@ -82,12 +84,21 @@ final class ReceiverSphere {
         centre = point;
         // A ray contributes at most its energy over the cross-section of the sphere.
         wanted = Math.sqrt(BANDS / (Math.PI * EnergyTracer.FEWEST * APPRECIABLE * known));
+        double farthest = Math.max(radius, WIDEST);
         for (int i = 0; i < LOOKS; i++) {
             Directions.ofLattice(i, LOOKS, look);
             boolean cut = tracer.closestHit(
-                    centre.x(), centre.y(), centre.z(), look.directionX, look.directionY, look.directionZ, 0.0, widest);
+                    centre.x(),
+                    centre.y(),
+                    centre.z(),
+                    look.directionX,
+                    look.directionY,
+                    look.directionZ,
+                    0.0,
+                    farthest);
             free[i] = cut ? tracer.distance() : Double.POSITIVE_INFINITY;
         }
+        widest = Math.min(WIDEST, ROOM * Math.cbrt(volume(WIDEST) / ball(1.0)));
     }
 
     /**
@@ -103,7 +114,7 @@ final class ReceiverSphere {
             double seen = Math.min(distance, within);
             cubes += seen * seen * seen;
         }
-        return 4.0 / 3.0 * Math.PI * cubes / LOOKS;
+        return ball(1.0) * cubes / LOOKS;
     }
 
     /**
@@ -118,7 +129,9 @@ final class ReceiverSphere {
         double z = centre.z() - ray.originZ;
         double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
         double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
-        length = leg.length() + Math.max(0.0, middle);
+        // To the centre itself, so that the sphere is the same for all rays over these walls.
+        double along = leg.length() + middle;
+        length = Math.sqrt(along * along + besideSquared);
         double reach = reach(length);
         if (besideSquared >= reach * reach) {
             return false;
@@ -148,6 +161,10 @@ final class ReceiverSphere {
         return true;
     }
 
+    private static double ball(double radius) {
+        return 4.0 / 3.0 * Math.PI * radius * radius * radius;
+    }
+
     /** Sine of the elevation at which a ray would leave the centre along the same path in reverse. */
     double rise() {
         return rise;
@@ -168,7 +185,7 @@ final class ReceiverSphere {
     }
 
     private double reach(double length) {
-        return Math.max(radius, Math.min(wanted, Math.min(WIDEST, SLENDER * length)));
+        return Math.max(radius, Math.min(wanted, Math.min(widest, SLENDER * length)));
     }
 
     /**

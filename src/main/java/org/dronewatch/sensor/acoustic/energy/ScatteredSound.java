@@ -15,8 +15,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Where one ray from the source is scattered. Each such point is a source for rays from the sensor: those rays alone
- * almost never hit the surfaces near the source when a drone flies low or lies on the ground. One per thread.
+ * Where one ray from the target is scattered. Each such point is a target for rays from the start: those rays alone
+ * almost never hit the surfaces near the target when a drone flies low or lies on the ground. One per thread.
  */
 final class ScatteredSound {
     private static final int BANDS = OctaveBands.COUNT;
@@ -28,8 +28,8 @@ final class ScatteredSound {
     private final RayTracer tracer;
     private final WallPlanes planes;
     private final BandSurfaces surfaces;
-    private final ReceiverSphere ofSource;
-    private final ReceiverSphere ofSensor;
+    private final ReceiverSphere ofTarget;
+    private final ReceiverSphere ofStart;
     private final Air air;
     private final AcousticRay ray = new AcousticRay();
     private final SpecularLeg leg = new SpecularLeg();
@@ -44,30 +44,30 @@ final class ScatteredSound {
             World world,
             WallPlanes planes,
             BandSurfaces surfaces,
-            ReceiverSphere ofSource,
-            ReceiverSphere ofSensor,
+            ReceiverSphere ofTarget,
+            ReceiverSphere ofStart,
             Air air) {
         this.mesh = world.mesh();
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
         this.surfaces = surfaces;
-        this.ofSource = ofSource;
-        this.ofSensor = ofSensor;
+        this.ofTarget = ofTarget;
+        this.ofStart = ofStart;
         this.air = air;
         for (int i = 0; i < MOST; i++) {
             points[i] = new Point();
         }
     }
 
-    /** A point of a surface that scatters sound from the source. */
+    /** A point of a surface that scatters what comes from the target. */
     static final class Point {
-        /** Unit normal of the surface, on the side of the sound. */
+        /** Unit normal of the surface, on the side of the ray. */
         final double[] normal = new double[3];
 
         /** What it scatters, by band, W, as if all the power of a one-watt source had arrived here. */
         final double[] energy = new double[BANDS];
 
-        /** The images of this point in the walls of the image sources of the source. */
+        /** The images of this point in the walls of the image sources of the target. */
         double[] images = new double[3];
 
         /** Number of the surface's material. */
@@ -79,7 +79,7 @@ final class ScatteredSound {
         double y;
         double z;
 
-        /** Length of the path from the source, m. */
+        /** Length of the path from the target, m. */
         double distance;
 
         /** How many surfaces the sound has hit, including this one. */
@@ -88,7 +88,7 @@ final class ScatteredSound {
         /** How many times the sound has been scattered, including here. */
         int scatterings;
 
-        /** The sum of the inverse densities of all legs from the source to here. */
+        /** The sum of the inverse densities of all legs from the target to here. */
         double inverseDensity;
     }
 
@@ -103,21 +103,20 @@ final class ScatteredSound {
     }
 
     /**
-     * Follows one ray from the source.
+     * Follows one ray from the target.
      *
      * @return the number of segments traced
      */
     int follow(Ends both, int maxOrder, RandomGenerator random) {
         ends = both;
-        SoundSource source = ends.source();
-        Position position = source.position();
+        Position position = ends.target();
         ray.originX = position.x();
         ray.originY = position.y();
         ray.originZ = position.z();
         Directions.draw(random, ray);
         ray.travelled = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            energy[band] = source.factor(band, ray.directionZ);
+            energy[band] = ends.targetFactor(band, ray.directionZ);
         }
         count = 0;
         leg.begin(ray);
@@ -126,7 +125,7 @@ final class ScatteredSound {
         double before = 0.0;
         for (int order = 1; order <= Math.min(MOST, maxOrder + 1); order++) {
             boolean hit = ray.meets(tracer);
-            if (ends.isOpen() && scatterings > 0 && leg.order() > 0 && !leg.matchesFromEnd(ends.ofSensor())) {
+            if (ends.isOpen() && scatterings > 0 && leg.order() > 0 && !leg.matchesFromEnd(ends.ofStart())) {
                 countPassing(hit ? tracer.distance() : Double.POSITIVE_INFINITY, before, random);
             }
             if (!hit || order > maxOrder) {
@@ -144,22 +143,22 @@ final class ScatteredSound {
             for (int band = 0; band < BANDS; band++) {
                 energy[band] *= air.left(band, flown) * surfaces.reflected(material, band, arriving);
             }
-            boolean isOfImage = leg.order() == 0 || leg.matchesFromStart(ends.ofSource());
+            boolean isOfImage = leg.order() == 0 || leg.matchesFromStart(ends.ofTarget());
             double inverseDensity = before;
             if (isOfImage) {
                 inverseDensity += scatterings == 0
                         ? Connections.fromPoint(arriving, leg.length())
                         : Connections.betweenSurfaces(leaving, arriving, leg.length());
             } else if (scatterings == 0 && ends.isOpen()) {
-                // Rays from the sensor may pass the source.
-                inverseDensity = ofSource.inverseDensity(leg.length());
+                // Rays from the start may pass the target.
+                inverseDensity = ofTarget.inverseDensity(leg.length());
             } else if (scatterings == 0) {
                 // Indoors, enough of them do.
                 return order;
             }
             boolean isScattered = false;
             if (surfaces.scatters(material)) {
-                add(material, order, scatterings + 1, inverseDensity, ends.ofSource());
+                add(material, order, scatterings + 1, inverseDensity, ends.ofTarget());
                 double chance = surfaces.chanceOfScattering(material, energy);
                 isScattered = random.nextDouble() < chance;
                 for (int band = 0; band < BANDS; band++) {
@@ -189,15 +188,15 @@ final class ScatteredSound {
         return Math.min(MOST, maxOrder);
     }
 
-    /** Counts the ray in the sphere around the sensor. */
+    /** Counts the ray in the sphere around the start. */
     private void countPassing(double end, double inverseDensity, RandomGenerator random) {
-        if (!ofSensor.isCrossed(ray, leg, end, random)) {
+        if (!ofStart.isCrossed(ray, leg, end, random)) {
             return;
         }
         for (int band = 0; band < BANDS; band++) {
-            sent[band] = energy[band] * ends.source().fraction(band);
+            sent[band] = energy[band] * ends.source().fraction(band) * ends.startFactor(band, ofStart.rise());
         }
-        ofSensor.count(ray, sent, inverseDensity);
+        ofStart.count(ray, sent, inverseDensity);
     }
 
     /** The component of the ray's direction along the normal. */

@@ -1,0 +1,43 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Sample;
+import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Samples;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * Rough estimates of what is heard, from a few samples. They affect how accurately sound is computed, not its expected
+ * value. One per thread.
+ */
+final class RoughEstimate {
+    /** A sample nearer to an end than this does not represent others, m. */
+    private static final double NEAREST = 1.0;
+
+    private final Visibility visibility;
+
+    RoughEstimate(World world) {
+        this.visibility = Visibility.ofClearPoints(world);
+    }
+
+    /** Direct sound, as intensity over power, 1/m2. */
+    double straight(Position source, Position sensor) {
+        double distance = Math.max(NEAREST, source.distance(sensor));
+        return visibility.isFree(source, sensor) ? 1.0 / (4.0 * Math.PI * distance * distance) : 0.0;
+    }
+
+    /** The sound scattered straight from the samples of one end to the other end, 1/m2. */
+    double scattered(Position end, Samples near) {
+        double sum = 0.0;
+        for (Sample point : near.points()) {
+            Position to = end.minus(point.at());
+            double distance = Math.max(NEAREST, to.length());
+            double cosine =
+                    (to.x() * point.normal()[0] + to.y() * point.normal()[1] + to.z() * point.normal()[2]) / distance;
+            if (cosine > 0.0 && visibility.isFree(point.at(), end)) {
+                sum += point.energy() * cosine / (Math.PI * distance * distance);
+            }
+        }
+        return sum / near.rays();
+    }
+}
