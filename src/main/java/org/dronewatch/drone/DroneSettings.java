@@ -54,6 +54,8 @@ import org.dronewatch.world.World;
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
  * @param emission model of its sound, given these settings and its flight: steady, or a kind from another jar
+ * @param performance what it can fly: limits of its flight, as far as they are known; if empty, those that are typical
+ *     of its airframe, and flights are not checked against them
  * @param swarm number and formation of a swarm of such drones; a single drone if empty
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
@@ -75,6 +77,7 @@ public record DroneSettings(
         Directivity directivity,
         @Minor Optional<RotorTones> tones,
         @Minor SoundEmission emission,
+        @Minor Optional<FlightPerformance> performance,
         Optional<Swarm> swarm,
         ThreatLabel label)
         implements Settings<Drone> {
@@ -106,6 +109,7 @@ public record DroneSettings(
                 directivity,
                 tones,
                 emission,
+                performance,
                 swarm,
                 label);
         spectrum.ifPresent(own -> Limits.check(
@@ -158,6 +162,7 @@ public record DroneSettings(
                 Directivity.OMNIDIRECTIONAL,
                 Optional.empty(),
                 SteadyEmission.DEFAULT,
+                Optional.empty(),
                 Optional.empty(),
                 ThreatLabel.DEFAULT);
     }
@@ -260,6 +265,11 @@ public record DroneSettings(
         return SettingsForm.with(this, "emission", Check.present("emission", other));
     }
 
+    /** These settings with a stated flight performance. */
+    public DroneSettings withPerformance(FlightPerformance other) {
+        return SettingsForm.with(this, "performance", Optional.of(Check.present("performance", other)));
+    }
+
     /** These settings as a swarm. */
     public DroneSettings withSwarm(Swarm other) {
         return SettingsForm.with(this, "swarm", Optional.of(Check.present("swarm", other)));
@@ -268,6 +278,12 @@ public record DroneSettings(
     /** These settings with another label. */
     public DroneSettings withLabel(ThreatLabel other) {
         return SettingsForm.with(this, "label", other);
+    }
+
+    /** What the drone can fly: the limits that are stated; the others are typical of its airframe and speed. */
+    public FlightLimits flightLimits() {
+        FlightLimits typical = FlightLimits.typical(airframe, speed);
+        return performance.map(stated -> stated.orTypical(typical)).orElse(typical);
     }
 
     /** The individual drones: this one, or those of its swarm, the leader first. */

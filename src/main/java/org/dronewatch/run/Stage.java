@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.flight.SteeringClock;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
@@ -76,12 +77,24 @@ public final class Stage {
         if (site.terrain().isPresent()) {
             new TerrainAdvice(settings, world.newGround()).giveTo(flights(), models::warn);
         }
+        adviseOnFlights(settings, models);
         this.sensors = settings.enabledSensors();
         sensors.forEach((id, sensor) -> active.add(new ActiveSensor(id, sensor)));
         this.raySensors = active.stream()
                 .filter(ActiveSensor::tracesRays)
                 .map(ActiveSensor::id)
                 .toList();
+    }
+
+    /** Flights of drones whose performance is stated must stay within it; steered ones are not known yet. */
+    private void adviseOnFlights(SceneSettings settings, ModelCache models) {
+        double duration = settings.run().duration();
+        settings.individualDrones().forEach((id, drone) -> {
+            FlightPath path = flights().get(id);
+            if (drone.performance().isPresent() && SteeredFlight.in(path).isEmpty()) {
+                new FlightAdvice(id, drone.flightLimits(), world.newGround(), duration).giveTo(path, models::warn);
+            }
+        });
     }
 
     /** The world of a scene: its site in its weather and light. */

@@ -1,0 +1,65 @@
+package org.dronewatch.drone;
+
+import org.dronewatch.flight.Airframe;
+
+/**
+ * What a drone can fly: the limits within which a route must stay.
+ *
+ * @param climb largest rate of climb under power, m/s
+ * @param sink largest rate of descent under power, m/s
+ * @param turnRate largest rate at which its course turns at cruise speed, rad/s
+ * @param hover whether it can stay in one place
+ * @param ceiling greatest height above the surface below it, m
+ * @param endurance longest flight under power, s
+ * @param glideRatio horizontal distance covered with the motors off per metre of height lost; 0 if it cannot glide
+ * @param glideSpeed speed along the path while it glides, m/s
+ */
+public record FlightLimits(
+        double climb,
+        double sink,
+        double turnRate,
+        boolean hover,
+        double ceiling,
+        double endurance,
+        double glideRatio,
+        double glideSpeed) {
+    /** Bank of a coordinated turn: PX4 limits wings to 50 degrees (FW_R_LIM). */
+    private static final double WING_BANK = Math.toRadians(50.0);
+    /** Tilt of a multirotor: PX4 limits it to 45 degrees (MPC_TILTMAX_AIR). */
+    private static final double ROTOR_TILT = Math.toRadians(45.0);
+    /** DJI's consumer drones climb to 500 m above the place of take-off. Wings have no such limit; assumed for them. */
+    private static final double CEILING = 500.0;
+
+    private static final double HALF_AN_HOUR = 1800.0;
+    private static final double AN_HOUR = 3600.0;
+    /** Assumed, a good small wing. */
+    private static final double WING_GLIDE = 10.0;
+
+    /**
+     * Typical limits of a type of airframe. Rates of climb and descent are the defaults of PX4: 3 and 1.5 m/s for
+     * multirotors (MPC_Z_VEL_MAX_UP, MPC_Z_VEL_MAX_DN), 5 and 5 m/s for wings (FW_T_CLMB_MAX, FW_T_SINK_MAX). The
+     * course turns at {@code g tan(bank) / speed}, where the bank is 45 degrees for multirotors and 50 degrees for
+     * wings. The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10 and a
+     * glide at cruise speed are assumed; multirotors do not glide.
+     *
+     * @param airframe its type
+     * @param speed cruise speed, above 0, m/s
+     */
+    public static FlightLimits typical(Airframe airframe, double speed) {
+        double wingTurn = Airframe.GRAVITY * Math.tan(WING_BANK) / speed;
+        return switch (airframe) {
+            case MULTIROTOR ->
+                new FlightLimits(
+                        3.0,
+                        1.5,
+                        Airframe.GRAVITY * Math.tan(ROTOR_TILT) / speed,
+                        true,
+                        CEILING,
+                        HALF_AN_HOUR,
+                        0.0,
+                        speed);
+            case FIXED_WING -> new FlightLimits(5.0, 5.0, wingTurn, false, CEILING, AN_HOUR, WING_GLIDE, speed);
+            case HYBRID -> new FlightLimits(5.0, 5.0, wingTurn, true, CEILING, AN_HOUR, WING_GLIDE, speed);
+        };
+    }
+}

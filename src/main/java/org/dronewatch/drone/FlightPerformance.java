@@ -1,0 +1,108 @@
+package org.dronewatch.drone;
+
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * A drone's flight performance, as far as it is known; what is left out is {@linkplain FlightLimits#typical typical} of
+ * its type of airframe. A flight that exceeds it gives a warning, but is flown as it is described.
+ *
+ * @param climb largest rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors and 5 m/s for wings
+ * @param sink largest rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors and 5 m/s for
+ *     wings
+ * @param turnRate largest rate at which the course turns, above 0 to 3600 deg/s; typically that of a bank of 45 degrees
+ *     (multirotors) or 50 degrees (wings) at cruise speed, {@code g tan(bank) / speed}
+ * @param hover whether it can stay in one place; typically all but fixed-wing drones can
+ * @param ceiling greatest height above the surface below it, above 0 to 20,000 m; typically 500 m
+ * @param endurance longest flight under power, above 0 to 604,800 s; typically 30 minutes for multirotors and an hour
+ *     for wings
+ * @param glideRatio horizontal distance covered with the motors off per metre of height lost, 0 to 100; 0 for a drone
+ *     that cannot glide, as multirotors, typically 10 for wings
+ * @param glideSpeed speed along the path while it glides, above 0 to 400 m/s; typically the cruise speed
+ */
+public record FlightPerformance(
+        @In(value = Quantity.SPEED, from = 0.01, to = 200) Optional<Double> climb,
+        @In(value = Quantity.SPEED, from = 0.01, to = 200) Optional<Double> sink,
+        @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 62.831853071795864) Optional<Double> turnRate,
+        Optional<Boolean> hover,
+        @In(value = Quantity.LENGTH, above = 0, to = 20_000) Optional<Double> ceiling,
+        @In(value = Quantity.DURATION, above = 0, to = 604_800) Optional<Double> endurance,
+        @In(value = Quantity.NUMBER, from = 0, to = 100) Optional<Double> glideRatio,
+        @In(value = Quantity.SPEED, above = 0, to = 400) Optional<Double> glideSpeed) {
+    /** Nothing known: all limits are typical of the airframe. */
+    @Defaults
+    public static final FlightPerformance TYPICAL = new FlightPerformance(
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty());
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public FlightPerformance {
+        Limits.check(FlightPerformance.class, climb, sink, turnRate, hover, ceiling, endurance, glideRatio, glideSpeed);
+    }
+
+    /** This performance with another largest rate of climb, m/s. */
+    public FlightPerformance withClimb(double metresPerSecond) {
+        return SettingsForm.with(this, "climb", Optional.of(metresPerSecond));
+    }
+
+    /** This performance with another largest rate of descent, m/s. */
+    public FlightPerformance withSink(double metresPerSecond) {
+        return SettingsForm.with(this, "sink", Optional.of(metresPerSecond));
+    }
+
+    /** This performance with another largest rate of turn, rad/s. */
+    public FlightPerformance withTurnRate(double radiansPerSecond) {
+        return SettingsForm.with(this, "turnRate", Optional.of(radiansPerSecond));
+    }
+
+    /** This performance of a drone that can hover, or that cannot. */
+    public FlightPerformance withHover(boolean able) {
+        return SettingsForm.with(this, "hover", Optional.of(able));
+    }
+
+    /** This performance with another ceiling, m above the surface below. */
+    public FlightPerformance withCeiling(double metres) {
+        return SettingsForm.with(this, "ceiling", Optional.of(metres));
+    }
+
+    /** This performance with another endurance under power, s. */
+    public FlightPerformance withEndurance(double seconds) {
+        return SettingsForm.with(this, "endurance", Optional.of(seconds));
+    }
+
+    /** This performance with another glide ratio and glide speed, m/s. */
+    public FlightPerformance withGlide(double ratio, double metresPerSecond) {
+        return SettingsForm.with(this, "glideRatio", Optional.of(ratio)).withGlideSpeed(metresPerSecond);
+    }
+
+    private FlightPerformance withGlideSpeed(double metresPerSecond) {
+        return SettingsForm.with(this, "glideSpeed", Optional.of(metresPerSecond));
+    }
+
+    /** These limits, and those of a typical drone where nothing is stated. */
+    FlightLimits orTypical(FlightLimits typical) {
+        return new FlightLimits(
+                climb.orElse(typical.climb()),
+                sink.orElse(typical.sink()),
+                turnRate.orElse(typical.turnRate()),
+                hover.orElse(typical.hover()),
+                ceiling.orElse(typical.ceiling()),
+                endurance.orElse(typical.endurance()),
+                glideRatio.orElse(typical.glideRatio()),
+                glideSpeed.orElse(typical.glideSpeed()));
+    }
+}
