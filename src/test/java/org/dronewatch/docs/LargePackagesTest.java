@@ -41,7 +41,7 @@ class LargePackagesTest {
                 .map(Map.Entry::getKey)
                 .collect(Collectors.toCollection(TreeSet::new));
 
-        assertThat(named("| package | why |"))
+        assertThat(named("| package | reason |"))
                 .as("packages of more than %d types", MOST_TYPES)
                 .isEqualTo(large);
     }
@@ -56,7 +56,7 @@ class LargePackagesTest {
             }
         }
 
-        assertThat(named("| file | why |"))
+        assertThat(named("| file | reason |"))
                 .as("files of more than %d lines", MOST_LINES)
                 .isEqualTo(longFiles);
     }
