@@ -132,7 +132,7 @@ final class BenchCommand implements Callable<Integer> {
         if (diffuse.count() > 0) {
             sets.add(diffuse);
         } else {
-            spec.commandLine().getErr().println("no diffuse rays: the camera sees nothing of this model");
+            spec.commandLine().getErr().println("no diffuse rays: the camera's rays do not hit this model");
         }
         return sets;
     }

@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
         name = "calibrate",
         mixinStandardHelpOptions = true,
         description =
-                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, to a known range:"
+                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, to a known range,"
                         + " the greatest at which the sensor detects a drone with a clear line of sight. Writes the sensor as a"
                         + " file that scenes refer to with 'use'. Air, background noise, rain and light are those of the scene;"
                         + " its models and noise sources are left out. The file states the range and the conditions.",
@@ -123,8 +123,9 @@ final class CalibrateCommand implements Callable<Integer> {
         if (listens && !settings.world().noiseSources().isEmpty()) {
             spec.commandLine()
                     .getErr()
-                    .println("warning: world.noiseSources is left out, as are the models through which they are heard:"
-                            + " only world.backgroundNoise counts");
+                    .println(
+                            "warning: world.noiseSources is left out, as are the models through which their sound passes:"
+                                    + " only world.backgroundNoise counts");
         }
     }
 

@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 final class ColourOptions {
     @Option(
             names = "--colour",
-            description = "Draws what a camera would photograph: materials, sun, sky and haze (PNG or MP4).")
+            description = "Draws a photograph as the camera would take it: materials, sun, sky and haze (PNG or MP4).")
     private boolean colour;
 
     @Option(

@@ -22,7 +22,7 @@ final class Failure {
             message = outOfMemory(String.valueOf(problem.getMessage()));
         } else if (problem instanceof StackOverflowError) {
             message = "stack overflow" + place(problem)
-                    + ": if this is your own code, a method calls itself endlessly;"
+                    + "; if this is your own code, a method calls itself endlessly;"
                     + " if not, give Java a larger stack, as in 'java -Xss16m'";
         } else if (problem instanceof LinkageError) {
             message = "a class cannot be loaded: " + PlainText.value(problem)

@@ -28,7 +28,7 @@ final class FilmOptions {
     @Option(
             names = "--speed",
             paramLabel = "FACTOR",
-            description = "How many times as fast as real time a film plays, 0.01 to 1000; 1 by default.")
+            description = "Playback speed of a film relative to real time, 0.01 to 1000; 1 by default.")
     private Double speed;
 
     /** Refuses options of a film where none is made. */

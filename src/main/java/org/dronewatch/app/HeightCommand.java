@@ -24,7 +24,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "height",
         mixinStandardHelpOptions = true,
-        description = "Prints how high the ground and the surface are at a place on a scene's site, and what is there.",
+        description =
+                "Prints the heights of the ground and the surface at a place on a scene's site, and the objects there.",
         footer = {
             "",
             "Examples:",

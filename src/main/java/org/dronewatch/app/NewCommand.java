@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Example:",
-            "  dronewatch new harbour --at 43.7314,7.4202 --radius 2km --terrain N43E007.hgt.zip --buildings monaco.osm.pbf"
+            "  dronewatch new harbour --at 43.7314,7.4202 --radius 2km --terrain N43E007.hgt --buildings monaco.osm.pbf"
         })
 final class NewCommand implements Callable<Integer> {
     private static final double NARROWEST = 200.0;
@@ -60,7 +60,7 @@ final class NewCommand implements Callable<Integer> {
     @Option(
             names = "--radius",
             paramLabel = "LENGTH",
-            description = "How far the site reaches, 200 m to 20 km; 2 km by default.")
+            description = "Extent of the site from its middle, 200 m to 20 km; 2 km by default.")
     private String radius = "2 km";
 
     @Option(
@@ -80,7 +80,7 @@ final class NewCommand implements Callable<Integer> {
             names = "--buildings",
             paramLabel = "FILE",
             description =
-                    "A map with buildings: OpenStreetMap (.osm, .osm.gz, .osm.pbf), GeoJSON or CityJSON. It is copied.")
+                    "A map with buildings: GeoJSON, CityJSON or OpenStreetMap (.osm, .osm.gz, .osm.pbf). It is copied.")
     private String buildings;
 
     @Spec
@@ -92,7 +92,7 @@ final class NewCommand implements Callable<Integer> {
         double metres = metres();
         Path target = target();
         if (terrain.isEmpty() && buildings == null) {
-            throw new InputException("needs --terrain, --buildings or both: a site is made of them");
+            throw new InputException("needs --terrain, --buildings or both, of which the site is made");
         }
         List<Path> files = files();
         NewScene scene = new NewScene(

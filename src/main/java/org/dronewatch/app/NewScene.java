@@ -52,29 +52,29 @@ record NewScene(
         StringBuilder text = new StringBuilder();
         line(
                 text,
-                "# %s, begun with 'dronewatch new'. Everything here may be changed: 'dronewatch check' says what does not fit,",
+                "# %s, created by 'dronewatch new'. Everything here may be changed: 'dronewatch check' reports mistakes,",
                 name);
-        line(text, "# 'dronewatch view' shows it, and the page on all settings lists what else there is.");
+        line(text, "# 'dronewatch view' shows the scene, and the page on all settings lists the other settings.");
         line(text, "world:");
-        line(text, "  # x = y = 0. Heights count from the zero of the elevations, as a rule the sea.");
+        line(text, "  # x = y = 0. Heights are measured from the zero level of the elevations, usually sea level.");
         line(text, "  origin: {latitude: %s deg, longitude: %s deg, height: 0}", number(latitude), number(longitude));
         if (!terrain.isEmpty()) {
             line(text, "  terrain:");
             line(text, terrain.size() == 1 ? "    file: %s" : "    files: [%s]", names());
             crs.ifPresent(code -> line(text, "    crs: %s", code));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
-            line(text, "    accuracy: 1 m  # greatest vertical error where triangles are saved");
+            line(text, "    accuracy: 1 m  # greatest vertical error that thinning out the triangles may cause");
             line(
                     text,
                     isSurface
-                            ? "    surface: dsm  # roofs and treetops are in these heights; dtm is bare ground"
-                            : "    surface: dtm  # bare ground; dsm if roofs and treetops are in these heights");
+                            ? "    surface: dsm  # these heights include roofs and treetops; dtm is bare ground"
+                            : "    surface: dtm  # bare ground; dsm if these heights include roofs and treetops");
         }
         buildings.ifPresent(file -> {
             line(text, "  buildings:");
             line(text, "    file: %s", quoted(file));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
-            line(text, "    height: 9 m  # of buildings of which the map states neither height nor levels");
+            line(text, "    height: 9 m  # of buildings for which the map states neither height nor levels");
         });
         line(text, "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet country, 40 in a suburb, 55 in a city by day");
         line(text, "");
@@ -121,11 +121,11 @@ record NewScene(
                 way -> {
                     line(
                             text,
-                            "    # Low over ground and roofs, from where the mast sees least of it: %.0f %% of the way is hidden.",
+                            "    # Low over ground and roofs, from the direction with the worst view from the mast: %.0f %% of the path is hidden.",
                             100.0 * way.hidden());
                     line(
                             text,
-                            "    # Points are east and north of the origin; {latitude: ..., longitude: ...} works, too.");
+                            "    # Points are east and north of the origin; {latitude: ..., longitude: ...} is possible, too.");
                     line(
                             text,
                             "    flight: {kind: terrain-following, points: [[%.0f, %.0f], [0, 0]], height: %.0f m}",
@@ -144,11 +144,11 @@ record NewScene(
         line(
                 text,
                 "# One sensor of each kind, from the catalogue ('dronewatch list'), on the highest points near the origin.");
-        line(text, "# 'above' counts from the ground or the roof there.");
+        line(text, "# 'above' is measured from the ground or the roof there.");
         line(text, "sensors:");
         line(text, "  radar: {use: blighter-a400-m10s, position: %s, aim: %s}", place(first, MAST), aim);
         line(text, "  radio: {use: droneshield-rfone, position: %s}", place(first, MAST - 1.0));
-        line(text, "  # Turns to what the radar detects.");
+        line(text, "  # Turns to drones that the radar detects.");
         line(text, "  camera:");
         line(text, "    use: piranha-46-hr");
         line(text, "    position: %s", place(first, MAST - 2.0));

@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
         name = "render",
         mixinStandardHelpOptions = true,
         description = {
-            "Draws a picture of a scene at one moment, without a window: what one camera sees (PNG in shades of"
+            "Draws a picture of a scene at a given time, without a window: that of one camera (PNG in shades of"
                     + " blue or in colour, or PFM with distances in metres), or the whole site in 3D with its"
                     + " sensors, drones and sound rays (PNG); or makes a film of either (MP4).",
             "For a film, and for a camera on a positioner, the run is simulated."
@@ -54,7 +54,7 @@ final class RenderCommand implements Callable<Integer> {
                 names = "--view",
                 required = true,
                 paramLabel = "top|side|orbit",
-                description = "The whole site: a plan, from the side, or in perspective.")
+                description = "The whole site: as a plan, from the side, or in perspective.")
         private SiteView.From view;
     }
 

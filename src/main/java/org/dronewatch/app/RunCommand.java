@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "run",
         mixinStandardHelpOptions = true,
-        description = "Runs a scene; prints at what range each sensor first detects each drone, and writes"
+        description = "Runs a scene; prints the range at which each sensor first detects each drone, and writes"
                 + " tables, plots and a report.",
         footer = {
             "",
@@ -176,8 +176,9 @@ final class RunCommand implements Callable<Integer> {
         if (stage.tracesRays()) {
             err.printf("%,d ray segments written%n", paths.pieces());
         } else {
-            err.println("warning: --rays " + PlainText.value(rays)
-                    + ": the file contains no rays: the scene has no drone, or no acoustic sensor that is switched on");
+            err.println(
+                    "warning: --rays " + PlainText.value(rays)
+                            + ": the file contains no rays, since the scene has no drone, or no acoustic sensor that is switched on");
         }
     }
 
@@ -226,7 +227,7 @@ final class RunCommand implements Callable<Integer> {
         }
         if (result.pairs().stream().anyMatch(PairResult::isUnknown)) {
             target.println(
-                    "over unknown ground, beyond the terrain or above a hole, where something may hide the drone: "
+                    "over unknown ground (beyond the terrain or above a hole), where something may hide the drone: "
                             + result.pairs().stream()
                                     .filter(PairResult::isUnknown)
                                     .map(pair -> "run " + pair.run() + " " + pair.sensor() + " " + pair.drone())

@@ -56,7 +56,7 @@ final class SaveCommand implements Callable<Integer> {
             required = true,
             paramLabel = "FILE",
             description =
-                    "File to write, .yaml or .yml, or .plan with --flight; the scene's own models must be beside it or below. An existing file"
+                    "File to write, .yaml or .yml, or .plan with --flight; the scene's own models must be in its directory or below. An existing file"
                             + " is replaced only if 'save' wrote it.")
     private String out;
 
@@ -103,7 +103,7 @@ final class SaveCommand implements Callable<Integer> {
                 .getErr()
                 .printf(
                         Locale.ROOT,
-                        "mission of %d %s in %s: the flight is nowhere further than %.1f m from its lines%n",
+                        "mission of %d %s in %s: the flight deviates from its lines by at most %.1f m%n",
                         plan.items(),
                         plan.items() == 1 ? "item" : "items",
                         PlainText.value(out),

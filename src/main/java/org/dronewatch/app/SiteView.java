@@ -49,13 +49,13 @@ final class SiteView {
     @Option(
             names = "--focus",
             paramLabel = "ID",
-            description = "Sensor or drone that a picture of the site is centred on and zoomed in on.")
+            description = "Sensor or drone on which a picture of the site is centred and zoomed in.")
     private String focus;
 
     @Option(
             names = "--bearing",
             paramLabel = "ANGLE",
-            description = "Direction from which --view side or orbit sees the site, clockwise from north.")
+            description = "Direction from which --view side or orbit shows the site, clockwise from north.")
     private String bearing;
 
     @Option(
@@ -104,7 +104,7 @@ final class SiteView {
     /** Checks what a film does not show. */
     void checkFilm() {
         if (rays) {
-            throw new InputException("--rays: rays belong to a single moment; a film does not show them");
+            throw new InputException("--rays: rays are traced for a single time; a film does not show them");
         }
         int[] pixels = pixels();
         Rendering.checkFilm("--size " + size, pixels[0], pixels[1]);

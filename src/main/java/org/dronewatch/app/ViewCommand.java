@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
         name = "view",
         mixinStandardHelpOptions = true,
         description = {
-            "Opens a window: the site in 3D, what every camera sees, sound rays, a timeline of detections, tables.",
+            "Opens a window with the site in 3D, all cameras' pictures, sound rays, a timeline of detections and tables.",
             "Needs a display; 'render' draws the same pictures without one."
         },
         footer = {"", "Example:", "  dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg"})

@@ -195,7 +195,7 @@ final class BuildingReport {
         if (!floors.isEmpty() && Math.abs(floors.get(floors.size() / 2)) > FLOATING) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "%s: its buildings lie %.1f m above the ground (median): do their heights count from another level? If so,"
+                    "%s: its buildings lie %.1f m above the ground (median): their heights may refer to a different zero level; if so,"
                             + " set world.buildings.verticalOffset",
                     file,
                     floors.get(floors.size() / 2)));

@@ -75,7 +75,7 @@ public final class BuiltInKinds implements KindGroup {
                 SoundEmission.class,
                 "steady",
                 SteadyEmission.class,
-                "the same sound however the drone flies, as its settings state it"));
+                "the sound that the settings state, however the drone flies"));
     }
 
     private static List<Kind<?>> propagations() {

@@ -128,9 +128,8 @@ public record DroneSettings(
         if (own
                 && !name.equals(DroneSounds.SMALL_QUADROTOR)
                 && DroneSounds.find(name).isPresent()) {
-            throw new IllegalArgumentException(
-                    "spectrum and sound '" + name
-                            + "' are two answers to one question, since the table has a spectrum of that name: leave one of them out");
+            throw new IllegalArgumentException("spectrum and sound '" + name
+                    + "' exclude each other, since the table has a spectrum of that name: omit one of them");
         }
         try {
             if (!own) {

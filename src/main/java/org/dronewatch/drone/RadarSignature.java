@@ -85,8 +85,7 @@ public record RadarSignature(
     }
 
     private static IllegalArgumentException twoAnswers(String one, String other) {
-        return new IllegalArgumentException(
-                one + " and " + other + " are two answers to one question: leave one of them out");
+        return new IllegalArgumentException(one + " and " + other + " exclude each other: omit one of them");
     }
 
     /** This signature with another mean cross-section, m2. */

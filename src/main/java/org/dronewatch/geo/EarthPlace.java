@@ -29,8 +29,7 @@ public record EarthPlace(
     public EarthPlace {
         Limits.check(EarthPlace.class, latitude, longitude, above, height);
         if (above.isPresent() && height.isPresent()) {
-            throw new IllegalArgumentException(
-                    "above and height are two answers to one question: leave one of them out");
+            throw new IllegalArgumentException("above and height exclude each other: omit one of them");
         }
     }
 

@@ -89,7 +89,7 @@ final class DepthPictures {
         return Figure.of(
                 String.format(
                         Locale.ROOT,
-                        "What '%s' saw when it first detected '%s', %.1f s after the start at %.1f m: darker where nearer;"
+                        "Picture by '%s' when it first detected '%s', %.1f s after the start at %.1f m: darker where nearer;"
                                 + " the sky is pale; the drone's %d of %d x %d pixels are orange.",
                         seen.sensor(),
                         seen.drone(),

@@ -242,8 +242,8 @@ public final class RunReport implements SceneListener, AutoCloseable {
 
     private static String valueCaption(SceneResult result, String sensor) {
         SensorSettings<?> settings = result.runs().get(0).settings().sensors().get(sensor);
-        return "What '" + sensor + "' (" + settings.kind()
-                + ") measured versus the drone's range, and its detection threshold.";
+        return "Values measured by '" + sensor + "' (" + settings.kind()
+                + ") versus the drone's range, with the detection threshold.";
     }
 
     private Path plotFile(String name, String caption) {

@@ -75,7 +75,7 @@ final class SitePictures {
                         : "at the start";
         List<Figure> figures = new ArrayList<>();
         figures.add(figure(overview(), state, "The site " + when + ". Fields of view are truncated."));
-        figures.add(figure(Orbit.top(picture.frame(), aspect()), state, "The same seen from above, north up."));
+        figures.add(figure(Orbit.top(picture.frame(), aspect()), state, "The same from above, north up."));
         AABB near = near();
         if (near.diagonal() < CLOSE * picture.frame().diagonal()) {
             boolean zone = run.settings().alert().isProtecting();

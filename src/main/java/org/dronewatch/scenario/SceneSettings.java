@@ -64,7 +64,7 @@ public record SceneSettings(
         Map<String, SensorSettings<?>> all = sensors;
         if (alert.response() > 0.0 && !alert.isProtecting()) {
             throw new IllegalArgumentException("alert.response " + alert.response()
-                    + " s needs an alert.protect or alert.zones, what the drone must not reach");
+                    + " s needs an alert.protect or alert.zones, the area that the drone must not reach");
         }
         if (!sensors.isEmpty()) {
             // Without sensors it may be a scene that is still being read.
@@ -143,7 +143,7 @@ public record SceneSettings(
     private static void checkCue(String id, String cue, Map<String, SensorSettings<?>> sensors) {
         String cued = "sensors." + id + ".positioner.cues: sensor '" + id + "' is cued by ";
         if (cue.equals(id)) {
-            throw new IllegalArgumentException(cued + "itself: it follows what it detects anyway");
+            throw new IllegalArgumentException(cued + "itself: it follows its own detections anyway");
         }
         String listens = cued + "'" + cue + "'";
         if (!sensors.containsKey(cue)) {
@@ -151,8 +151,8 @@ public record SceneSettings(
                     listens + ": there is no such sensor; " + Spelling.closestMatches(cue, sensors.keySet()));
         }
         if (sensors.get(cue).as(DirectionFinding.class).isEmpty()) {
-            throw new IllegalArgumentException(
-                    listens + ", of kind " + sensors.get(cue).kind() + ", which does not measure where a drone is");
+            throw new IllegalArgumentException(listens + ", of kind "
+                    + sensors.get(cue).kind() + ", which does not measure the position or direction of a drone");
         }
     }
 

@@ -61,7 +61,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
             new MetaData(
                     "OBSERVATION",
                     "a sensor looked at a drone",
-                    new ObjectDescriptor("observation", "what it measured", Observation.class)));
+                    new ObjectDescriptor("observation", "the measured value", Observation.class)));
 
     private static final long serialVersionUID = 1L;
 
@@ -330,7 +330,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
 
     private PilotedRun running(String complaint) {
         if (session == null) {
-            throw new IllegalStateException(complaint + ": no run of the scene is going on");
+            throw new IllegalStateException(complaint + ": the scene is not running");
         }
         return new PilotedRun(session, getSimulator(), getClass());
     }

@@ -67,7 +67,7 @@ final class WholeSetting {
                     .toList();
             if (complete.isEmpty()) {
                 return "only a scene file can change the kind of '" + path
-                        + "', since each kind needs settings of its own";
+                        + "', since each kind needs its own settings";
             }
             return "set '" + path + "' itself to " + String.join(" or ", complete)
                     + (complete.size() == kinds.size() ? "" : "; a scene file can set it to any kind");

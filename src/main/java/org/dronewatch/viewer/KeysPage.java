@@ -17,7 +17,7 @@ import javax.swing.KeyStroke;
 final class KeysPage {
     /** Mouse gestures and their effects. */
     private static final String[][] GESTURES = {
-        {"Drag", "turns the site"},
+        {"Drag", "rotates the site"},
         {"Right-drag or Shift-drag", "moves the site"},
         {"Control-drag", "looks around from the same point"},
         {"Wheel", "zooms towards the pointer"},

@@ -151,7 +151,8 @@ final class RayPanel extends JPanel {
                     + Texts.time(rays.time()) + ".");
             return;
         }
-        String more = rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were not kept", rays.leftOut());
+        String more =
+                rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were discarded", rays.leftOut());
         String text = String.format(
                 Locale.ROOT,
                 "Traced at %s: %,d of %,d ray segments drawn, highest order %d%s",

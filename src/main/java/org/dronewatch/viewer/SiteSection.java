@@ -55,7 +55,7 @@ final class SiteSection extends JPanel {
                 view("From above", "A plan with north up", '2', box -> Orbit.top(box, world.aspect())),
                 view(
                         "From the side",
-                        "A level view from the east",
+                        "A horizontal view from the east",
                         '3',
                         box -> Orbit.side(box, world.aspect(), 0.5 * Math.PI)),
                 ViewerActions.action(

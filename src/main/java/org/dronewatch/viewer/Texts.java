@@ -51,7 +51,7 @@ final class Texts {
         }
         // An observer could find the drone, but has not yet.
         if (value == Double.POSITIVE_INFINITY) {
-            return "more time";
+            return "more search time";
         }
         double size = Math.abs(value);
         if (size >= 1000.0 || value == Math.rint(value)) {

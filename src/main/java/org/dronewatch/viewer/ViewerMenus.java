@@ -214,7 +214,7 @@ final class ViewerMenus {
         menu.addSeparator();
         menu.add(toggle(
                 "Cameras in colour",
-                "Shows what cameras would photograph, or distances in shades of blue",
+                "Shows photographs by the cameras, or distances in shades of blue",
                 'C',
                 false,
                 shown -> pane.cameras().showColour(shown)));

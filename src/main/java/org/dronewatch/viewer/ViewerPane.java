@@ -76,7 +76,7 @@ final class ViewerPane extends JPanel {
         world().onHint(status::setText);
         site.onFocus(() -> {
             if (selected == null) {
-                status.setText("Click on a sensor or a drone first: Focus zooms in on the selection");
+                status.setText("First click on a sensor or a drone: Focus zooms in on the selection");
             }
             site.focusOn(selected, playback.time());
         });

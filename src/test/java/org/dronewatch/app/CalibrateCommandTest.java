@@ -298,7 +298,7 @@ class CalibrateCommandTest {
         assertThat(microphone.code()).isZero();
         assertThat(microphone.complaints())
                 .contains(
-                        "warning: world.noiseSources is left out, as are the models through which they are heard: only"
+                        "warning: world.noiseSources is left out, as are the models through which their sound passes: only"
                                 + " world.backgroundNoise counts");
         assertThat(calibrate("camera", "120 m").err()).doesNotContain("world.noiseSources is left out");
     }

@@ -126,7 +126,7 @@ class FlightFileSceneTest extends CommandLines {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .containsPattern(
-                        "mission of \\d+ items in .*saved.plan: the flight is nowhere further than 0.5 m from its lines");
+                        "mission of \\d+ items in .*saved.plan: the flight deviates from its lines by at most 0.5 m");
         write("flight: {plan: saved.plan}");
         assertThat(commandIn("check DIR/scene.yaml").code()).isZero();
         assertThat(commandIn("save DIR/approach.yaml --flight visitor --out DIR/saved.plan")

@@ -62,7 +62,7 @@ class NewCommandTest {
         assertThat(scene.sensors().get("radar").position().z()).isBetween(70.0, 90.0);
         assertThat(scene.alert().protect()).isPresent();
         assertThat(scene.world().terrain().orElseThrow().allFiles()).containsExactly("monaco-srtm.asc");
-        assertThat(Files.readString(directory.resolve("town/town.yaml"))).contains("of the way is hidden.");
+        assertThat(Files.readString(directory.resolve("town/town.yaml"))).contains("of the path is hidden.");
     }
 
     /** A map alone, or elevations alone, make a site as well; a directory may exist if it is empty. */

@@ -64,19 +64,18 @@ class OwnSoundRunTest {
                 .isNotEqualTo(packaged);
     }
 
-    /** Two answers to one question. */
+    /** A sound that is stated twice. */
     @Test
     void aSoundOfTheTableBesideASpectrumIsRefused() throws IOException {
         String own = "spectrum: [0, -60, -60, -60, -60, -60, -60, -60]";
-        String refusal =
-                "drones.buzzer: spectrum and sound 'petrol-fixed-wing' are two answers to one question, since the"
-                        + " table has a spectrum of that name: leave one of them out";
+        String refusal = "drones.buzzer: spectrum and sound 'petrol-fixed-wing' exclude each other, since the"
+                + " table has a spectrum of that name: omit one of them";
         assertThat(run(own + "\n    sound: petrol-fixed-wing", directory.resolve("both")))
                 .isEqualTo(2);
         assertThat(said.toString().lines()).singleElement().asString().endsWith(refusal);
         assertThat(run(own, directory.resolve("set"), "--set", "drones.buzzer.sound=petrol-fixed-wing"))
                 .isEqualTo(2);
-        assertThat(said.toString().lines()).last().asString().contains("are two answers to one question");
+        assertThat(said.toString().lines()).last().asString().contains("exclude each other");
         assertThat(directory.resolve("both")).doesNotExist();
     }
 

@@ -58,7 +58,7 @@ class ReportPicturesTest {
 
     @Test
     void aCameraShowsItsFirstDetection() throws IOException {
-        List<Shown> depth = about(figures(), "What 'camera' saw");
+        List<Shown> depth = about(figures(), "Picture by 'camera'");
         assertThat(depth).singleElement().satisfies(figure -> {
             assertThat(figure.caption())
                     .contains("first detected 'quadrotor', 0.0 s after the start at 10.0 m")
@@ -70,7 +70,7 @@ class ReportPicturesTest {
         });
         List<Shown> without =
                 figures("--set", "sensors.camera.detection.pixels=691", "--set", "sensors.microphone.drawRays=false");
-        assertThat(about(without, "What 'camera' saw")).as("never detected").isEmpty();
+        assertThat(about(without, "Picture by 'camera'")).as("never detected").isEmpty();
         assertThat(about(without, "The sound rays from")).as("not to be drawn").isEmpty();
     }
 

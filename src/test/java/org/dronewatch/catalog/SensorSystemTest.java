@@ -89,7 +89,7 @@ class SensorSystemTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> Catalog.packaged().settings("liteye", Map.of("position", MAST)))
                 .withMessage("'liteye' is a system of several sensors: a scene file uses it by 'use: liteye', and --set"
-                        + " sensors.ID=liteye puts it in the place of another");
+                        + " sensors.ID=liteye replaces another by it");
     }
 
     @Test

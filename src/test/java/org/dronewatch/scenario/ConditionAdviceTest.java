@@ -154,9 +154,9 @@ class ConditionAdviceTest {
         assertThat(ConditionAdvice.of(List.of(plain.withDrone("own", drone.withTones(RotorTones.of(100))))))
                 .containsExactly(
                         "drones.own.tones does not change what is detected by acoustic sensor 's0': 'propagation:"
-                                + " energy-model' with 'criterion: narrow-band' listens for tones",
+                                + " energy-model' with 'criterion: narrow-band' uses tones",
                         "drones.own.tones does not change what is detected by acoustic sensor 's1': 'criterion:"
-                                + " narrow-band' listens for tones");
+                                + " narrow-band' uses tones");
         assertThat(ConditionAdvice.of(List.of(plain.withDrone("own", drone.withSpectrum(BackgroundNoise.FALLING)))))
                 .containsExactly("drones.own.spectrum does not change what is detected by acoustic sensor 's0':"
                         + " 'propagation: energy-model' takes the spectrum into account");
@@ -177,11 +177,11 @@ class ConditionAdviceTest {
 
         assertThat(ignored(level, loud))
                 .isEqualTo("drones.own.soundPowerLevel does not change what is detected by acoustic sensor 's0':"
-                        + " set the drone's soundLevel, by which the level model hears it");
+                        + " set the drone's soundLevel, which the level model uses");
         assertThat(ignored(energy, loud)).isEmpty();
         assertThat(ignored(energy, calibrated))
                 .isEqualTo("drones.own.soundLevel does not change what is detected by acoustic sensor 's0':"
-                        + " set the drone's soundPowerLevel, by which the energy model hears it");
+                        + " set the drone's soundPowerLevel, which the energy model uses");
         assertThat(ignored(level, calibrated)).isEmpty();
         DroneSettings forBoth = loud.withSoundLevel(52);
         assertThat(ignored(level, forBoth)).isEmpty();

@@ -31,7 +31,7 @@ class WholeSettingsTest {
                         + " drones.quadrotor.swarm=10",
                 "world.origin.latitude | 50deg | no 'latitude': 'world.origin' is not set: only a scene file can set it",
                 "drones.quadrotor.flight.kind | recorded | only a scene file can change the kind of"
-                        + " 'drones.quadrotor.flight', since each kind needs settings of its own",
+                        + " 'drones.quadrotor.flight', since each kind needs its own settings",
                 "sensors.camera.detection.kind | target-task | set 'sensors.camera.detection' itself to pixel-threshold or"
                         + " target-task",
                 "sensors.camera.aim.kind | look-at | set 'sensors.camera.aim' itself to direction; a scene file can set it"

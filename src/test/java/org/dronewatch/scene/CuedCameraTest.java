@@ -184,7 +184,8 @@ class CuedCameraTest {
         assertThatThrownBy(() -> runner().set("sensors.fixed", "droneshield-rfone")
                         .set("sensors.cued.positioner.cues", "fixed")
                         .settings())
-                .hasMessageContaining("is cued by 'fixed', of kind rf, which does not measure where a drone is");
+                .hasMessageContaining(
+                        "is cued by 'fixed', of kind rf, which does not measure the position or direction of a drone");
         assertThatThrownBy(() -> runner().set("sensors.cued.positioner.zoom.cued", "90 deg")
                         .settings())
                 .hasMessageContaining("must be at most the camera's own field of view");

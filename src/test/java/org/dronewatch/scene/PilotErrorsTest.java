@@ -258,7 +258,7 @@ class PilotErrorsTest {
     void withoutARunThereIsNoDroneToCommand() {
         assertThatIllegalStateException()
                 .isThrownBy(() -> new Pursuit().drone("hunter"))
-                .withMessageContaining("no run of the scene is going on");
+                .withMessageContaining("the scene is not running");
     }
 
     @Test

@@ -147,7 +147,7 @@ class PlacedSceneTest {
                 "longitude: 15.0 deg, above: 40 m | longitude: 15.1 deg, above: 40 m | site.yaml:8:40: drones.one.flight.points.0:"
                         + " no surface at latitude 50.000500 deg, longitude 15.100000 deg",
                 "above: 40 m | above: -1 m | site.yaml:8:92: drones.one.flight.points.0.above: above -1 m must be 0 to 100000",
-                "above: 40 m | above: 40 m, height: 3 | leave one of them out",
+                "above: 40 m | above: 40 m, height: 3 | omit one of them",
                 "above: 40 m | abvoe: 40 m | unknown setting 'abvoe'; did you mean 'above'?",
                 "longitude: 15.0 deg, above: 40 m | lon: 15, above: 40 m | needs 'longitude'",
                 "accuracy: 0 | accuracy: -1 | site.yaml:3:58: world.terrain.accuracy",

@@ -286,7 +286,7 @@ class SteeredUnderDsolTest {
         SceneFile idle = scene(new DevsSimulator<>("idle"));
         assertThatIllegalStateException()
                 .isThrownBy(() -> idle.writeFlights(directory.resolve("flights.csv")))
-                .withMessage("no flights to write: no run of the scene is going on");
+                .withMessage("no flights to write: the scene is not running");
 
         DevsSimulator<Double> simulator = new DevsSimulator<>("nowhere");
         SceneFile scene = scene(simulator);

@@ -13,7 +13,7 @@ class TextsTest {
     @Test
     void anObserverWhoCouldFindTheDroneNeedsMoreTime() {
         assertThat(new PairReading(1.0, 0.9, Double.POSITIVE_INFINITY, "", 50).text())
-                .isEqualTo("0.90 (needs more time)");
+                .isEqualTo("0.90 (needs more search time)");
         assertThat(new PairReading(1.0, 0.9, 0.25, "", 50).text()).isEqualTo("0.90 (needs 0.25)");
     }
 

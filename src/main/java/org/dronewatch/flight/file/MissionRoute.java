@@ -60,7 +60,7 @@ final class MissionRoute {
         }
         if (left > 0) {
             warnings.accept(settings.plan() + ": " + left + (left == 1 ? " step comes" : " steps come")
-                    + " after one at which the drone stays, and " + (left == 1 ? "is" : "are") + " never reached");
+                    + " after an item at which the drone stays, and " + (left == 1 ? "is" : "are") + " never reached");
         }
         return legs.path(here.orElseThrow(
                 () -> new IllegalArgumentException(settings.plan() + ": the mission has no take-off and no waypoint")));

@@ -112,7 +112,7 @@ public final class Features {
         }
         if (feature.unclear().isPresent()) {
             throw new IllegalArgumentException("feature '" + PlainText.value(name) + "' has a height of "
-                    + feature.unclear().getAsDouble() + " m in " + file + ", which does not say what it counts from:"
+                    + feature.unclear().getAsDouble() + " m in " + file + ", which does not state its reference:"
                     + " give 'above' or 'height'");
         }
         return new EarthPlace(point.latitude(), point.longitude(), boxed(feature.above()), boxed(feature.height()));

@@ -34,7 +34,7 @@ final class DetectionTables {
             "first detected [s]",
             "range at first detection [m]",
             "last detected [s]",
-            "greatest range [m]",
+            "maximum range [m]",
             "detection rate (looks)");
 
     private final RunResult run;

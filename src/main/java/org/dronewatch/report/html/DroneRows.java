@@ -9,6 +9,7 @@ import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Choices;
+import org.dronewatch.setting.Quantity;
 
 /** The table of all drones and swarms. */
 final class DroneRows {
@@ -42,7 +43,7 @@ final class DroneRows {
                 .map(level -> ", rotors " + ReadableNumbers.number(level) + " dB below")
                 .orElse("");
         return radar.droneClass()
-                        .map(one -> ReadableNumbers.number(one.crossSection()) + " m\u00b2, spread "
+                        .map(one -> Quantity.NUMBER.inBrief(one.crossSection()) + " m\u00b2, spread "
                                 + ReadableNumbers.number(one.spread()) + " dB")
                         .orElseGet(() -> radar.crossSection() + " m\u00b2"
                                 + radar.spread()

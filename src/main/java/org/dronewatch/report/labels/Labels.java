@@ -158,7 +158,7 @@ public final class Labels implements AutoCloseable {
     public void finish(String scene) throws IOException {
         closeParts();
         ObjectNode info = JsonNodeFactory.instance.objectNode();
-        info.put("description", "What the cameras of the scene '" + scene + "' see of drones");
+        info.put("description", "Drones in the pictures by the cameras of the scene '" + scene + "'");
         try (BufferedWriter coco = Files.newBufferedWriter(target.file(COCO), StandardCharsets.UTF_8)) {
             coco.write("{\n\"info\": " + MAPPER.writeValueAsString(info) + ",\n\"licenses\": [],\n");
             coco.write("\"categories\": [{\"id\":1,\"name\":\"drone\",\"supercategory\":\"aircraft\"}],\n");

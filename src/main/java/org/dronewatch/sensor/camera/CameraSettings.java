@@ -153,7 +153,7 @@ public record CameraSettings(
         String decision = detection
                         .probability(new DroneView(1, 1.0, 1.0, 0.0, Light.DAY, 1.0))
                         .isPresent()
-                ? "What a camera detects depends on an assumed contrast of the drone; clutter behind it and"
+                ? "Detection by cameras depends on an assumed contrast of the drone; clutter behind it and"
                         + " compression are left out."
                 : "A camera that counts pixels takes no account of contrast, haze, light or compression.";
         return PictureSensorSettings.describe(

@@ -66,7 +66,7 @@ public record Clutter(
         boolean hasOwn = budget instanceof LinkBudget.Hardware;
         if (hasOwn && bandwidth.isPresent()) {
             throw new IllegalArgumentException(
-                    "clutter.bandwidth and budget.sweepBandwidth are two answers to one question: leave the first out");
+                    "clutter.bandwidth and budget.sweepBandwidth exclude each other: omit clutter.bandwidth");
         }
         if (!hasOwn && bandwidth.isEmpty()) {
             throw new IllegalArgumentException("clutter needs a bandwidth: the budget states none");

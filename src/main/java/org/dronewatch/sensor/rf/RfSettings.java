@@ -265,7 +265,7 @@ public record RfSettings(
                 .filter(noise -> minFrequency > noise.highestFrequency())
                 .map(noise -> String.format(
                         Locale.ROOT,
-                        "environment has no effect: ITU-R P.372 states its noise up to %.0f MHz,"
+                        "environment has no effect: ITU-R P.372 gives its noise only up to %.0f MHz,"
                                 + " and minFrequency is %.0f MHz",
                         noise.highestFrequency() / 1e6,
                         minFrequency / 1e6))

@@ -197,7 +197,7 @@ public record ThermalSettings(
         String own = "set its 'transmission' for such weather";
         return PictureSensorSettings.describe(
                         "probability",
-                        "Thermal cameras see a single temperature difference for the whole drone, whatever its background.",
+                        "For thermal cameras the whole drone has a single temperature difference, whatever its background.",
                         positioner)
                 .withWeakness("too small or too cool")
                 .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));

@@ -202,7 +202,7 @@ class MissionTest {
                 .waypoint(3, 1.005, 2.0, 50);
         assertAt(staying.fly().at(1e5), Plans.at(1.001, 2.0, 150));
         assertThat(staying.warnings)
-                .containsExactly("a.plan: 1 step comes after one at which the drone stays, and is never reached");
+                .containsExactly("a.plan: 1 step comes after an item at which the drone stays, and is never reached");
     }
 
     /** Landing patterns of fixed-wings lead straight down to the surface, those of VTOLs above the place, and down. */

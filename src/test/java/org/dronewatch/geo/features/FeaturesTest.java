@@ -78,7 +78,7 @@ class FeaturesTest {
         assertAt(read(GEOJSON).place("mast", Optional.empty(), Optional.of(80.0)), 43.74, 7.43, null, 80.0);
         assertThatThrownBy(() -> place(GEOJSON, "mast"))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("feature 'mast' has a height of 25.5 m in map, which does not say what it counts from:"
+                .hasMessage("feature 'mast' has a height of 25.5 m in map, which does not state its reference:"
                         + " give 'above' or 'height'");
     }
 

@@ -74,7 +74,7 @@ class HtmlReportTest {
 
         assertThat(texts(document, "th")).contains("cost [EUR]");
         assertThat(texts(document, "li"))
-                .anyMatch(text -> text.startsWith("What a camera detects depends on an assumed contrast"))
+                .anyMatch(text -> text.startsWith("Detection by cameras depends on an assumed contrast"))
                 .anyMatch(text -> text.startsWith("Positioners accelerate instantly"))
                 .noneMatch(text -> text.startsWith("A camera that counts pixels"));
         assertThat(texts(document, "td"))

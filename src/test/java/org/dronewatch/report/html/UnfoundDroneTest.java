@@ -45,6 +45,7 @@ class UnfoundDroneTest {
         assertThat(best.margin()).isZero();
         Reasons reasons = new Reasons(runner.settings(), looks.stage(), looks.pointings(), 2.9);
         assertThat(reasons.of("eye", List.of("intruder"), Optional.of(best)))
-                .contains(String.format("could have been found from %.0f m on, but was not in time", best.range()));
+                .contains(String.format(
+                        "could have been found from %.0f m inwards, but the search took too long", best.range()));
     }
 }

@@ -307,7 +307,7 @@ class RadarClutterTest {
                 .withMessageContaining("clutter needs a beam");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> PLAIN.withClutter(farmland.withBandwidth(5e6)))
-                .withMessageContaining("two answers to one question");
+                .withMessageContaining("exclude each other");
         RadarSettings sheet = PLAIN.withBudget(DataSheet.of(1000, 0.01));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> sheet.withClutter(farmland))

@@ -213,9 +213,9 @@ public record EnergyModel(
     @Override
     public Map<Condition, String> ignoredConditions() {
         Map<Condition, String> ignored = new EnumMap<>(Condition.class);
-        ignored.put(Condition.SOUND_LEVEL, "set the drone's soundPowerLevel, by which the energy model hears it");
+        ignored.put(Condition.SOUND_LEVEL, "set the drone's soundPowerLevel, which the energy model uses");
         if (criterion != Criterion.NARROW_BAND) {
-            ignored.put(Condition.TONES, "'criterion: narrow-band' listens for tones");
+            ignored.put(Condition.TONES, "'criterion: narrow-band' uses tones");
         }
         return ignored;
     }

@@ -124,7 +124,7 @@ public record LevelModel(
                 Condition.NOISE_SOURCES,
                 "state its soundLevel, which the level model needs",
                 Condition.SOUND_POWER_LEVEL,
-                "set the drone's soundLevel, by which the level model hears it",
+                "set the drone's soundLevel, which the level model uses",
                 Condition.SOUND,
                 spectrum,
                 Condition.SPECTRUM,
@@ -132,6 +132,6 @@ public record LevelModel(
                 Condition.DIRECTIVITY,
                 "'propagation: energy-model' takes the directivity into account",
                 Condition.TONES,
-                "'propagation: energy-model' with 'criterion: narrow-band' listens for tones");
+                "'propagation: energy-model' with 'criterion: narrow-band' uses tones");
     }
 }
