@@ -9,6 +9,7 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
@@ -33,6 +34,8 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
  * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; a name in
  *     the table of surfaces needs no assignment
+ * @param attribution the credit that the source of the elevations asks for, at most 300 characters; {@code check} and
+ *     the report show it. Files of Copernicus, by their names, have theirs without it
  */
 public record TerrainSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
@@ -43,7 +46,11 @@ public record TerrainSettings(
         ElevationSurface surface,
         @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
         @In(Quantity.NUMBER) Optional<Double> nodata,
-        String material) {
+        String material,
+        @Minor Optional<String> attribution) {
+    /** The longest credit, characters. */
+    private static final int LONGEST_ATTRIBUTION = 300;
+
     /** The colour of ground in daylight, that of meadows: red, green and blue in the lowest 24 bits. */
     public static final int COLOUR = 0x617838;
 
@@ -58,7 +65,8 @@ public record TerrainSettings(
             ElevationSurface.DTM,
             0.0,
             Optional.empty(),
-            "pasture_uncompacted");
+            "pasture_uncompacted",
+            Optional.empty());
 
     /**
      * Checks the limits.
@@ -68,7 +76,17 @@ public record TerrainSettings(
      */
     public TerrainSettings {
         Limits.check(
-                TerrainSettings.class, file, files, crs, radius, accuracy, surface, verticalOffset, nodata, material);
+                TerrainSettings.class,
+                file,
+                files,
+                crs,
+                radius,
+                accuracy,
+                surface,
+                verticalOffset,
+                nodata,
+                material,
+                attribution);
         files = List.copyOf(files);
         if (file.isPresent() && !files.isEmpty()) {
             throw new IllegalArgumentException("files and 'file' are both given: name all files under 'files'");
@@ -76,12 +94,20 @@ public record TerrainSettings(
         if (material.isBlank()) {
             throw new IllegalArgumentException("material is empty: it must be a name");
         }
+        attribution.ifPresent(TerrainSettings::checkAttribution);
         if (crs.isPresent()) {
             try {
                 CoordinateReferenceSystem.of(crs.get());
             } catch (InputException e) {
                 throw new IllegalArgumentException(e.getMessage(), e);
             }
+        }
+    }
+
+    private static void checkAttribution(String text) {
+        if (text.isBlank() || text.length() > LONGEST_ATTRIBUTION) {
+            throw new IllegalArgumentException(
+                    "attribution has " + text.strip().length() + " characters, must have 1 to " + LONGEST_ATTRIBUTION);
         }
     }
 
@@ -135,5 +161,10 @@ public record TerrainSettings(
     /** These settings with ground of another material. */
     public TerrainSettings withMaterial(String name) {
         return SettingsForm.with(this, "material", name);
+    }
+
+    /** These settings with the credit that the source of the elevations asks for. */
+    public TerrainSettings withAttribution(String text) {
+        return SettingsForm.with(this, "attribution", Optional.of(text));
     }
 }

@@ -391,6 +391,26 @@ class TerrainLoaderTest {
                 .isEmpty();
     }
 
+    @Test
+    void whereElevationsComeFromIsShown() throws IOException {
+        write("Copernicus_DSM_10.tif", grid(20, 20, i -> 10.0));
+        TerrainSettings settings = TerrainSettings.of("Copernicus_DSM_10.tif").withSurface(ElevationSurface.DSM);
+        assertThat(load(settings, at(10, 10, 1)).description())
+                .as("the notice that the licence of the Copernicus DEM requires")
+                .anyMatch(line -> line.startsWith("elevations: produced using Copernicus WorldDEM-30 \u00a9 DLR e.V."));
+        assertThat(load(settings.withAttribution("Survey of Freedonia,\nlicence 7"), at(10, 10, 1))
+                        .description())
+                .contains("elevations: Survey of Freedonia, licence 7")
+                .noneMatch(line -> line.contains("Copernicus WorldDEM"));
+        write("own.tif", grid(20, 20, i -> 10.0));
+        assertThat(load(TerrainSettings.of("own.tif"), at(10, 10, 1)).description())
+                .noneMatch(line -> line.startsWith("elevations:"));
+        assertThatThrownBy(() -> settings.withAttribution("x".repeat(301)))
+                .hasMessage("attribution has 301 characters, must have 1 to 300");
+        assertThatThrownBy(() -> settings.withAttribution(" "))
+                .hasMessage("attribution has 0 characters, must have 1 to 300");
+    }
+
     /** z counts from the origin's height, and from the file's level where the origin has none; an offset moves both. */
     @Test
     void heightsCountFromTheOrigin() throws IOException {
