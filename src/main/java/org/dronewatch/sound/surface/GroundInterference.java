@@ -16,6 +16,8 @@ import org.dronewatch.sound.OctaveBands;
  * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: the Rayleigh criterion
  *     gives the coherent fraction of the reflected wave, {@code exp(-2 (k s cos t)^2)}
  * @param turbulence of the air
+ * @param leastSeparation how far apart the two paths are taken to be at least where turbulence makes them incoherent,
+ *     m, 0 or more
  */
 public record GroundInterference(
         GroundImpedance ground,
@@ -25,12 +27,26 @@ public record GroundInterference(
         double sourceHeight,
         double receiverHeight,
         double unevenness,
-        TurbulentCoherence turbulence) {
+        TurbulentCoherence turbulence,
+        double leastSeparation) {
     /** In each part of a band Q and coherence are taken as constant; the phase of the path difference is integrated. */
     private static final int PARTS = 24;
 
     /** Decades of an octave band (IEC 61260-1, base ten). */
     private static final double OCTAVE = 0.3;
+
+    /** With rays that bend down or not at all: then they are as far apart as their heights say. */
+    public GroundInterference(
+            GroundImpedance ground,
+            double soundSpeed,
+            double direct,
+            double reflected,
+            double sourceHeight,
+            double receiverHeight,
+            double unevenness,
+            TurbulentCoherence turbulence) {
+        this(ground, soundSpeed, direct, reflected, sourceHeight, receiverHeight, unevenness, turbulence, 0.0);
+    }
 
     /**
      * The mean energy in a band.
@@ -69,9 +85,9 @@ public record GroundInterference(
         double size = q.absolute();
         double difference = reflected - direct;
         double uneven = unevenness * cosine;
-        double coherence = Math.exp(-waveNumber
-                * waveNumber
-                * (turbulence.exponent(direct, sourceHeight, receiverHeight) + 2.0 * uneven * uneven));
+        double apart = Math.max(leastSeparation, TurbulentCoherence.separation(sourceHeight, receiverHeight));
+        double coherence =
+                Math.exp(-waveNumber * waveNumber * (turbulence.exponent(direct, apart) + 2.0 * uneven * uneven));
         double phase = waveNumber * difference + Math.atan2(q.im(), q.re());
         return directEnergy
                 + reflectedEnergy * size * size

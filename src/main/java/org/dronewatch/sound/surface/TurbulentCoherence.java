@@ -41,15 +41,24 @@ public record TurbulentCoherence(double strength, double scale) {
      * {@code exp(-exponent k^2)}.
      *
      * @param length of the paths, m
+     * @param separation how far they are apart where they are farthest apart: {@link #separation}, m, 0 or more
+     */
+    double exponent(double length, double separation) {
+        return separation == 0.0
+                ? 0.0
+                : Math.sqrt(Math.PI) * strength * length * scale * uncorrelated(separation / scale);
+    }
+
+    /**
+     * How far direct and reflected path are apart over the point of reflection, m.
+     *
      * @param sourceHeight of the source above the ground, m, 0 or more
      * @param receiverHeight of the receiver above the ground, m, 0 or more
      */
-    double exponent(double length, double sourceHeight, double receiverHeight) {
-        if (sourceHeight == 0.0 || receiverHeight == 0.0) {
-            return 0.0;
-        }
-        double apart = 2.0 * sourceHeight * receiverHeight / (sourceHeight + receiverHeight) / scale;
-        return Math.sqrt(Math.PI) * strength * length * scale * uncorrelated(apart);
+    public static double separation(double sourceHeight, double receiverHeight) {
+        return sourceHeight == 0.0 || receiverHeight == 0.0
+                ? 0.0
+                : 2.0 * sourceHeight * receiverHeight / (sourceHeight + receiverHeight);
     }
 
     private static double uncorrelated(double apart) {
@@ -70,6 +79,6 @@ public record TurbulentCoherence(double strength, double scale) {
      */
     public double at(double frequency, double soundSpeed, double length, double sourceHeight, double receiverHeight) {
         double waveNumber = 2.0 * Math.PI * frequency / soundSpeed;
-        return Math.exp(-exponent(length, sourceHeight, receiverHeight) * waveNumber * waveNumber);
+        return Math.exp(-exponent(length, separation(sourceHeight, receiverHeight)) * waveNumber * waveNumber);
     }
 }

@@ -41,7 +41,6 @@ public final class GroundPlane {
     private Position from;
     private Position to;
     private double distance;
-    private double bending;
 
     /** How the ground is bent where arcs are straight, 1/m. */
     private double bulge;
@@ -53,6 +52,8 @@ public final class GroundPlane {
     private double slopeV;
     private double unevenness;
 
+    private double firstOverGround;
+    private double secondOverGround;
     private double heightOfFirst;
     private double heightOfSecond;
     private double reflectionU;
@@ -80,8 +81,7 @@ public final class GroundPlane {
     public boolean find(Position first, Position second, double wavelength, double curvature) {
         from = first;
         to = second;
-        bending = curvature;
-        profile.between(first, second);
+        measure(first, second);
         distance = profile.distance();
         // Sag goes by the length of the line, u by its level distance.
         double steepness = first.distance(second) / Math.max(distance, TOLERANCE);
@@ -99,16 +99,35 @@ public final class GroundPlane {
     }
 
     /**
-     * Looks for the highest surface on the line between two points; only {@link #material} is then that of it.
+     * Looks for the highest surface on the line between two points; only {@link #material} is then that of it, and the
+     * heights over the ground those of the two points, and {@link #isBelow} may be asked.
      *
      * @param share how far along the line, 0 to 1
+     * @param wavelength of the sound, which determines how far beside the line the ground matters, m, above 0
      * @return whether there is one
      */
-    public boolean findHighest(Position first, Position second, double share) {
-        profile.between(first, second);
+    public boolean findHighest(Position first, Position second, double share, double wavelength) {
+        measure(first, second);
+        halfWidth = 0.5 * Math.sqrt(wavelength * profile.distance());
         boolean isThere = profile.findHighest(share * profile.distance());
         material = isThere ? profile.material() : material;
         return isThere;
+    }
+
+    private void measure(Position first, Position second) {
+        profile.between(first, second);
+        firstOverGround = first.z() - profile.z(0.0, 0.0);
+        secondOverGround = second.z() - profile.z(profile.distance(), 0.0);
+    }
+
+    /** Height of the first point over the ground straight below it, m; not a number where there is none. */
+    public double firstOverGround() {
+        return firstOverGround;
+    }
+
+    /** Height of the second point over the ground straight below it, m; not a number where there is none. */
+    public double secondOverGround() {
+        return secondOverGround;
     }
 
     /**
@@ -256,7 +275,7 @@ public final class GroundPlane {
         unevenness = surface.standardDeviation();
         double plane = planeZ(reflectionU, reflectionV) - raised(reflectionU);
         return profile.isSeen(
-                reflectionU, reflectionV, Math.max(z, plane) + SPREAD * unevenness + Clearance.GAP, bending);
+                reflectionU, reflectionV, Math.max(z, plane) + SPREAD * unevenness + Clearance.GAP, bulge);
     }
 
     /** How much higher the ground is where arcs are straight, m. */
@@ -292,6 +311,16 @@ public final class GroundPlane {
                 && u <= last + TOLERANCE
                 && Math.abs(v) <= halfWidth + TOLERANCE
                 && Math.abs(z - surface.z(u, v)) <= SPREAD * unevenness + TOLERANCE;
+    }
+
+    /** Whether a point is part of the ground below the line between the two points or, in its Fresnel zone, beside it. */
+    public boolean isBelow(double x, double y, double z) {
+        double u = profile.u(x, y);
+        double v = profile.v(x, y);
+        return u >= -TOLERANCE
+                && u <= profile.distance() + TOLERANCE
+                && Math.abs(v) <= halfWidth
+                && Math.abs(z - profile.z(u, v)) <= TOLERANCE;
     }
 
     /** Distance of the first point from the plane, above 0, m. */

@@ -46,13 +46,21 @@ final class GroundProfile {
     /**
      * Whether nothing stands between a point at a height, m, and the two points.
      *
-     * @param curvature of sound, 1/m
+     * @param bulge how the ground is bent where arcs are straight, by level distances, 1/m
      */
-    boolean isSeen(double u, double v, double z, double curvature) {
-        double x = x(u, v);
-        double y = y(u, v);
-        return arcs.isFree(from.x(), from.y(), from.z(), x, y, z, curvature)
-                && arcs.isFree(to.x(), to.y(), to.z(), x, y, z, curvature);
+    boolean isSeen(double u, double v, double z, double bulge) {
+        return isSeenFrom(from, x(u, v), y(u, v), z, bulge) && isSeenFrom(to, x(u, v), y(u, v), z, bulge);
+    }
+
+    private boolean isSeenFrom(Position end, double x, double y, double z, double bulge) {
+        double levelSquared = square(x - end.x()) + square(y - end.y());
+        // Arcs sag by the length of their chords: both halves of a path must do so by the same level distances.
+        double curvature = bulge == 0.0 ? 0.0 : bulge * levelSquared / (levelSquared + square(z - end.z()));
+        return arcs.isFree(end.x(), end.y(), end.z(), x, y, z, curvature);
+    }
+
+    private static double square(double value) {
+        return value * value;
     }
 
     /**
