@@ -313,7 +313,7 @@ public final class GroundPlane {
                 && Math.abs(z - surface.z(u, v)) <= SPREAD * unevenness + TOLERANCE;
     }
 
-    /** Whether a point is part of the ground below the line between the two points or, in its Fresnel zone, beside it. */
+    /** Whether a point is part of the ground below the line between the points or, in its Fresnel zone, beside it. */
     public boolean isBelow(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);

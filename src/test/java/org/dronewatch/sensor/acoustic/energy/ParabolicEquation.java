@@ -3,10 +3,10 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.SplittableRandom;
 
 /**
- * Sound over flat ground in air whose speed of sound changes linearly with height and which is turbulent: the wide-angle
- * parabolic equation by finite differences (Crank and Nicolson), a step of the range after another, with the turbulence as
- * phase screens (M. West, K. Gilbert and R. A. Sack, Applied Acoustics 37, 31, 1992; K. E. Gilbert, R. Raspet and X. Di,
- * JASA 87, 2428, 1990). It knows neither rays nor images nor shadows. Time goes as exp(-i w t).
+ * Sound over flat ground in air whose speed of sound changes linearly with height and which is turbulent: the
+ * wide-angle parabolic equation by finite differences (Crank and Nicolson), one step of the range after another, with
+ * the turbulence as phase screens (M. West, K. Gilbert and R. A. Sack, Applied Acoustics 37, 31, 1992; K. E. Gilbert,
+ * R. Raspet and X. Di, JASA 87, 2428, 1990). It knows neither rays nor images nor shadows. Time goes as exp(-i w t).
  *
  * @param waveNumber 1/m
  * @param curvature of rays that bend up, 1/m
@@ -31,8 +31,8 @@ record ParabolicEquation(
     private static final int SPARSE = 8;
 
     /**
-     * The energy at a height over that in the free field, at multiples of {@value #SCREEN} m, the mean over realizations of
-     * the turbulence.
+     * The energy at a height over that in the free field, at multiples of {@value #SCREEN} m, the mean over
+     * realizations of the turbulence.
      *
      * @param source height, m
      * @param receiver height, m

@@ -93,7 +93,7 @@ class ShadowBorderTest {
         }
     }
 
-    /** From metre to metre through the border no band falls by more than the curve of edges makes incoherent sound fall. */
+    /** From metre to metre through the border no band falls by more than the curve of edges alone. */
     @Test
     void noBandFallsSteeplyThroughTheBorder() {
         double[] before = levels(CURVATURE, BORDER - 40, SOURCE, RECEIVER);
