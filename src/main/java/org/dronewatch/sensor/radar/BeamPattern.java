@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import org.dronewatch.positioner.Direction;
+import org.dronewatch.sensor.radio.AntennaPattern;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -25,8 +26,6 @@ public record BeamPattern(
         @In(value = Quantity.LEVEL, from = 0, to = 100) double sideLobes,
         Steering steering,
         @In(value = Quantity.NUMBER, from = 0, to = 5) double scanLoss) {
-    private static final double HALF_POWER = 12.0;
-
     /** Where an array does not radiate any more, its gain is not minus infinity either. */
     private static final double LEAST_COSINE = 1e-3;
 
@@ -78,8 +77,7 @@ public record BeamPattern(
      * Radar Handbook), dBi.
      */
     public double largestGain() {
-        double wide = Math.min(azimuthBeamwidth, 2.0 * Math.PI);
-        return 10.0 * Math.log10(4.0 * Math.PI / (wide * elevationBeamwidth));
+        return AntennaPattern.largestGain(azimuthBeamwidth, elevationBeamwidth);
     }
 
     /**
@@ -94,9 +92,9 @@ public record BeamPattern(
         double elevation = steering == Steering.BOTH ? target.elevation() : axis.elevation();
         double aside = Math.IEEEremainder(seen.azimuth() - azimuth, 2.0 * Math.PI) / azimuthBeamwidth;
         double above = (seen.elevation() - elevation) / elevationBeamwidth;
-        double shape = Math.min(sideLobes, HALF_POWER * (aside * aside + above * above));
         double cosine = Math.cos(elevation) * Math.cos(axis.elevation()) * Math.cos(azimuth - axis.azimuth())
                 + Math.sin(elevation) * Math.sin(axis.elevation());
-        return 10.0 * scanLoss * Math.log10(Math.min(1.0, Math.max(LEAST_COSINE, cosine))) - shape;
+        return 10.0 * scanLoss * Math.log10(Math.min(1.0, Math.max(LEAST_COSINE, cosine)))
+                - AntennaPattern.loss(aside, above, sideLobes);
     }
 }

@@ -79,7 +79,8 @@ public final class RfSensor implements AssessableSensor {
 
     /**
      * Radio waves go round edges, so a drone behind something counts as hidden only if the stronger of its two
-     * emissions would be received without the diffraction loss.
+     * emissions would be received without the diffraction loss. One that would be received on the axis of the beam only
+     * is out of view.
      */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {
@@ -88,13 +89,17 @@ public final class RfSensor implements AssessableSensor {
         if (!settings.hears(link)) {
             return Explanation.of(Cause.SILENT);
         }
-        double received = settings.gain() - settings.noise(link.frequency());
-        double ofDrone = link.power() - spreading(link, drone.origin()) + received;
-        double ofPilot = link.pilot()
-                .map(pilot -> link.pilotPower() - spreading(link, pilot) + received)
+        double onAxis = inTheOpen(link, drone.origin(), link.power());
+        double pilotOnAxis = link.pilot()
+                .map(pilot -> inTheOpen(link, pilot, link.pilotPower()))
                 .orElse(Double.NEGATIVE_INFINITY);
-        if (reception(drone, ofDrone, ofPilot).median() < settings.threshold()) {
+        if (reception(drone, onAxis, pilotOnAxis).median() < settings.threshold()) {
             return Explanation.of(Cause.TOO_WEAK);
+        }
+        double ofDrone = onAxis + beamGain(drone.origin());
+        double ofPilot = pilotOnAxis + link.pilot().map(this::beamGain).orElse(0.0);
+        if (reception(drone, ofDrone, ofPilot).median() < settings.threshold()) {
+            return Explanation.of(Cause.OUT_OF_VIEW);
         }
         Position emitter = ofPilot > ofDrone ? link.pilot().orElseThrow() : drone.origin();
         Optional<Obstacle> before = visibility.obstacle(settings.position(), emitter);
@@ -113,6 +118,9 @@ public final class RfSensor implements AssessableSensor {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("drone_snr_db", ofDrone);
         figures.put("pilot_snr_db", ofPilot);
+        if (settings.beam().isPresent()) {
+            figures.put("beam_gain_db", beamGain(drone.origin()));
+        }
         if (!reception.isCertain()) {
             figures.put(Observation.PROBABILITY, reception.probability(settings.threshold()));
             figures.put("interference_db", rise);
@@ -159,19 +167,33 @@ public final class RfSensor implements AssessableSensor {
         double edges = path.obstacleLoss(from, settings.position(), link.frequency());
         double beyondClutter = settings.clutterIncludesEdges() ? Math.max(0.0, edges - settings.clutter()) : edges;
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + beyondClutter + settings.clutter();
-        return power + settings.gain() - loss - settings.noise(link.frequency()) + groundReflection(link, from);
+        double received = power + settings.gain() + beamGain(from);
+        return received - loss - settings.noise(link.frequency()) + groundReflection(link, from);
     }
 
-    /** What the reflection from the ground adds, dB; 0 unless it is set. The antenna receives from all directions. */
+    /** What the reflection from the ground adds, dB; 0 unless it is set. */
     private double groundReflection(RadioLink link, Position from) {
         boolean isVertical = settings.polarisation() == Polarisation.VERTICAL;
-        return rays.map(two -> two.factor(settings.position(), from, link.frequency(), isVertical, direction -> true))
+        double gain = beamGain(from);
+        return rays.map(two -> two.weighted(
+                        settings.position(),
+                        from,
+                        link.frequency(),
+                        isVertical,
+                        way -> Math.pow(10.0, 0.05 * (settings.beamGain(way) - gain))))
                 .orElse(0.0);
     }
 
-    /** The path loss of an emission without obstructions, dB. */
-    private double spreading(RadioLink link, Position from) {
-        return RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
+    /** Gain of the antenna towards a position relative to that on the axis of its beam, dB. */
+    private double beamGain(Position emitter) {
+        Position towards = emitter.minus(settings.position());
+        return towards.length() > 0.0 ? settings.beamGain(towards) : 0.0;
+    }
+
+    /** Signal-to-noise ratio of an emission on the axis of the antenna without obstructions, dB. */
+    private double inTheOpen(RadioLink link, Position from, double power) {
+        double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
+        return power - loss + (settings.gain() - settings.noise(link.frequency()));
     }
 
     /** The formula does not hold in the near field: distances below a metre count as a metre. */

@@ -3,17 +3,19 @@ package org.dronewatch.sensor.rf;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.alarm.FalseAlarming;
 import org.dronewatch.sensor.alarm.FalseAlarms;
+import org.dronewatch.sensor.radio.AntennaPattern;
 import org.dronewatch.sensor.radio.Polarisation;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
@@ -26,13 +28,13 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
- * An omnidirectional radio receiver.
+ * A radio receiver. Without a {@code beam} it is omnidirectional.
  *
  * @param position where its antenna is, m
  * @param rate looks per second, above 0, Hz
  * @param minFrequency lowest frequency that it receives, 1 MHz to 100 GHz, Hz
  * @param maxFrequency highest frequency that it receives, Hz
- * @param gain gain of its antenna, -50 to 60 dBi
+ * @param gain gain of its antenna, in all directions or on the axis of its beam, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
  * @param clutter excess path loss from ground, plants and buildings that the site's models do not show, plus local
@@ -48,6 +50,8 @@ import org.dronewatch.world.World;
  * @param dwell how long it listens to a transmission in bursts; omit it for a receiver that hears every burst
  * @param falseAlarms how often it takes something else for a drone; it raises no false alarms, and their rate is
  *     unknown, unless set
+ * @param beam pattern of its antenna; omit it for an omnidirectional one
+ * @param aim where the axis of its beam points
  */
 public record RfSettings(
         Position position,
@@ -66,8 +70,10 @@ public record RfSettings(
         @Minor Map<String, OccupiedBand> occupied,
         @Minor List<RadioLink.Emission> attributes,
         @Minor Optional<Dwell> dwell,
-        @Minor Optional<FalseAlarms> falseAlarms)
-        implements SensorSettings<RfSensor>, Thresholded, FalseAlarming.Stated {
+        @Minor Optional<FalseAlarms> falseAlarms,
+        @Minor Optional<AntennaPattern> beam,
+        @Minor Aim aim)
+        implements SensorSettings<RfSensor>, Aimed, Thresholded, FalseAlarming.Stated {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
 
@@ -95,7 +101,9 @@ public record RfSettings(
                 occupied,
                 attributes,
                 dwell,
-                falseAlarms);
+                falseAlarms,
+                beam,
+                aim);
         falseAlarms.ifPresent(known -> known.rate(rate));
         occupied = Collections.unmodifiableMap(new LinkedHashMap<>(occupied));
         attributes = List.copyOf(attributes);
@@ -138,12 +146,25 @@ public record RfSettings(
                 Map.of(),
                 List.of(RadioLink.Emission.DEDICATED, RadioLink.Emission.WLAN),
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                Optional.empty(),
+                Aim.Direction.DEFAULT);
     }
 
     @Override
     public RfSettings withPosition(Position other) {
         return SettingsForm.with(this, "position", other);
+    }
+
+    /** These settings with an antenna whose beam points elsewhere; of no effect without a beam. */
+    @Override
+    public RfSettings withAim(Aim other) {
+        return SettingsForm.with(this, "aim", other);
+    }
+
+    /** These settings with the pattern of an antenna that points somewhere. */
+    public RfSettings withBeam(AntennaPattern pattern) {
+        return SettingsForm.with(this, "beam", Optional.of(pattern));
     }
 
     /** These settings for other frequencies, Hz. */
@@ -258,19 +279,19 @@ public record RfSettings(
                 : 1.0;
     }
 
-    /** An environment whose noise is not known at any frequency that it receives. */
+    /**
+     * Gain in a direction relative to that on the axis of the beam, dB; 0 without a beam.
+     *
+     * @param towards the direction, of any length above 0
+     */
+    double beamGain(Position towards) {
+        return beam.isEmpty() ? 0.0 : beam.get().gain(aim.from(position), towards);
+    }
+
+    /** Settings that contradict each other, or that change nothing. */
     @Override
     public List<String> advice() {
-        return environment
-                .filter(noise -> minFrequency > noise.highestFrequency())
-                .map(noise -> String.format(
-                        Locale.ROOT,
-                        "environment has no effect: ITU-R P.372 gives its noise only up to %.0f MHz,"
-                                + " and minFrequency is %.0f MHz",
-                        noise.highestFrequency() / 1e6,
-                        minFrequency / 1e6))
-                .stream()
-                .toList();
+        return RfAdvice.on(this);
     }
 
     /** These settings with false alarms. */

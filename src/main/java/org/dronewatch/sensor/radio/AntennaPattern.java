@@ -1,0 +1,92 @@
+package org.dronewatch.sensor.radio;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * The pattern of an antenna that points in one direction: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
+ * angles a and e from its axis, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1).
+ *
+ * @param azimuthBeamwidth width of the beam at half power across, 0.01 to 360 degrees, rad
+ * @param elevationBeamwidth width of the beam at half power from bottom to top, 0.01 to 180 degrees, rad
+ * @param sideLobes level of the side lobes and of the back below that of the main lobe, 0 to 100 dB
+ */
+public record AntennaPattern(
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = 2 * Math.PI) double azimuthBeamwidth,
+        @In(value = Quantity.ANGLE, from = In.NARROWEST, to = Math.PI) double elevationBeamwidth,
+        @In(value = Quantity.LEVEL, from = 0, to = 100) double sideLobes) {
+    private static final double HALF_POWER = 12.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public AntennaPattern {
+        Limits.check(AntennaPattern.class, azimuthBeamwidth, elevationBeamwidth, sideLobes);
+    }
+
+    /** An antenna with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1). */
+    @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
+    public static AntennaPattern of(double azimuthBeamwidth, double elevationBeamwidth) {
+        return new AntennaPattern(azimuthBeamwidth, elevationBeamwidth, 30.0);
+    }
+
+    /** This antenna with other side lobes, dB below the main lobe. */
+    public AntennaPattern withSideLobes(double decibels) {
+        return SettingsForm.with(this, "sideLobes", decibels);
+    }
+
+    /**
+     * The largest gain that so narrow a beam can have: {@code 4 pi / (A E)}, without losses and side lobes (Skolnik,
+     * Radar Handbook), dBi.
+     *
+     * @param azimuthBeamwidth rad
+     * @param elevationBeamwidth rad
+     */
+    public static double largestGain(double azimuthBeamwidth, double elevationBeamwidth) {
+        return 10.0 * Math.log10(4.0 * Math.PI / (azimuthBeamwidth * elevationBeamwidth));
+    }
+
+    /** The largest gain that this antenna can have, dBi. */
+    public double largestGain() {
+        return largestGain(azimuthBeamwidth, elevationBeamwidth);
+    }
+
+    /**
+     * How much weaker an antenna is off its axis, dB; 0 or more.
+     *
+     * @param across angle from the axis across, in beam widths
+     * @param upwards angle from the axis upwards, in beam widths
+     * @param sideLobes level of the side lobes below that of the main lobe, dB
+     */
+    public static double loss(double across, double upwards, double sideLobes) {
+        return Math.min(sideLobes, HALF_POWER * (across * across + upwards * upwards));
+    }
+
+    /**
+     * The gain in a direction relative to that on the axis, dB; 0 or less. The angles are those in the antenna's own
+     * frame, which is not rolled: its beam keeps its shape when it is tilted.
+     *
+     * @param axis in which it points, of any length above 0
+     * @param seen the direction, of any length above 0
+     */
+    public double gain(Position axis, Position seen) {
+        double level = Math.hypot(axis.x(), axis.y());
+        double length = axis.length();
+        // Straight up or down, north stands for the azimuth, as in Aim.Direction.
+        double east = level > 0.0 ? axis.x() / level : 0.0;
+        double north = level > 0.0 ? axis.y() / level : 1.0;
+        double ahead = seen.x() * east + seen.y() * north;
+        double right = seen.x() * north - seen.y() * east;
+        double forward = (ahead * level + seen.z() * axis.z()) / length;
+        double above = (seen.z() * level - ahead * axis.z()) / length;
+        double across = Math.atan2(right, forward) / azimuthBeamwidth;
+        double upwards = Math.atan2(above, Math.hypot(right, forward)) / elevationBeamwidth;
+        return -loss(across, upwards, sideLobes);
+    }
+}

@@ -1,0 +1,52 @@
+package org.dronewatch.sensor.rf;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.dronewatch.sensor.Aim;
+
+/** Warnings about settings of a receiver that contradict each other, or that change nothing. */
+final class RfAdvice {
+    private static final double MEGAHERTZ = 1e6;
+
+    private RfAdvice() {}
+
+    /** One sentence for each; none for a receiver that can be built. */
+    static List<String> on(RfSettings receiver) {
+        return Stream.of(noise(receiver), gain(receiver), aim(receiver))
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    /** An environment whose noise is not known at any frequency that it receives. */
+    private static Optional<String> noise(RfSettings receiver) {
+        return receiver.environment()
+                .filter(noise -> receiver.minFrequency() > noise.highestFrequency())
+                .map(noise -> String.format(
+                        Locale.ROOT,
+                        "environment has no effect: ITU-R P.372 gives its noise only up to %.0f MHz,"
+                                + " and minFrequency is %.0f MHz",
+                        noise.highestFrequency() / MEGAHERTZ,
+                        receiver.minFrequency() / MEGAHERTZ));
+    }
+
+    private static Optional<String> gain(RfSettings receiver) {
+        return receiver.beam()
+                .filter(beam -> receiver.gain() > beam.largestGain())
+                .map(beam -> String.format(
+                        Locale.ROOT,
+                        "an antenna of %.1f dBi cannot have a beam of %.1f x %.1f deg: its gain is at most %.1f dBi",
+                        receiver.gain(),
+                        Math.toDegrees(beam.azimuthBeamwidth()),
+                        Math.toDegrees(beam.elevationBeamwidth()),
+                        beam.largestGain()));
+    }
+
+    private static Optional<String> aim(RfSettings receiver) {
+        boolean isIdle = receiver.beam().isEmpty() && !receiver.aim().equals(Aim.Direction.DEFAULT);
+        return isIdle
+                ? Optional.of("aim has no effect: without a beam the antenna is omnidirectional")
+                : Optional.empty();
+    }
+}
