@@ -30,9 +30,9 @@ import picocli.CommandLine.Spec;
         name = "alarms",
         mixinStandardHelpOptions = true,
         description =
-                "Prints how often each sensor of a scene raises false alarms, and how many false alerts a day follow from"
-                        + " that by the scene's alert rule, with its own and with other confirmations. Nothing is run. With --sensor"
-                        + " and --per-hour it says which probability gives a radar a wanted number of false alarms.",
+                "Prints the false-alarm rate of each sensor of a scene, and the false alerts per day that result from the"
+                        + " scene's alert rule, with its own and with other confirmations. Nothing is run. With --sensor"
+                        + " and --per-hour, prints the probability that gives a radar a wanted number of false alarms.",
         footer = {
             "",
             "Examples:",
@@ -61,13 +61,13 @@ final class AlarmsCommand implements Callable<Integer> {
             description = "Index of the run of a sweep, counted from 0; 0 by default.")
     private int run;
 
-    @Option(names = "--sensor", paramLabel = "ID", description = "Radar whose probability --per-hour asks for.")
+    @Option(names = "--sensor", paramLabel = "ID", description = "Radar for which --per-hour applies.")
     private String sensor;
 
     @Option(
             names = "--per-hour",
             paramLabel = "N",
-            description = "Wanted number of false alarms an hour, above 0 and at most 1e7.")
+            description = "Wanted number of false alarms per hour, above 0 and at most 1e7.")
     private Double perHour;
 
     @Spec
@@ -92,7 +92,8 @@ final class AlarmsCommand implements Callable<Integer> {
     }
 
     private static void printSensors(SceneSettings settings, PrintWriter out) {
-        out.printf("%-16s %-9s %12s %12s %12s %12s%n", "sensor", "kind", "an hour", "a look", "places", "looks each");
+        out.printf(
+                "%-16s %-9s %12s %12s %12s %12s%n", "sensor", "kind", "per hour", "per look", "cells", "lasts [looks]");
         settings.enabledSensors().forEach((id, one) -> {
             Optional<FalseAlarmRate> known = rate(one);
             out.printf(
@@ -101,7 +102,7 @@ final class AlarmsCommand implements Callable<Integer> {
                     one.kind(),
                     known.map(rate -> FalseAlertRate.brief(rate.perHour())).orElse("unknown"),
                     known.map(rate -> FalseAlertRate.brief(rate.perLook())).orElse("-"),
-                    known.map(rate -> Long.toString(rate.places())).orElse("-"),
+                    known.map(rate -> Long.toString(rate.cells())).orElse("-"),
                     known.map(rate -> Integer.toString(rate.looks())).orElse("-"));
         });
     }
@@ -114,7 +115,7 @@ final class AlarmsCommand implements Callable<Integer> {
                     + FalseAlertRate.of(alert, settings.enabledSensors()).inWords());
             return;
         }
-        out.printf("%-8s %18s %18s   %s%n", "confirm", "50 % becomes", "90 % becomes", "false alerts");
+        out.printf("%-8s %18s %18s   %s%n", "confirm", "50 % per look", "90 % per look", "false alerts");
         boolean isTried = TRIED.contains(alert.confirm());
         TRIED.forEach(confirm -> printRule(settings, confirm, out));
         if (!isTried) {

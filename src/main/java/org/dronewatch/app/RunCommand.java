@@ -274,7 +274,8 @@ final class RunCommand implements Callable<Integer> {
                 String why = isUnknown && counted.count() == 0 ? ", since no sensor states its 'falseAlarms'" : "";
                 String here = isUnknown && counted.count() == 0
                         ? ""
-                        : "; in this run: " + counted.alertCount() + ", of false alarms " + bySensor(counted.counted());
+                        : "; in this run: " + counted.alertCount() + ", from false alarms: "
+                                + bySensor(counted.counted());
                 target.println(which + "false alerts: " + run.falseAlertRate().inWords() + why + here);
             }
         }

@@ -12,22 +12,22 @@ import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
 
 /**
- * How many false alerts a day a rule costs, in closed form.
+ * False alerts per day that result from a rule, in closed form.
  *
- * <p>Assumptions: false alarms begin independently of each other, from look to look, from place to place, and from
- * sensor to sensor. Those of one sensor confirm each other only if they lie in the same one of its places. Those of
+ * <p>Assumptions: false alarms begin independently of each other, from look to look, from cell to cell, and from
+ * sensor to sensor. Those of one sensor confirm each other only if they lie in the same cell. Those of
  * several sensors count together if they agree in time and in bearing, whatever their range, their elevation, and the
  * distance between the sensors; a sensor without a bearing, or on a positioner, agrees with all. One alert is counted
  * for each contact, however long it lasts.
  *
- * <p>Let s be the probability that a false alarm begins in a given place in a given look, K the number of places, f the
+ * <p>Let s be the probability that a false alarm begins in a given cell in a given look, K the number of cells, f the
  * looks per second, M of N the confirmation. False alarms of one look are confirmed {@code K f C(N-1, M-1) s^M
  * (1-s)^(N-M+1)} times a second: how often a look confirms what the look before did not. Those that last for L looks, M
  * or more, confirm themselves, {@code K f s (1-s)^(N+L-1)} times a second. If L is above one but below M, J = M / L of
- * them, rounded up, must begin in the same place within N + L - 1 looks: {@code K f s P(Poisson(s' (N+L-1)) >= J-1)},
+ * them, rounded up, must begin in the same cell within N + L - 1 looks: {@code K f s P(Poisson(s' (N+L-1)) >= J-1)},
  * with s' = -ln(1-s), is an upper bound.
  *
- * @param perDay expected number of false alerts a day by the sensors whose rates are known
+ * @param perDay expected number of false alerts per day by the sensors whose rates are known
  * @param isUpperBound whether there may be fewer
  * @param known names of the sensors whose rates are known
  * @param unknown names of the sensors whose rates are not known
@@ -87,12 +87,12 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
         return known.isEmpty();
     }
 
-    /** {@code 2.4 a day}; {@code at most 2.4 a day}; {@code 2.4 a day from a; unknown from b}; {@code unknown}. */
+    /** {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown}. */
     public String inWords() {
         if (isUnknown()) {
             return "unknown";
         }
-        String number = (isUpperBound ? "at most " : "") + brief(perDay) + " a day";
+        String number = (isUpperBound ? "at most " : "") + brief(perDay) + " per day";
         return unknown.isEmpty()
                 ? number
                 : number + " from " + String.join(", ", known) + "; unknown from " + String.join(", ", unknown);
@@ -126,7 +126,7 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
 
         static Confirmed of(Confirmation confirm, FalseAlarmRate rate, Optional<AzimuthSpan> bearings) {
             double s = rate.probability();
-            double perLook = rate.places() * rate.rate();
+            double perLook = rate.cells() * rate.rate();
             int hits = confirm.hits();
             int looks = confirm.looks();
             int lasting = rate.looks();

@@ -49,7 +49,7 @@ final class FalseAlarmsKey {
                             rate -> {
                                 one.put("per_hour", rate.perHour());
                                 one.put("per_look", rate.perLook());
-                                one.put("places", rate.places());
+                                one.put("cells", rate.cells());
                                 one.put("looks", rate.looks());
                             },
                             () -> one.putNull("per_hour"));

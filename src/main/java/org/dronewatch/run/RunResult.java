@@ -53,7 +53,7 @@ public record RunResult(
         return attacks.isEmpty() ? alerts : attacks;
     }
 
-    /** How many false alerts a day the rule costs, in closed form. */
+    /** False alerts per day that result from the rule, in closed form. */
     public FalseAlertRate falseAlertRate() {
         return falseAlertRate(settings.alert().confirm());
     }

@@ -9,12 +9,12 @@ import java.util.function.IntConsumer;
 import java.util.function.IntSupplier;
 
 /**
- * One sensor's false measurements that may be confirmed yet: those in the same place of its field of view are one
+ * One sensor's false measurements that may be confirmed yet: those in the same cell of its field of view are one
  * contact, until a number of its looks in a row have measured nothing there.
  */
 final class LiveAlarms {
     private final int patience;
-    private final Map<Double, Live> byPlace = new LinkedHashMap<>();
+    private final Map<Double, Live> byCell = new LinkedHashMap<>();
 
     /**
      * Of one sensor.
@@ -25,9 +25,9 @@ final class LiveAlarms {
         this.patience = patience;
     }
 
-    /** The contact of a measurement, a new one if there is none in its place. */
-    int contactIn(double place, IntSupplier next) {
-        Live live = byPlace.computeIfAbsent(place, unseen -> new Live(next.getAsInt()));
+    /** The contact of a measurement, a new one if there is none in its cell. */
+    int contactIn(double cell, IntSupplier next) {
+        Live live = byCell.computeIfAbsent(cell, unseen -> new Live(next.getAsInt()));
         live.isSeen = true;
         return live.contact;
     }
@@ -39,7 +39,7 @@ final class LiveAlarms {
      * @param ended receives the contacts of which there will be no more looks
      */
     void endLook(String sensor, double time, Consumer<ContactLook> missed, IntConsumer ended) {
-        for (Iterator<Live> all = byPlace.values().iterator(); all.hasNext(); ) {
+        for (Iterator<Live> all = byCell.values().iterator(); all.hasNext(); ) {
             Live live = all.next();
             live.misses = live.isSeen ? 0 : live.misses + 1;
             if (live.misses >= patience) {

@@ -17,8 +17,8 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
 /**
  * Knows which measurements belong together, because it reads the truth: all looks at one drone are one contact. It
  * takes the place of a tracker that does not exist yet, and bounds the performance that one could achieve. False
- * measurements of one sensor in the same place, which {@link FalseAlarmSource#PLACE} names, are one contact, too, as
- * long as they may confirm each other; without a place each is a contact by itself. Contacts are numbered from 1 on in
+ * measurements of one sensor in the same cell, which {@link FalseAlarmSource#CELL} names, are one contact, too, as
+ * long as they may confirm each other; without a cell each is a contact by itself. Contacts are numbered from 1 on in
  * the order in which they appear; the numbers say nothing about drones. One per run.
  */
 public final class PerfectAssociation {
@@ -83,8 +83,8 @@ public final class PerfectAssociation {
 
     private int contact(Observation observation) {
         if (observation.isFalse()) {
-            Double place = observation.figures().get(FalseAlarmSource.PLACE);
-            return place == null ? single() : ofSensor(observation.sensor()).contactIn(place, () -> ++last);
+            Double cell = observation.figures().get(FalseAlarmSource.CELL);
+            return cell == null ? single() : ofSensor(observation.sensor()).contactIn(cell, () -> ++last);
         }
         return contacts.computeIfAbsent(observation.drone(), drone -> {
             drones.put(++last, drone);

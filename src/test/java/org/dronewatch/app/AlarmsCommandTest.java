@@ -23,8 +23,8 @@ class AlarmsCommandTest {
         assertThat(outcome.out().lines())
                 .anyMatch(line -> line.matches("radar +radar +93\\.4 +0\\.03 +960 +1"))
                 .anyMatch(line -> line.matches("radio +rf +2\\.00 +5\\.6e-04 +20 +10"))
-                .anyMatch(line -> line.matches("1 of 1 +50\\.000% +90\\.000% +2385 a day"))
-                .anyMatch(line -> line.matches("3 of 5 +50\\.000% +99\\.144% +144 a day  <- this scene"));
+                .anyMatch(line -> line.matches("1 of 1 +50\\.000% +90\\.000% +2385 per day"))
+                .anyMatch(line -> line.matches("3 of 5 +50\\.000% +99\\.144% +144 per day  <- this scene"));
     }
 
     @Test
@@ -34,8 +34,8 @@ class AlarmsCommandTest {
         assertThat(changed(
                         "rule: {kind: any-sensor}\n  confirm: {hits: 3, looks: 5}",
                         "rule: {kind: union-of-probabilities, probability: 0.9}"))
-                .contains("false alerts: 2385 a day")
-                .doesNotContain("becomes");
+                .contains("false alerts: 2385 per day")
+                .doesNotContain("50 % per look");
     }
 
     @Test
@@ -44,7 +44,7 @@ class AlarmsCommandTest {
         assertThat(outcome.out().lines())
                 .anyMatch(line -> line.matches("radar +radar +unknown +- +- +-"))
                 .anyMatch(line -> line.matches("1 of 1 .* unknown  <- this scene"));
-        assertThat(changed("falseAlarms: {perHour: 2, places: 20, duration: 10 s}", "rate: 1 Hz"))
+        assertThat(changed("falseAlarms: {perHour: 2, cells: 20, duration: 10 s}", "rate: 1 Hz"))
                 .contains("a day from radar, camera; unknown from radio");
     }
 

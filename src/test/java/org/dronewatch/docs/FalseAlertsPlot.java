@@ -20,14 +20,14 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** What four confirmations cost and gain: false alerts a day by the rate of false alarms, and the time to the alert. */
+/** What four confirmations cost and gain: false alerts per day by the rate of false alarms, and the time to the alert. */
 final class FalseAlertsPlot {
     private static final List<Confirmation> RULES =
             List.of(new Confirmation(1, 1), new Confirmation(2, 3), new Confirmation(3, 5), new Confirmation(5, 8));
     private static final Color[] COLOURS = {
         new Color(0xc2410c), new Color(0xb58900), new Color(0x1f5fbf), new Color(0x2a9d5c)
     };
-    private static final int PLACES = 1000;
+    private static final int CELLS = 1000;
     private static final double LOOK_PROBABILITY = 0.7;
     private static final int POINTS = 121;
     private static final int MOST_LOOKS = 20;
@@ -37,11 +37,11 @@ final class FalseAlertsPlot {
     private FalseAlertsPlot() {}
 
     static BufferedImage draw() {
-        XYChart price = chart("1000 places, 1 look a second", "false alarms an hour", "false alerts a day");
+        XYChart price = chart("1000 cells, 1 look per second", "false alarms per hour", "false alerts per day");
         price.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
         price.getStyler().setYAxisMin(1e-3).setYAxisMax(1e6).setLegendPosition(LegendPosition.InsideNW);
         XYChart time =
-                chart("A drone that each look detects 7 times of 10", "looks", "probability of an alert up to then");
+                chart("A drone that each look detects with probability 0.7", "looks", "probability of an alert so far");
         time.getStyler().setYAxisMin(0.0).setYAxisMax(1.0).setLegendPosition(LegendPosition.InsideSE);
         double[] hourly = new double[POINTS];
         for (int i = 0; i < POINTS; i++) {
@@ -67,7 +67,7 @@ final class FalseAlertsPlot {
     }
 
     private static double perDay(Confirmation rule, double perHour) {
-        RfSettings sensor = RfSettings.at(new Position(0, 0, 0)).withFalseAlarms(new FalseAlarms(perHour, PLACES, 0));
+        RfSettings sensor = RfSettings.at(new Position(0, 0, 0)).withFalseAlarms(new FalseAlarms(perHour, CELLS, 0));
         AlertSettings alert = AlertSettings.DEFAULT.withConfirmation(rule.hits(), rule.looks());
         return FalseAlertRate.of(alert, Map.of("sensor", sensor)).perDay();
     }

@@ -148,7 +148,7 @@ class FalseAlarmsApartTest {
         String words =
                 Files.readString(target.resolve("report.html")).replaceAll("data:image/[a-z]+;base64,[^\"]*", "");
         assertThat(words)
-                .contains("False alerts by this rule: ", "false alerts a day", "2 of 4 (this rule)")
+                .contains("False alerts with this rule: ", "false alerts per day", "2 of 4 (this rule)")
                 .doesNotContain("NaN");
         assertThat(Files.readString(target.resolve("result.json")))
                 .containsPattern("\"false_alarms\" : \\[ \\{\\s+\"run\" : 0,\\s+\"per_day\" : \\d")

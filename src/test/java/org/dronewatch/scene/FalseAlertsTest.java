@@ -88,7 +88,7 @@ class FalseAlertsTest {
         return AlertSettings.DEFAULT.withConfirmation(hits, looks);
     }
 
-    /** In 200 places, each with a chance of about 0.02 a look. */
+    /** In 200 cells, each with a chance of about 0.02 a look. */
     private static RadarSettings radar(double rate, double perScan) {
         return RadarSettings.at(PLACE, LinkBudget.DataSheet.of(1000, 0.01))
                 .withRate(rate)
@@ -124,7 +124,7 @@ class FalseAlertsTest {
         assertAgrees(AlertSettings.DEFAULT, Map.of("radar", radar(10, 0.5)), 100);
     }
 
-    /** 6 p^3 (1-p)^3 a look in each of 200 places, p = 0.02. */
+    /** 6 p^3 (1-p)^3 a look in each of 200 cells, p = 0.02. */
     @Test
     void threeOfFiveInTheSamePlace() {
         assertAgrees(confirmed(3, 5), Map.of("radar", radar(1000, 4)), 20);

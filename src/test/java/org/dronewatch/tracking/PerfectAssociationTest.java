@@ -58,8 +58,8 @@ class PerfectAssociationTest {
         assertThat(association.droneOf(2)).contains("x");
     }
 
-    private static Observation inPlace(String sensor, double place) {
-        return nothing(sensor).withFigures(Map.of(FalseAlarmSource.PLACE, place));
+    private static Observation inCell(String sensor, double cell) {
+        return nothing(sensor).withFigures(Map.of(FalseAlarmSource.CELL, cell));
     }
 
     /** Patience of three looks: hit, miss, miss, hit; then three misses, and the next one is another contact. */
@@ -70,7 +70,7 @@ class PerfectAssociationTest {
         List<ContactLook> all = new ArrayList<>();
         boolean[] hits = {true, false, false, true, false, false, false, true};
         for (int i = 0; i < hits.length; i++) {
-            List<Observation> seen = hits[i] ? List.of(inPlace("a", 5)) : List.of();
+            List<Observation> seen = hits[i] ? List.of(inCell("a", 5)) : List.of();
             all.addAll(association.associate(seen, looked, i));
             assertThat(association.ended()).isEqualTo(i == 6 ? List.of(1) : List.of());
         }
@@ -82,17 +82,17 @@ class PerfectAssociationTest {
     }
 
     @Test
-    void placesAndSensorsAreKeptApart() {
+    void cellsAndSensorsAreKeptApart() {
         PerfectAssociation association = new PerfectAssociation(5);
         List<ContactLook> first = association.associate(
-                List.of(inPlace("a", 1), inPlace("a", 2), inPlace("b", 1), inPlace("a", 1), look("a", "x", 20)),
+                List.of(inCell("a", 1), inCell("a", 2), inCell("b", 1), inCell("a", 1), look("a", "x", 20)),
                 List.of("a", "b"),
                 8.0);
         assertThat(first).extracting(ContactLook::contact).containsExactly(1, 2, 3, 4);
         assertThat(first.get(0).measurements()).hasSize(2);
         assertThat(association.isComplete(4)).isTrue();
         // Only one of the sensors looks: the other's contacts wait.
-        List<ContactLook> second = association.associate(List.of(inPlace("b", 1)), List.of("b"), 9.0);
+        List<ContactLook> second = association.associate(List.of(inCell("b", 1)), List.of("b"), 9.0);
         assertThat(second).extracting(ContactLook::contact).containsExactly(3);
         assertThat(association.associate(List.of(), List.of("a"), 10.0))
                 .extracting(ContactLook::contact)

@@ -32,14 +32,14 @@ final class FalseAlarmTables {
     }
 
     String html() {
-        String price = Html.plain("p", "False alerts by this rule: " + rate.inWords() + "." + inThisRun());
+        String price = Html.plain("p", "False alerts with this rule: " + rate.inWords() + "." + inThisRun());
         if (rate.isUnknown()) {
             return price
                     + (counted.count() == 0
                             ? Html.plain(
                                     "p",
-                                    "No sensor of this scene states how often it raises false alarms"
-                                            + " ('falseAlarms'): what the rule costs is unknown, not zero.")
+                                    "No sensor of this scene states a rate of false alarms"
+                                            + " ('falseAlarms'): the rate of false alerts is unknown, not zero.")
                             : "");
         }
         return price + assumptions() + trials() + sensors();
@@ -60,8 +60,8 @@ final class FalseAlarmTables {
     private static String assumptions() {
         return Html.plain(
                 "p",
-                "False alarms are taken to be independent from look to look, place to place and sensor to sensor; those of"
-                        + " one sensor confirm each other only in the same place of its field of view.");
+                "False alarms are assumed to be independent between looks, cells and sensors; those of"
+                        + " one sensor confirm each other only in the same cell of its field of view.");
     }
 
     /** What each confirmation gains in time and costs in false alerts. */
@@ -78,11 +78,11 @@ final class FalseAlarmTables {
                     timeWon(trial),
                     run.falseAlertRate(trial.confirm()).inWords()));
         }
-        return Html.table(List.of("looks that must detect", "alert [s]", "earlier by [s]", "false alerts"), rows);
+        return Html.table(List.of("confirmation (M of N looks)", "alert [s]", "time gained [s]", "false alerts"), rows);
     }
 
     private static String inWords(Confirmation confirm) {
-        return confirm.looks() == 1 ? "one" : confirm.hits() + " of " + confirm.looks();
+        return confirm.looks() == 1 ? "1 of 1" : confirm.hits() + " of " + confirm.looks();
     }
 
     private List<String> drones() {
@@ -117,9 +117,9 @@ final class FalseAlarmTables {
     private String sensors() {
         boolean isAlone = run.settings().alert().rule() instanceof AlertRule.AnySensor;
         List<String> head = new ArrayList<>(
-                List.of("sensor", "false alarms an hour", "a look", "places", "looks that one lasts", "in this run"));
+                List.of("sensor", "false alarms per hour", "per look", "cells", "duration [looks]", "in this run"));
         if (isAlone) {
-            head.add("false alerts a day");
+            head.add("false alerts per day");
         }
         List<List<String>> rows = new ArrayList<>();
         run.settings().enabledSensors().forEach((id, sensor) -> {
@@ -128,7 +128,7 @@ final class FalseAlarmTables {
                     id,
                     known.map(one -> FalseAlertRate.brief(one.perHour())).orElse("unknown"),
                     known.map(one -> FalseAlertRate.brief(one.perLook())).orElse(NONE),
-                    known.map(one -> Long.toString(one.places())).orElse(NONE),
+                    known.map(one -> Long.toString(one.cells())).orElse(NONE),
                     known.map(one -> Integer.toString(one.looks())).orElse(NONE),
                     Long.toString(counted.counted().getOrDefault(id, 0L))));
             if (isAlone) {

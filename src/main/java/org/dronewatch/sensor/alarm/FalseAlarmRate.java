@@ -1,17 +1,17 @@
 package org.dronewatch.sensor.alarm;
 
 /**
- * How often a sensor raises false alarms. They begin independently of each other, in every look and in every place
+ * How often a sensor raises false alarms. They begin independently of each other, in every look and in every cell
  * alike: their number in a look is Poisson-distributed.
  *
  * @param perLook expected number that begin in one look, 0 or more; at most {@link #MOST_PER_LOOK}, those that last
  *     included, may be reported in each look
- * @param places number of places that the sensor, or its tracker, tells apart in its field of view, 1 or more: only
- *     false alarms in the same place confirm each other
+ * @param cells number of cells of its field of view that the sensor, or its tracker, distinguishes, 1 or more: only
+ *     false alarms in the same cell confirm each other
  * @param looks number of consecutive looks that one lasts, 1 or more: one for noise, more for a bird or an aircraft
  * @param rate looks per second, above 0, Hz
  */
-public record FalseAlarmRate(double perLook, long places, int looks, double rate) {
+public record FalseAlarmRate(double perLook, long cells, int looks, double rate) {
     /** More could not be told from each other, nor simulated. */
     public static final double MOST_PER_LOOK = 1000.0;
 
@@ -20,7 +20,7 @@ public record FalseAlarmRate(double perLook, long places, int looks, double rate
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when there are too many of them, or none of places or looks
+     * @throws IllegalArgumentException when there are too many of them, or none of cells or looks
      */
     public FalseAlarmRate {
         if (!(perLook >= 0.0 && perLook * looks <= MOST_PER_LOOK)) {
@@ -30,8 +30,8 @@ public record FalseAlarmRate(double perLook, long places, int looks, double rate
                             + lasting + " make " + (float) (perLook * looks) + " at a time, must be 0 to "
                             + (int) MOST_PER_LOOK);
         }
-        if (places < 1 || looks < 1 || !(rate > 0.0)) {
-            throw new IllegalArgumentException("falseAlarms: " + places + " places, " + looks
+        if (cells < 1 || looks < 1 || !(rate > 0.0)) {
+            throw new IllegalArgumentException("falseAlarms: " + cells + " cells, " + looks
                     + " looks, must be at least one of each, and the rate " + rate + " Hz above 0");
         }
     }
@@ -41,13 +41,13 @@ public record FalseAlarmRate(double perLook, long places, int looks, double rate
         return perLook * rate * HOUR;
     }
 
-    /** Expected number that begin in one place in one look. */
+    /** Expected number that begin in one cell in one look. */
     public double perPlace() {
-        return perLook / places;
+        return perLook / cells;
     }
 
     /**
-     * The probability that at least one begins in a given place in a given look, {@code 1 - exp(-perLook / places)}.
+     * The probability that at least one begins in a given cell in a given look, {@code 1 - exp(-perLook / cells)}.
      */
     public double probability() {
         return -Math.expm1(-perPlace());

@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
 /**
  * The false alarms of one sensor during a run. Those that begin in a look are drawn from a stream that depends on the
  * seed, the sensor's name and the index of the look only, so that they neither depend on drones and other sensors nor
- * change what is drawn for them. One that lasts keeps its place in the field of view. Looks come in their order; one
+ * change what is drawn for them. One that lasts keeps its cell in the field of view. Looks come in their order; one
  * thread at a time.
  */
 public final class FalseAlarmSource {
@@ -25,10 +25,10 @@ public final class FalseAlarmSource {
     public static final String PURPOSE = "false";
 
     /**
-     * The figure of a false alarm that names its place: a number, from 0. False alarms of a sensor in the same place
+     * The figure of a false alarm that names its cell: a number, from 0. False alarms of a sensor in the same cell
      * are taken for one contact. Those of a sensor from another jar may have it, too.
      */
-    public static final String PLACE = "place";
+    public static final String CELL = "cell";
 
     /** The figure, 1, of a false alarm that began in an earlier look. */
     public static final String CONTINUED = "continued";
@@ -86,10 +86,10 @@ public final class FalseAlarmSource {
         RandomGenerator random = Draws.stream(look.seed(), look.sensor(), "", index, PURPOSE);
         int count = poisson(rate.perLook(), random);
         for (int i = 0; i < count; i++) {
-            long place = random.nextLong(rate.places());
+            long cell = random.nextLong(rate.cells());
             double[] point = {random.nextDouble(), random.nextDouble(), random.nextDouble()};
-            PlaceGrid.locate(place, rate.places(), dimensions, point);
-            lasting.add(new Alarm(place, index, point, -Math.log1p(-random.nextDouble())));
+            CellGrid.locate(cell, rate.cells(), dimensions, point);
+            lasting.add(new Alarm(cell, index, point, -Math.log1p(-random.nextDouble())));
         }
     }
 
@@ -116,10 +116,10 @@ public final class FalseAlarmSource {
         return count;
     }
 
-    private record Alarm(long place, long began, double[] point, double excess) {
+    private record Alarm(long cell, long began, double[] point, double excess) {
         Observation seen(World world, LookId look, FalseAlarming sensor) {
             Map<String, Double> figures = new LinkedHashMap<>();
-            figures.put(PLACE, (double) place);
+            figures.put(CELL, (double) cell);
             // What began before the run is new to whoever watches it.
             if (began < look.index() && look.index() > 0) {
                 figures.put(CONTINUED, 1.0);

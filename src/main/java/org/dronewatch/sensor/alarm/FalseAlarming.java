@@ -17,7 +17,7 @@ public interface FalseAlarming {
     Optional<FalseAlarmRate> falseAlarmRate();
 
     /**
-     * By how many of the numbers the places of false alarms differ, 0 to 3; 0 unless overridden, for a sensor that
+     * By how many of the numbers the cells of false alarms differ, 0 to 3; 0 unless overridden, for a sensor that
      * measures no direction.
      */
     default int dimensions() {

@@ -7,17 +7,17 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How often a sensor takes something else for a drone, as its manufacturer states or a trial has counted.
+ * How often a sensor mistakes something else for a drone, as stated by its manufacturer or counted in a trial.
  *
- * @param perHour how many false alarms begin in an hour in the whole field of view, 0 to 1e7
- * @param places how many places of its field of view the sensor tells apart, 1 to 1e9: only false alarms in the same
- *     place confirm each other; 1, the most cautious value, if all of them do
- * @param duration how long a false alarm lasts, 0 to 600 s; 0 for one look, as for noise. What lasts is confirmed like
- *     a drone
+ * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
+ * @param cells number of cells of its field of view that the sensor distinguishes, 1 to 1e9: only false alarms in the same
+ *     cell confirm each other; 1, the most cautious value, if all of them do
+ * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
+ *     confirmed like a drone
  */
 public record FalseAlarms(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
-        @In(value = Quantity.NUMBER, from = 1, to = 1e9) int places,
+        @In(value = Quantity.NUMBER, from = 1, to = 1e9) int cells,
         @In(value = Quantity.DURATION, from = 0, to = 600) double duration) {
     private static final double HOUR = 3600.0;
 
@@ -26,21 +26,21 @@ public record FalseAlarms(
 
     /** Checks the limits. */
     public FalseAlarms {
-        Limits.check(FalseAlarms.class, perHour, places, duration);
+        Limits.check(FalseAlarms.class, perHour, cells, duration);
     }
 
     /**
-     * A number an hour that all confirm each other and last for 5 seconds each, which is assumed: most are caused by
-     * something that is there for a while, such as a bird, an aircraft, a lorry, or another transmitter.
+     * A number per hour that all confirm each other and last for 5 seconds each, which is assumed: most are caused by
+     * something that is present for a while, such as a bird, an aircraft, a lorry, or another transmitter.
      */
     @Defaults("perHour")
     public static FalseAlarms of(double perHour) {
         return new FalseAlarms(perHour, 1, 5.0);
     }
 
-    /** These false alarms in another number of places. */
-    public FalseAlarms withPlaces(int number) {
-        return SettingsForm.with(this, "places", number);
+    /** These false alarms in a different number of cells. */
+    public FalseAlarms withCells(int number) {
+        return SettingsForm.with(this, "cells", number);
     }
 
     /** These false alarms with another duration, s. */
@@ -56,6 +56,6 @@ public record FalseAlarms(
      */
     public FalseAlarmRate rate(double lookRate) {
         int looks = (int) Math.max(1.0, Math.ceil(duration * lookRate - ROUNDING));
-        return new FalseAlarmRate(perHour / (HOUR * lookRate), places, looks, lookRate);
+        return new FalseAlarmRate(perHour / (HOUR * lookRate), cells, looks, lookRate);
     }
 }

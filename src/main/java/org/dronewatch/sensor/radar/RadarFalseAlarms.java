@@ -9,14 +9,14 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How often noise passes a radar's threshold: the number of resolution cells that a scan decides on times the
+ * How often noise passes a radar's threshold: the number of resolution cells of a scan times the
  * probability in one of them (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent from cell to
  * cell and from scan to scan.
  *
  * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it for that of {@code
  *     detection: chance} or else of a data sheet
- * @param cells number of resolution cells in a scan, 1 to 1e12; omit it to have them counted: range cells times beams
- *     times Doppler cells, for a hardware budget
+ * @param cells number of resolution cells in a scan, 1 to 1e12; omit it with a hardware budget, for which they are counted: range
+ *     cells times beams times Doppler cells
  * @param gate number of cells within which detections of successive scans count as those of one target, 1 to 1e6
  */
 public record RadarFalseAlarms(
@@ -62,7 +62,7 @@ public record RadarFalseAlarms(
         double each = probability(budget, detection);
         if (all * each > FalseAlarmRate.MOST_PER_LOOK) {
             throw new IllegalArgumentException("falseAlarms: " + (float) all + " cells with a probability of " + each
-                    + " each raise " + (float) (all * each) + " false alarms a scan, must be at most "
+                    + " each raise " + (float) (all * each) + " false alarms per scan, must be at most "
                     + (int) FalseAlarmRate.MOST_PER_LOOK);
         }
         return new FalseAlarmRate(all * each, (long) Math.max(1.0, Math.floor(all / gate)), 1, scans);
@@ -73,8 +73,8 @@ public record RadarFalseAlarms(
         if (detection instanceof RadarDetection.Chance chance) {
             if (probability.isPresent()) {
                 throw new IllegalArgumentException(
-                        "falseAlarms.probability and detection.falseAlarm are two answers to one"
-                                + " question: leave falseAlarms.probability out");
+                        "falseAlarms.probability and detection.falseAlarm exclude each other:"
+                                + " omit falseAlarms.probability");
             }
             return chance.falseAlarm();
         }
@@ -82,7 +82,7 @@ public record RadarFalseAlarms(
             return sheet.falseAlarm();
         }
         return probability.orElseThrow(() -> new IllegalArgumentException(
-                "falseAlarms.probability is missing: a fixed threshold does not say how often noise passes it"));
+                "falseAlarms.probability is missing: a fixed threshold does not determine it"));
     }
 
     /** The number of resolution cells in a scan, 1 or more. */
@@ -94,7 +94,7 @@ public record RadarFalseAlarms(
             return scan.count(hardware);
         }
         throw new IllegalArgumentException(
-                "falseAlarms.cells is missing: a data sheet for a budget does not give the number of"
-                        + " range cells times beams times Doppler cells");
+                "falseAlarms.cells is missing: a budget from a data sheet does not give the number of"
+                        + " resolution cells");
     }
 }

@@ -54,8 +54,8 @@ import org.dronewatch.world.World;
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a filter that rejects what stands still, in place of minSpeed; none by default
- * @param falseAlarms how often noise passes its threshold; it raises no false alarms, and their rate is unknown,
- *     unless set
+ * @param falseAlarms how often noise passes its threshold; unless set, the rate is unknown, and no false alarms are
+ *     simulated
  */
 public record RadarSettings(
         Position position,

@@ -48,8 +48,8 @@ import org.dronewatch.world.World;
  * @param occupied bands in which others transmit now and then, by name; they must not overlap
  * @param attributes kinds of emission that it can know for a drone's
  * @param dwell how long it listens to a transmission in bursts; omit it for a receiver that hears every burst
- * @param falseAlarms how often it takes something else for a drone; it raises no false alarms, and their rate is
- *     unknown, unless set
+ * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
+ *     alarms are simulated
  * @param beam pattern of its antenna; omit it for an omnidirectional one
  * @param aim where the axis of its beam points
  */

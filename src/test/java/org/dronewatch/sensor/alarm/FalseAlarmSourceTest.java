@@ -215,16 +215,16 @@ class FalseAlarmSourceTest {
                 .allMatch(one -> one.sighting().isEmpty() && one.isDetected());
     }
 
-    /** All false alarms of one place lie close together, and those of a thermal camera just reach its probability. */
+    /** All false alarms of one cell lie close together, and those of a thermal camera just reach its probability. */
     @Test
     void onePlaceIsAPartOfTheField() {
         ThermalSettings camera = ThermalSettings.at(PLACE).withFalseAlarms(new FalseAlarms(900_000, 400, 0));
         List<Observation> ofOne = observe(camera, 2000).stream()
-                .filter(one -> one.figures().get(FalseAlarmSource.PLACE) == 7.0)
+                .filter(one -> one.figures().get(FalseAlarmSource.CELL) == 7.0)
                 .toList();
         assertThat(ofOne).hasSizeGreaterThan(10);
         Position first = ofOne.get(0).sighting().orElseThrow().direction().unit();
-        // 24 x 19 degrees in 400 places: 1.5 x 0.6 degrees each.
+        // 24 x 19 degrees in 400 cells: 1.5 x 0.6 degrees each.
         assertThat(ofOne)
                 .allMatch(one -> Math.toDegrees(
                                 one.sighting().orElseThrow().direction().unit().angle(first))
@@ -296,6 +296,6 @@ class FalseAlarmSourceTest {
                 .isPresent();
         assertThatThrownBy(() -> FalseAlarms.of(-1)).hasMessage("perHour -1 must be 0 to 10000000");
         assertThatThrownBy(() -> FalseAlarms.of(Double.NaN)).hasMessageContaining("perHour NaN");
-        assertThatThrownBy(() -> FalseAlarms.of(1).withPlaces(0)).hasMessage("places 0 must be 1 to 1000000000");
+        assertThatThrownBy(() -> FalseAlarms.of(1).withCells(0)).hasMessage("cells 0 must be 1 to 1000000000");
     }
 }

@@ -26,10 +26,10 @@ class RadarFalseAlarmsTest {
         double cells = 664.0 * 174.0 * 436.0;
         assertThat(rate.perLook()).isCloseTo(cells * 1e-6, within(1e-9));
         assertThat(rate.perHour()).isCloseTo(cells * 1e-6 * 0.28 * 3600, within(1e-6));
-        assertThat(rate.places()).isEqualTo((long) Math.floor(cells / 27));
+        assertThat(rate.cells()).isEqualTo((long) Math.floor(cells / 27));
         assertThat(rate.looks()).isEqualTo(1);
         // The chance that none of all cells gives a false alarm: exp(-n p) for rare ones.
-        assertThat(Math.pow(1.0 - rate.probability(), rate.places())).isCloseTo(Math.exp(-cells * 1e-6), within(1e-12));
+        assertThat(Math.pow(1.0 - rate.probability(), rate.cells())).isCloseTo(Math.exp(-cells * 1e-6), within(1e-12));
     }
 
     /** 90 x 20 degrees by a beam of 3 x 5: 30 x 4, a fan of 3 degrees: 30, a fixed beam: 1. */
@@ -66,7 +66,7 @@ class RadarFalseAlarmsTest {
                                 1000, 0.01, 0.9, 1e-5, org.dronewatch.drone.RadarSignature.Fluctuation.STEADY))
                 .withFalseAlarms(thousand);
         assertThat(perLook(sheet)).isCloseTo(0.01, within(1e-12));
-        assertThat(sheet.falseAlarmRate().orElseThrow().places()).isEqualTo(1000);
+        assertThat(sheet.falseAlarmRate().orElseThrow().cells()).isEqualTo(1000);
         assertThat(perLook(sheet.withDetection(new RadarDetection.Chance(1e-3, 10))))
                 .isCloseTo(1.0, within(1e-12));
         assertThat(perLook(sheet.withFalseAlarms(thousand.withProbability(0.002))))
@@ -74,7 +74,7 @@ class RadarFalseAlarmsTest {
         assertThat(sheet.withFalseAlarms(thousand.withGate(5000))
                         .falseAlarmRate()
                         .orElseThrow()
-                        .places())
+                        .cells())
                 .isEqualTo(1);
     }
 
@@ -97,7 +97,7 @@ class RadarFalseAlarmsTest {
                 .hasMessageStartingWith("falseAlarms.probability is missing");
         assertThatThrownBy(() -> sheet.withDetection(RadarDetection.Chance.DEFAULT)
                         .withFalseAlarms(none.withCells(10).withProbability(1e-6)))
-                .hasMessageContaining("two answers to one question");
+                .hasMessageContaining("exclude each other");
         assertThatThrownBy(() -> blighter().withFalseAlarms(none.withProbability(1e-4)))
                 .hasMessage(
                         "falseAlarms: 5.0373696E7 cells with a probability of 1.0E-4 each raise 5037.3696 false alarms a"

@@ -236,7 +236,7 @@ class PointTargetLooksTest {
         FalseAlarmRate rate = settings.falseAlarmRate().orElseThrow();
 
         assertThat(rate.perHour()).isCloseTo(40.0, within(1e-6));
-        assertThat(rate.places()).isEqualTo(640 * 512 / 9);
+        assertThat(rate.cells()).isEqualTo(640 * 512 / 9);
         assertThat(rate.looks()).isEqualTo(3);
         FalseAlarms counted = new FalseAlarms(70.0, 5, 1.0);
         assertThat(settings.withFalseAlarms(counted).falseAlarmRate()).contains(counted.rate(25));

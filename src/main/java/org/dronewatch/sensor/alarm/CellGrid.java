@@ -1,25 +1,25 @@
 package org.dronewatch.sensor.alarm;
 
 /**
- * Divides the unit cube into any number of boxes of equal volume: a box of n places is cut across its longest side (the
- * first of equal ones) into two with half of the places each, or one more in the second.
+ * Divides the unit cube into any number of boxes of equal volume: a box of n cells is cut across its longest side (the
+ * first of equal ones) into two with half of the cells each, or one more in the second.
  */
-final class PlaceGrid {
-    private PlaceGrid() {}
+final class CellGrid {
+    private CellGrid() {}
 
     /**
-     * A point of the box of one place.
+     * A point of the box of one cell.
      *
-     * @param place its number, from 0
-     * @param places how many there are
+     * @param cell its number, from 0
+     * @param cells how many there are
      * @param dimensions which of the coordinates are divided: the first ones, 0 to 3
      * @param point coordinates within the box, each from 0 to 1; replaced by those within the cube
      */
-    static void locate(long place, long places, int dimensions, double[] point) {
+    static void locate(long cell, long cells, int dimensions, double[] point) {
         double[] low = new double[point.length];
         double[] size = {1.0, 1.0, 1.0};
-        long left = place;
-        long here = places;
+        long left = cell;
+        long here = cells;
         while (here > 1 && dimensions > 0) {
             int axis = longest(size, dimensions);
             long half = here / 2;

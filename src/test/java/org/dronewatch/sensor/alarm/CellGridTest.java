@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class PlaceGridTest {
+class CellGridTest {
     private record Box(double[] low, double[] high) {
         double volume() {
             return (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
@@ -25,22 +25,22 @@ class PlaceGridTest {
         }
     }
 
-    private static Box box(long place, long places, int dimensions) {
+    private static Box box(long cell, long cells, int dimensions) {
         double[] low = {0, 0, 0};
         double[] high = {1, 1, 1};
-        PlaceGrid.locate(place, places, dimensions, low);
-        PlaceGrid.locate(place, places, dimensions, high);
+        CellGrid.locate(cell, cells, dimensions, low);
+        CellGrid.locate(cell, cells, dimensions, high);
         return new Box(low, high);
     }
 
     /** A law: equal volumes that do not overlap and lie in the cube fill it. */
     @ParameterizedTest
     @CsvSource({"1,3", "2,1", "3,2", "7,3", "27,3", "97,3", "128,2", "101,1"})
-    void placesAreEqualAndDoNotOverlap(int places, int dimensions) {
+    void cellsAreEqualAndDoNotOverlap(int cells, int dimensions) {
         List<Box> boxes = new ArrayList<>();
-        for (int place = 0; place < places; place++) {
-            Box box = box(place, places, dimensions);
-            assertThat(box.volume()).isCloseTo(1.0 / places, within(1e-12));
+        for (int cell = 0; cell < cells; cell++) {
+            Box box = box(cell, cells, dimensions);
+            assertThat(box.volume()).isCloseTo(1.0 / cells, within(1e-12));
             assertThat(Arrays.stream(box.low()).allMatch(x -> x >= 0.0)).isTrue();
             assertThat(Arrays.stream(box.high()).allMatch(x -> x <= 1.0 + 1e-12))
                     .isTrue();
@@ -52,9 +52,9 @@ class PlaceGridTest {
     @Test
     void coordinatesThatAreNotDividedStayAsTheyAre() {
         double[] point = {0.25, 0.5, 0.75};
-        PlaceGrid.locate(5, 8, 0, point);
+        CellGrid.locate(5, 8, 0, point);
         assertThat(point).containsExactly(0.25, 0.5, 0.75);
-        PlaceGrid.locate(3, 4, 1, point);
+        CellGrid.locate(3, 4, 1, point);
         assertThat(point).containsExactly(0.8125, 0.5, 0.75);
     }
 
