@@ -45,7 +45,7 @@ class AlarmsCommandTest {
                 .anyMatch(line -> line.matches("radar +radar +unknown +- +- +-"))
                 .anyMatch(line -> line.matches("1 of 1 .* unknown  <- this scene"));
         assertThat(changed("falseAlarms: {perHour: 2, cells: 20, duration: 10 s}", "rate: 1 Hz"))
-                .contains("a day from radar, camera; unknown from radio");
+                .contains("per day from radar, camera; unknown from radio");
     }
 
     /** What the command prints of the scene with some words replaced. */
