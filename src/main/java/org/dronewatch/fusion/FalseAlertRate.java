@@ -87,7 +87,9 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
         return known.isEmpty();
     }
 
-    /** {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown}. */
+    /**
+     * {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown}.
+     */
     public String inWords() {
         if (isUnknown()) {
             return "unknown";

@@ -20,7 +20,9 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** What four confirmations cost and gain: false alerts per day by the rate of false alarms, and the time to the alert. */
+/**
+ * What four confirmations cost and gain: false alerts per day by the rate of false alarms, and the time to the alert.
+ */
 final class FalseAlertsPlot {
     private static final List<Confirmation> RULES =
             List.of(new Confirmation(1, 1), new Confirmation(2, 3), new Confirmation(3, 5), new Confirmation(5, 8));

@@ -44,8 +44,8 @@ import org.dronewatch.world.World;
  *     measures directions, by which other sensors can be cued
  * @param propagation how sound propagates: {@code level-model}, {@code energy-model}, or a kind from another jar
  * @param drawRays whether the report and the viewer show its rays: those of the first detection, or of the start
- * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false alarms
- *     are simulated
+ * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
+ *     alarms are simulated
  */
 public record AcousticSettings(
         Position position,

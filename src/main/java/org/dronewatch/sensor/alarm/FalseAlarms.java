@@ -10,8 +10,8 @@ import org.dronewatch.setting.SettingsForm;
  * How often a sensor mistakes something else for a drone, as stated by its manufacturer or counted in a trial.
  *
  * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
- * @param cells number of cells of its field of view that the sensor distinguishes, 1 to 1e9: only false alarms in the same
- *     cell confirm each other; 1, the most cautious value, if all of them do
+ * @param cells number of cells of its field of view that the sensor distinguishes, 1 to 1e9: only false alarms in the
+ *     same cell confirm each other; 1, the most cautious value, if all of them do
  * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
  *     confirmed like a drone
  */

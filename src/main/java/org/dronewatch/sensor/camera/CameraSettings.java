@@ -40,8 +40,8 @@ import org.dronewatch.world.World;
  * @param rate frames per second, above 0, Hz
  * @param detection how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount
- * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false alarms
- *     are simulated
+ * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
+ *     alarms are simulated
  */
 public record CameraSettings(
         Position position,

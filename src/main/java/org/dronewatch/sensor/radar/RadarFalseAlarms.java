@@ -15,8 +15,8 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it for that of {@code
  *     detection: chance} or else of a data sheet
- * @param cells number of resolution cells in a scan, 1 to 1e12; omit it with a hardware budget, for which they are counted: range
- *     cells times beams times Doppler cells
+ * @param cells number of resolution cells in a scan, 1 to 1e12; omit it with a hardware budget, for which they are
+ *     counted: range cells times beams times Doppler cells
  * @param gate number of cells within which detections of successive scans count as those of one target, 1 to 1e6
  */
 public record RadarFalseAlarms(

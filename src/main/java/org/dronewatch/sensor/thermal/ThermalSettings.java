@@ -52,8 +52,9 @@ import org.dronewatch.world.World;
  * @param pointTargets how a program finds drones that are too small for the eye; omit it for an observer who needs to
  *     see a shape. It takes the place of the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
- * @param falseAlarms how often it mistakes something else for a drone, whatever the cause; unless set, only pointTargets
- *     raises false alarms, those caused by noise, and otherwise the rate is unknown, and none are simulated
+ * @param falseAlarms how often it mistakes something else for a drone, whatever the cause; unless set, only
+ *     pointTargets raises false alarms, those caused by noise, and otherwise the rate is unknown, and none are
+ *     simulated
  */
 public record ThermalSettings(
         Position position,
