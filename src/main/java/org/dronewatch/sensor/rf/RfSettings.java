@@ -50,8 +50,6 @@ import org.dronewatch.world.World;
  * @param dwell how long it listens to a transmission in bursts; omit it for a receiver that hears every burst
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
- * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
- *     alarms are simulated
  * @param beam pattern of its antenna; omit it for an omnidirectional one
  * @param aim where the axis of its beam points
  */
