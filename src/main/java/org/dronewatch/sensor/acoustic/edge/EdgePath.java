@@ -37,6 +37,8 @@ public final class EdgePath {
 
     private static final double GOLDEN = 0.5 * (Math.sqrt(5.0) - 1.0);
     private static final int TURNS = 11;
+    private static final int FIXED = -1;
+    private static final EdgeSequence NONE = new EdgeSequence();
 
     private final World world;
     private final TriangleMesh mesh;
@@ -54,10 +56,17 @@ public final class EdgePath {
 
     private double pathDifference;
     private double arcDifference;
-    private int edges;
-    private double bend;
-    private double[] along = new double[8];
-    private double[] turned = new double[8];
+    private final EdgeSequence shortest = new EdgeSequence();
+
+    /** The shortest paths about the planes that were rotated, one of which is the shortest of all. */
+    private final EdgeSequence[] ofMinima = new EdgeSequence[PLANES];
+
+    private int minima;
+    private int ofShortest;
+
+    /** The index of the minimum about which planes are being rotated; {@value #FIXED} while none is. */
+    private int turned = FIXED;
+
     private double firstRise;
     private double lastRise;
     private boolean exchanged;
@@ -67,6 +76,7 @@ public final class EdgePath {
         this.world = world;
         this.mesh = world.mesh();
         this.cut = new PlaneCut(mesh, new EllipsoidQuery(world.tree()));
+        Arrays.setAll(ofMinima, i -> new EdgeSequence());
     }
 
     /**
@@ -127,7 +137,8 @@ public final class EdgePath {
 
     /** How far along the straight line the middle of the edges is, or of the line where there are none, m. */
     public double halfWay() {
-        double middle = edges == 0 ? 0.5 * straight : 0.5 * (along[0] + along[edges - 1]);
+        int edges = shortest.count();
+        double middle = edges == 0 ? 0.5 * straight : 0.5 * (shortest.along(0) + shortest.along(edges - 1));
         return exchanged ? Math.max(0.0, straight - middle) : Math.min(middle, straight);
     }
 
@@ -140,29 +151,22 @@ public final class EdgePath {
         return arcDifference;
     }
 
-    /** How many edges it goes round. */
-    public int edges() {
-        return edges;
+    /** Its edges. */
+    public EdgeSequence edges() {
+        return shortest;
     }
 
-    /** Distance of an edge from the beginning of the path, along it, m; either end of it may be the source. */
-    public double along(int edge) {
-        return along[edge];
+    /**
+     * How many other paths there are that cannot be shortened either and are nearly as short, as round the side of a
+     * house over whose roof the shortest one leads.
+     */
+    public int others() {
+        return minima;
     }
 
-    /** By how much the path bends at the edges up to one, that one included, rad. */
-    public double turnUpTo(int edge) {
-        return turned[edge];
-    }
-
-    /** By how much the path bends at the edges from one on, that one included, rad. */
-    public double turnFrom(int edge) {
-        return turned[edges - 1] - (edge > 0 ? turned[edge - 1] : 0.0);
-    }
-
-    /** By how much the outline of the obstacle bends at the sharpest of its edges, rad: pi for the end of a sheet. */
-    public double bend() {
-        return bend;
+    /** The edges of one of {@link #others}; the shortest path may be among them, with no detour then. */
+    public EdgeSequence other(int number) {
+        return number == ofShortest ? NONE : ofMinima[number];
     }
 
     /** Sine of the elevation at which the path leaves the source. */
@@ -177,6 +181,8 @@ public final class EdgePath {
     /** Tries all planes, and rotates the best ones. */
     private void search(double limit) {
         double step = Math.PI / PLANES;
+        minima = 0;
+        ofShortest = FIXED;
         for (int i = 0; i < PLANES; i++) {
             detours[i] = detour(i * step, bound(limit));
         }
@@ -189,7 +195,11 @@ public final class EdgePath {
             if (here <= NEARLY_AS_SHORT * best + 1e-6
                     && here <= detours[(i + PLANES - 1) % PLANES]
                     && here <= detours[(i + 1) % PLANES]) {
+                turned = minima;
+                ofMinima[minima++].clear();
+                ofShortest = here == best && ofShortest == FIXED ? turned : ofShortest;
                 turn(i * step, step);
+                turned = FIXED;
             }
         }
     }
@@ -251,6 +261,9 @@ public final class EdgePath {
             return Double.POSITIVE_INFINITY;
         }
         double detour = Math.max(0.0, band.length() - straight);
+        if (turned != FIXED && detour < ofMinima[turned].detour()) {
+            ofMinima[turned].take(band, straight, detour);
+        }
         if (detour < pathDifference) {
             keep(detour, side);
         }
@@ -259,41 +272,24 @@ public final class EdgePath {
 
     private void keep(double detour, Position side) {
         pathDifference = detour;
+        ofShortest = turned;
+        shortest.take(band, straight, detour);
         arcDifference = -PathCurvature.arc(curvature, straight);
-        edges = band.corners();
-        if (along.length < edges) {
-            along = new double[2 * edges];
-            turned = new double[2 * edges];
-        }
-        bend = 0.0;
         double u = 0.0;
         double v = 0.0;
-        double path = 0.0;
-        double turning = 0.0;
-        double direction = 0.0;
         double raised = 0.0;
+        int edges = shortest.count();
         for (int i = 0; i <= edges; i++) {
             double du = (i < edges ? band.u(i) : straight) - u;
             double dv = (i < edges ? band.v(i) : 0.0) - v;
-            double leg = Math.hypot(du, dv);
             double nextRaised = i < edges ? cut.bulgeAt(band.u(i)) : 0.0;
             arcDifference += PathCurvature.arc(curvature, Math.hypot(du, dv - nextRaised + raised));
             raised = nextRaised;
-            double next = Math.atan2(dv, du);
-            double rise = (du * ahead.z() + dv * side.z()) / leg;
+            double rise = (du * ahead.z() + dv * side.z()) / Math.hypot(du, dv);
             if (i == 0) {
                 firstRise = rise;
-            } else {
-                turning += Math.abs(Math.IEEEremainder(next - direction, 2.0 * Math.PI));
-                turned[i - 1] = turning;
             }
             lastRise = -rise;
-            path += leg;
-            if (i < edges) {
-                along[i] = path;
-                bend = Math.max(bend, band.bend(i));
-            }
-            direction = next;
             u += du;
             v += dv;
         }

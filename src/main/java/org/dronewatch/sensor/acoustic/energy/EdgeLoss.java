@@ -3,6 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.edge.EdgePath;
+import org.dronewatch.sensor.acoustic.edge.EdgeSequence;
 import org.dronewatch.sensor.acoustic.edge.NearEdges;
 import org.dronewatch.sensor.acoustic.edge.NearEdges.NearEdge;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -19,7 +20,8 @@ import org.dronewatch.world.World;
  * {@value #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many
  * slight bends attenuates little as long as it hides nothing. Several edges count as one until the path bends by
  * {@value #FULL_TURN} degrees at the first and at the last, so that an edge which the path just begins to touch causes
- * no step. One per thread.
+ * no step. Where another path is nearly as short as the shortest, as one edge over the top and two round the side, the
+ * attenuation passes from that of one to that of the other. One per thread.
  */
 final class EdgeLoss {
     private static final int BANDS = OctaveBands.COUNT;
@@ -32,6 +34,12 @@ final class EdgeLoss {
 
     /** Degrees by which a path must bend at an edge for it to be the first or the last of several. */
     private static final double FULL_TURN = 0.5;
+
+    /**
+     * By what fraction another path may be longer to be of influence: less than that by which {@link EdgePath} looks
+     * for others, so that none comes and goes at once.
+     */
+    private static final double NEARLY_AS_SHORT = 0.1;
 
     /** Up to this bend, in degrees, a surface is flat: coordinates of single precision are not exactly in a plane. */
     private static final double FLAT = 0.1;
@@ -65,7 +73,7 @@ final class EdgeLoss {
         difference = curvature < 0.0 && diffraction.measuresArcs() ? path.arcDifference() : path.pathDifference();
         // Where arcs just graze the ground no edge is needed to go round it.
         double ofNone = curvature == 0.0 ? 1.0 : 0.0;
-        double ofBend = path.edges() == 0 ? ofNone : weight(path.bend());
+        double ofBend = path.edges().count() == 0 ? ofNone : weight(path.edges().bend());
         for (int band = 0; band < BANDS; band++) {
             double wavelength = wavelength(band);
             double depth = Barrier.fresnelNumber(difference, wavelength) / FULL_SHADOW;
@@ -110,7 +118,7 @@ final class EdgeLoss {
 
     /** How far the path found last is one over the bulge of smooth ground, and not over edges: 0 to 1. */
     double ofSmoothGround() {
-        return 1.0 - weight(path.bend());
+        return 1.0 - weight(path.edges().bend());
     }
 
     /** The fraction of the energy that the edges found last leave of the direct sound; 1 where none is near. */
@@ -119,18 +127,37 @@ final class EdgeLoss {
     }
 
     /**
-     * The attenuation by the edges of the path, dB: of all pairs of a first and a last edge, the one with the greatest
-     * attenuation counts.
+     * The attenuation by the edges of the shortest path, dB, or, where others are nearly as short, the mean of all
+     * these: the less, the longer they are.
      */
     private double loss(double wavelength) {
+        double ofShortest = loss(path.edges(), wavelength);
+        double more = 0.0;
+        double weights = 1.0;
+        for (int i = 0; i < path.others(); i++) {
+            double longer = path.other(i).detour() / path.pathDifference() - 1.0;
+            if (longer < NEARLY_AS_SHORT) {
+                double weight = 1.0 - Math.max(0.0, longer) / NEARLY_AS_SHORT;
+                more += weight * (loss(path.other(i), wavelength) - ofShortest);
+                weights += weight;
+            }
+        }
+        return ofShortest + more / weights;
+    }
+
+    /**
+     * The attenuation by these edges, dB: of all pairs of a first and a last edge, the one with the greatest
+     * attenuation counts.
+     */
+    private double loss(EdgeSequence edges, double wavelength) {
         double ofOne = diffraction.attenuation(difference, 0.0, wavelength);
         double most = ofOne;
-        for (int last = path.edges() - 1; last > 0; last--) {
-            double turnsLast = path.turnFrom(last);
+        for (int last = edges.count() - 1; last > 0; last--) {
+            double turnsLast = edges.turnFrom(last);
             for (int first = 0; first < last; first++) {
-                double turnsFirst = path.turnUpTo(first);
+                double turnsFirst = edges.turnUpTo(first);
                 double share = Math.min(1.0, Math.toDegrees(Math.min(turnsFirst, turnsLast)) / FULL_TURN);
-                double span = path.along(last) - path.along(first);
+                double span = edges.along(last) - edges.along(first);
                 double ofSeveral = diffraction.attenuation(difference, span, wavelength);
                 most = Math.max(most, ofOne + share * (ofSeveral - ofOne));
                 if (Math.toDegrees(turnsFirst) >= FULL_TURN) {

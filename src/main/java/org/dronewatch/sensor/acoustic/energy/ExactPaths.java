@@ -156,7 +156,7 @@ final class ExactPaths {
                 along > 0.0 && ground.findBelow(position, sensor, edges.path().halfWay());
         double straight = Math.max(position.distance(sensor), OWN);
         double length = straight + edges.path().pathDifference();
-        boolean isGrazing = straightOn != 0.0 && edges.path().edges() == 0;
+        boolean isGrazing = straightOn != 0.0 && edges.path().edges().count() == 0;
         if (isGrazing) {
             edges.findNear(position, sensor, straightOn);
         }

@@ -50,8 +50,8 @@ class EdgePathTest {
                     .as("seed %d, run %d: %s", seed, run, Arrays.deepToString(ends))
                     .isCloseTo(shortest - straight, within(1e-6));
             found++;
-            several += path.edges() > 1 ? 1 : 0;
-            most = Math.max(most, path.edges());
+            several += path.edges().count() > 1 ? 1 : 0;
+            most = Math.max(most, path.edges().count());
         }
         assertThat(found).isGreaterThan(200);
         assertThat(several).isGreaterThan(100);

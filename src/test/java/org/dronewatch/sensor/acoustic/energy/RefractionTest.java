@@ -168,7 +168,7 @@ class RefractionTest {
         EdgePath path = new EdgePath(wall);
 
         assertThat(path.find(source, receiver, curvature)).isTrue();
-        assertThat(path.edges()).isEqualTo(1);
+        assertThat(path.edges().count()).isEqualTo(1);
         assertThat(Diffraction.CNOSSOS.measuresArcs()).isTrue();
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             assertThat(Barrier.cnossos(path.arcDifference(), 0, 340.0 / midbands[band]))

@@ -1,0 +1,80 @@
+package org.dronewatch.sensor.acoustic.edge;
+
+/** The edges of one path round an obstacle, in their order: where they are, and by how much the path bends there. */
+public final class EdgeSequence {
+    private double detour = Double.POSITIVE_INFINITY;
+    private int edges;
+    private double bend;
+    private double[] along = new double[8];
+    private double[] turned = new double[8];
+
+    EdgeSequence() {}
+
+    void clear() {
+        detour = Double.POSITIVE_INFINITY;
+        edges = 0;
+    }
+
+    /** Takes the path that a band has found last. */
+    void take(RubberBand band, double straight, double longer) {
+        detour = longer;
+        edges = band.corners();
+        if (along.length < edges) {
+            along = new double[2 * edges];
+            turned = new double[2 * edges];
+        }
+        bend = 0.0;
+        double u = 0.0;
+        double v = 0.0;
+        double path = 0.0;
+        double turning = 0.0;
+        double direction = 0.0;
+        for (int i = 0; i <= edges; i++) {
+            double du = (i < edges ? band.u(i) : straight) - u;
+            double dv = (i < edges ? band.v(i) : 0.0) - v;
+            double next = Math.atan2(dv, du);
+            if (i > 0) {
+                turning += Math.abs(Math.IEEEremainder(next - direction, 2.0 * Math.PI));
+                turned[i - 1] = turning;
+            }
+            path += Math.hypot(du, dv);
+            if (i < edges) {
+                along[i] = path;
+                bend = Math.max(bend, band.bend(i));
+            }
+            direction = next;
+            u += du;
+            v += dv;
+        }
+    }
+
+    /** How much longer the path is than the straight line, m; infinity if there is none. */
+    public double detour() {
+        return detour;
+    }
+
+    /** How many there are. */
+    public int count() {
+        return edges;
+    }
+
+    /** Distance of an edge from the beginning of the path, along it, m; either end of it may be the source. */
+    public double along(int edge) {
+        return along[edge];
+    }
+
+    /** By how much the path bends at the edges up to one, that one included, rad. */
+    public double turnUpTo(int edge) {
+        return turned[edge];
+    }
+
+    /** By how much the path bends at the edges from one on, that one included, rad. */
+    public double turnFrom(int edge) {
+        return turned[edges - 1] - (edge > 0 ? turned[edge - 1] : 0.0);
+    }
+
+    /** By how much the outline of the obstacle bends at the sharpest of its edges, rad: pi for the end of a sheet. */
+    public double bend() {
+        return bend;
+    }
+}
