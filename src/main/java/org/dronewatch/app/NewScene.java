@@ -117,6 +117,11 @@ record NewScene(
         line(text, "  intruder:");
         line(text, "    model: packaged:quadrotor.obj");
         line(text, "    speed: %.0f m/s", SPEED);
+        line(
+                text,
+                "    # Radar cross-section: 0.0524 m2 on average, log-normal (3GPP TR 38.901). large-uav has 0.26 m2; crossSection"
+                        + " states your own.");
+        line(text, "    radar: {droneClass: small-uav}");
         covered.ifPresentOrElse(
                 way -> {
                     line(

@@ -171,9 +171,10 @@ public final class CoveragePicture {
         g.setFont(TEXT);
         for (String line : List.of(
                 "detection of a drone flying " + plain(grid.height()) + " m",
-                "above ground towards the sensor;",
+                "above ground towards the sensor",
+                "with a probability of 0.5 or more;",
                 drone,
-                "one look per " + plain(grid.step()) + " m cell")) {
+                "cells of " + plain(grid.step()) + " m")) {
             y += LINE;
             g.drawString(line, x, y);
         }

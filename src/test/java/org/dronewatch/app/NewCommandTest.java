@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.drone.DroneClass;
+import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -61,6 +63,10 @@ class NewCommandTest {
         // The Rock is 60 to 70 m high there, its houses 9 m more.
         assertThat(scene.sensors().get("radar").position().z()).isBetween(70.0, 90.0);
         assertThat(scene.alert().protect()).isPresent();
+        // Its echo is as measured, not the round figure of data sheets.
+        RadarSignature echo = scene.drones().get("intruder").radar();
+        assertThat(echo.droneClass()).contains(DroneClass.SMALL_UAV);
+        assertThat(echo.deviation()).isEqualTo(3.74);
         assertThat(scene.world().terrain().orElseThrow().allFiles()).containsExactly("monaco-srtm.asc");
         assertThat(Files.readString(directory.resolve("town/town.yaml"))).contains("of the path is hidden.");
     }
