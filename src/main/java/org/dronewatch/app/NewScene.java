@@ -63,7 +63,7 @@ record NewScene(
             line(text, terrain.size() == 1 ? "    file: %s" : "    files: [%s]", names());
             crs.ifPresent(code -> line(text, "    crs: %s", code));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
-            line(text, "    accuracy: 1 m  # greatest vertical error that thinning out the triangles may cause");
+            line(text, "    accuracy: 1 m  # maximum vertical error that thinning out the triangles may cause");
             line(
                     text,
                     isSurface

@@ -83,8 +83,8 @@ record SiteAdvice(SceneSettings settings, World world) {
         boolean hasRoofs =
                 settings.world().terrain().stream().anyMatch(terrain -> terrain.surface() == ElevationSurface.DSM);
         if (hasRoofs && !buildings.isEmpty()) {
-            target.accept("world.terrain.surface is dsm: roofs may be in its heights, and in "
-                    + String.join(", ", buildings) + " again");
+            target.accept("world.terrain.surface is dsm: its heights may include roofs, which are also in "
+                    + String.join(", ", buildings));
         }
     }
 

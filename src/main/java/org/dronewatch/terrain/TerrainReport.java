@@ -41,7 +41,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
         double south = frame.north(0.0);
         lines.add(String.format(
                 Locale.ROOT,
-                "terrain: %.2f km to the west, %.2f east, %.2f north and %.2f south of the origin; %,d x %,d posts %.1f x %.1f m"
+                "terrain: extends %.2f km to the west, %.2f east, %.2f north and %.2f south of the origin; %,d x %,d posts %.1f x %.1f m"
                         + " apart, %.1f to %.1f m high%s",
                 -west / 1000.0,
                 east / 1000.0,
@@ -56,7 +56,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                 atOrigin(level, origin)));
         lines.add(String.format(
                 Locale.ROOT,
-                "terrain: %,d of %,d triangles, greatest vertical error %.3f m (accuracy: %s m)%s",
+                "terrain: %,d of %,d triangles, maximum vertical error %.3f m (accuracy: %s m)%s",
                 kept.count(),
                 all,
                 kept.error(),
@@ -65,7 +65,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                         ? ", no holes"
                         : String.format(
                                 Locale.ROOT,
-                                "; %,d %s without a height: holes",
+                                "; %,d %s without a height (holes)",
                                 heights.holes(),
                                 heights.holes() == 1 ? "post" : "posts")));
         attribution().ifPresent(text -> lines.add("elevations: " + PlainText.line(text)));

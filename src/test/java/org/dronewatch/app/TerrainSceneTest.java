@@ -77,7 +77,7 @@ class TerrainSceneTest {
                 .contains("read ground.asc: 41 x 41 posts, EPSG:32633")
                 .contains("0.10 km to the west, 0.10 east, 0.10 north and 0.10 south of the origin")
                 .contains("200.0 to 220.0 m high, 200.0 m at the origin, which is z = 0.0 m")
-                .contains("3,200 of 3,200 triangles, greatest vertical error 0.000 m (accuracy: 0.0 m), no holes");
+                .contains("3,200 of 3,200 triangles, maximum vertical error 0.000 m (accuracy: 0.0 m), no holes");
     }
 
     /** Models stand on the ground, and each hides as what it is. */
@@ -105,7 +105,7 @@ class TerrainSceneTest {
         assertThat(ground.material()).isEqualTo("grass_turf");
         assertThat(world.surfaces()).extracting(surface -> surface.name()).containsExactly("grass_turf", "brick_rough");
         assertThat(notes)
-                .anyMatch(line -> line.contains("world.terrain.surface is dsm: roofs may be in its heights")
+                .anyMatch(line -> line.contains("world.terrain.surface is dsm: its heights may include roofs")
                         && line.contains("house.obj"));
     }
 
@@ -122,7 +122,7 @@ class TerrainSceneTest {
         assertThat(outcome.out()).contains("site is valid: terrain, 0 models, 0 drones");
         assertThat(outcome.err())
                 .contains("read ground.asc: 41 x 41 posts")
-                .contains("greatest vertical error 0.00")
+                .contains("maximum vertical error 0.00")
                 .contains("(accuracy: 1.0 m)");
     }
 
@@ -215,7 +215,7 @@ class TerrainSceneTest {
         assertThat(outcome.err())
                 .contains("3,200 of 3,200 triangles")
                 .contains("(accuracy: 5.0 m)")
-                .contains("terrain: 2 of 3,200 triangles, greatest vertical error 20.0");
+                .contains("terrain: 2 of 3,200 triangles, maximum vertical error 20.0");
     }
 
     /** Nothing hides what flies where nothing is known: a line says so, once for each sensor and each drone. */
@@ -318,7 +318,7 @@ class TerrainSceneTest {
         assertThat(outcome.err())
                 .contains("-2.0 to 608.0 m high")
                 .contains("of 5,118 triangles")
-                .contains("1 post without a height: holes")
+                .contains("1 post without a height (holes)")
                 .contains("889 buildings within 2000 m of the origin, 554,760 m2")
                 .containsOnlyOnce("warning: monaco-buildings.osm.gz: 889 of 889 buildings have no height")
                 .containsOnlyOnce("warning: world.terrain.surface is dsm");

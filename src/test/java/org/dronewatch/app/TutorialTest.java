@@ -42,7 +42,7 @@ class TutorialTest {
             assertThat(outcome.err().lines().filter(line -> line.startsWith("warning")))
                     .as(command)
                     .allMatch(line ->
-                            line.contains("no height in the map") || line.contains("roofs may be in its heights"));
+                            line.contains("no height in the map") || line.contains("its heights may include roofs"));
         }
         assertThat(directory.resolve("harbour/results/report.html")).exists();
         assertThat(Files.readString(directory.resolve("harbour/results/result.json")))

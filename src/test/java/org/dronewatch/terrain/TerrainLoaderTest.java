@@ -244,7 +244,7 @@ class TerrainLoaderTest {
         assertThat(gap.surfaceHeight(-20.0, 0.2)).isPresent();
         assertThat(gap.surfaceHeight(20.0, 0.2)).isPresent();
         assertThat(broken.warnings()).contains("terrain: there is no ground at the origin");
-        assertThat(String.join("\n", broken.description())).contains("600 posts without a height: holes");
+        assertThat(String.join("\n", broken.description())).contains("600 posts without a height (holes)");
     }
 
     /** The island of Taveuni lies on both sides of the date line, and so does its ground. */

@@ -169,7 +169,7 @@ final class SettingTables {
                 : "";
         String confirmed = alert.confirm().looks() == 1
                 ? ""
-                : ", each in at least " + alert.confirm().hits() + " of its last "
+                : " in at least " + alert.confirm().hits() + " of its last "
                         + alert.confirm().looks() + " looks";
         StringBuilder zone = new StringBuilder();
         alert.protect().ifPresent(ball -> zone.append(" Protected zone: everything within ")
@@ -207,7 +207,7 @@ final class SettingTables {
         if (rule instanceof AlertRule.SeveralSensors several) {
             return format(
                     "as soon as %d sensors detect a drone within %s s%s",
-                    several.count(), number(several.within()), confirmed);
+                    several.count(), number(several.within()), confirmed.isEmpty() ? "" : ", each" + confirmed);
         }
         if (rule instanceof AlertRule.UnionOfProbabilities union) {
             return format(
@@ -223,7 +223,7 @@ final class SettingTables {
         String rest = rate.unknown().isEmpty() ? "" : " The other sensors raise none, since their rates are unknown.";
         return rate.isUnknown()
                 ? "False alarms are not modelled: no sensor states how often it raises them."
-                : "False alarms come at the stated rates, independently of weather, light and site." + rest;
+                : "False alarms occur at the stated rates, independently of weather, light and site." + rest;
     }
 
     /** The limitations of the model, for the kinds of sensors in the scene. */
