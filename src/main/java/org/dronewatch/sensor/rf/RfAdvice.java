@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.dronewatch.sensor.Aim;
 
 /** Warnings about settings of a receiver that contradict each other, or that change nothing. */
 final class RfAdvice {
@@ -14,7 +13,7 @@ final class RfAdvice {
 
     /** One sentence for each; none for a receiver that can be built. */
     static List<String> on(RfSettings receiver) {
-        return Stream.of(noise(receiver), gain(receiver), aim(receiver))
+        return Stream.of(noise(receiver), gain(receiver))
                 .flatMap(Optional::stream)
                 .toList();
     }
@@ -41,12 +40,5 @@ final class RfAdvice {
                         Math.toDegrees(beam.azimuthBeamwidth()),
                         Math.toDegrees(beam.elevationBeamwidth()),
                         beam.largestGain()));
-    }
-
-    private static Optional<String> aim(RfSettings receiver) {
-        boolean isIdle = receiver.beam().isEmpty() && !receiver.aim().equals(Aim.Direction.DEFAULT);
-        return isIdle
-                ? Optional.of("aim has no effect: without a beam the antenna is omnidirectional")
-                : Optional.empty();
     }
 }

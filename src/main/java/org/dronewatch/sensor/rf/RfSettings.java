@@ -51,7 +51,7 @@ import org.dronewatch.world.World;
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
  * @param beam pattern of its antenna; omit it for an omnidirectional one
- * @param aim where the axis of its beam points
+ * @param aim where the axis of its beam points; of no effect without a beam
  */
 public record RfSettings(
         Position position,
