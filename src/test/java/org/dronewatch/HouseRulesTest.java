@@ -25,16 +25,20 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.dronewatch.House.Storey;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.positioner.Positioner;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Detection;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 import org.dronewatch.world.Visibility;
 import org.jogamp.vecmath.Tuple3d;
@@ -42,6 +46,8 @@ import org.jogamp.vecmath.Tuple3d;
 /** The rooms of the house and the one way in which they may know each other. */
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
 class HouseRulesTest {
+    private static final String DISPATCH = "org.dronewatch.run.ContactDispatch";
+
     private static final String[] KERNEL = {"org.dronewatch.kdtree", "org.dronewatch.bvh", "org.dronewatch.raster"};
 
     @ArchTest
@@ -151,6 +157,36 @@ class HouseRulesTest {
             .orShould()
             .dependOnClassesThat()
             .resideInAnyPackage("org.dronewatch.drone", "org.dronewatch.flight");
+
+    /**
+     * What hands contacts on, and whoever receives them: neither a field nor a parameter nor a result leads to the
+     * truth, through however many types.
+     */
+    @ArchTest
+    static final ArchRule NO_PATH_LEADS_FROM_A_CONTACT_TO_THE_TRUTH = classes()
+            .that()
+            .haveFullyQualifiedName(DISPATCH)
+            .or()
+            .belongToAnyOf(AlertLog.class, Positioner.class, ContactLook.class)
+            .should(new NotReach(Set.of(GroundTruth.class, Observation.class, Detection.class, Drone.class)));
+
+    /**
+     * Positioners and alert rules are informed by contacts alone. Trials of other rules are scores: they change nothing
+     * in a run.
+     */
+    @ArchTest
+    static final ArchRule ONLY_CONTACTS_STEER_AND_ALERT = noClasses()
+            .that()
+            .doNotHaveFullyQualifiedName(DISPATCH)
+            .and()
+            .doNotHaveFullyQualifiedName("org.dronewatch.run.ConfirmationTrials")
+            .should()
+            .callMethodWhere(DescribedPredicate.describe(
+                    "a positioner or an alert rule is informed",
+                    call -> call.getTargetOwner().isEquivalentTo(Positioner.class)
+                                    && Set.of("see", "cue").contains(call.getName())
+                            || call.getTargetOwner().isEquivalentTo(AlertLog.class)
+                                    && call.getName().equals("add")));
 
     /**
      * What stands between two points, {@link Visibility} says: what counts at the ends is decided once. The painter's

@@ -22,7 +22,7 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 
 /**
- * Follows one run for its alerts: when each drone could first have been seen, when there was an alert, and how early
+ * Scores the alerts of one run: when each drone could first have been seen, when there was an alert, and how early
  * that was.
  */
 public final class AlertWatch {
@@ -53,7 +53,7 @@ public final class AlertWatch {
         this.sightline = new Sightline(stage.world());
         this.protection = stage.protection();
         this.association = stage.association();
-        this.log = new AlertLog(settings.alert(), contact -> !association.isComplete(contact));
+        this.log = stage.alerts();
         this.trials = new ConfirmationTrials(settings, association);
     }
 
@@ -68,7 +68,7 @@ public final class AlertWatch {
                 .filter(FalseAlarmSource::isNew)
                 .filter(Observation::isDetected)
                 .forEach(alarm -> falseAlarms.merge(alarm.sensor(), 1L, Long::sum));
-        log.add(stage.contactLooks()).forEach(this::count);
+        stage.raised().forEach(this::count);
         trials.add(stage.contactLooks());
         if (placesAtAlert.size() < frame.drones().size()) {
             addPlaces(frame, stage.contactLooks());

@@ -14,6 +14,8 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.flight.SteeringClock;
+import org.dronewatch.fusion.Alert;
+import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
@@ -22,6 +24,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
@@ -51,10 +54,20 @@ public final class Stage {
     private final Map<String, Pointing> pointings = new LinkedHashMap<>();
     private final SteeringClock clock;
     private final PerfectAssociation association;
+    private final ContactDispatch dispatch;
     private List<ContactLook> contactLooks = List.of();
+    private List<Alert> raised = List.of();
     private final long runSeed;
 
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
+        this(
+                settings,
+                models,
+                runSeed,
+                new PerfectAssociation(settings.alert().confirm().looks()));
+    }
+
+    Stage(SceneSettings settings, ModelCache models, long runSeed, PerfectAssociation association) {
         PictureMemory.check(settings, Runtime.getRuntime().maxMemory());
         WorldSettings site = settings.world();
         this.world = worldOf(site, models);
@@ -64,7 +77,9 @@ public final class Stage {
         this.protection = Protection.of(settings.alert(), world);
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
-        this.association = new PerfectAssociation(settings.alert().confirm().looks());
+        this.association = association;
+        this.dispatch =
+                new ContactDispatch(new AlertLog(settings.alert(), contact -> !association.isComplete(contact)));
         FlightPaths paths = new FlightPaths(
                 new Places(site, world::newGround), settings.run().duration(), models);
         settings.individualDrones().forEach((id, drone) -> {
@@ -79,7 +94,12 @@ public final class Stage {
         }
         adviseOnFlights(settings, models);
         this.sensors = settings.enabledSensors();
-        sensors.forEach((id, sensor) -> active.add(new ActiveSensor(id, sensor)));
+        sensors.forEach((id, sensor) -> {
+            active.add(new ActiveSensor(id, sensor));
+            sensor.as(Mounted.class)
+                    .flatMap(Mounted::createPositioner)
+                    .ifPresent(positioner -> dispatch.add(id, positioner));
+        });
         this.raySensors = active.stream()
                 .filter(ActiveSensor::tracesRays)
                 .map(ActiveSensor::id)
@@ -284,7 +304,7 @@ public final class Stage {
         for (ActiveSensor one : active) {
             if (one.nextTime() == time) {
                 looked.add(one.id());
-                Look look = one.nextLook(runSeed, time);
+                Look look = one.nextLook(runSeed, time, dispatch.moveTo(one.id(), time));
                 look.pointing().ifPresent(where -> pointings.put(one.id(), where));
                 double speed = one.settings().signalSpeed(world);
                 List<Drone> reaching =
@@ -296,13 +316,23 @@ public final class Stage {
         Workers.forEach(looks.size(), i -> seen.set(i, looks.get(i).get()));
         List<Observation> observations = seen.stream().flatMap(List::stream).toList();
         contactLooks = association.associate(observations, looked, time);
-        active.forEach(one -> one.learn(contactLooks));
+        raised = dispatch.pass(contactLooks);
         return observations;
     }
 
     /** The last looks by contact, as received by alert rules and positioners. */
     List<ContactLook> contactLooks() {
         return contactLooks;
+    }
+
+    /** The alerts that the last looks raised. */
+    List<Alert> raised() {
+        return raised;
+    }
+
+    /** The alerts for contacts. */
+    AlertLog alerts() {
+        return dispatch.alerts();
     }
 
     /** Which contact is which drone, for scoring. */

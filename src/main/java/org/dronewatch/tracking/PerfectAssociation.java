@@ -21,7 +21,7 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * long as they may confirm each other; without a cell each is a contact by itself. Contacts are numbered from 1 on in
  * the order in which they appear; the numbers say nothing about drones. One per run.
  */
-public final class PerfectAssociation {
+public class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();
     private final Map<Integer, String> drones = new HashMap<>();
     private final Map<String, LiveAlarms> alarms = new LinkedHashMap<>();
