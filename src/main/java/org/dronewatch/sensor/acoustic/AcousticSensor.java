@@ -34,13 +34,14 @@ import org.dronewatch.world.World;
 
 /**
  * A microphone that hears each drone separately. In the level model its value is the highest received level: levels are
- * not divided among branches. In the energy model it is the A-weighted sound pressure level, or the signal-to-noise
- * ratio of the best band, and the drones have to be given in the state in which the sound left them. Keeps scratch
- * memory: one thread at a time.
+ * not divided among rays. In the energy model it is the A-weighted sound pressure level, or the signal-to-noise ratio
+ * of the best band, and the drones must be given in their state when the sound left them. Keeps scratch memory: one
+ * thread at a time.
  *
  * <p>In the energy model an assessment and a look with the same random numbers agree exactly; the probability is 0 or
- * 1. In the level model a look traces once; where the result depends on the random rays, the assessed probability is
- * the fraction of 32 traces that detect, marked as estimated: then the look's value may differ from the assessment's.
+ * 1. In the level model a look traces once; if the result depends on the random rays, the assessed probability is the
+ * fraction of 32 traces that detect the drone, marked as estimated, and the look's value may differ from the
+ * assessment's.
  */
 public final class AcousticSensor implements RaySensor, CurveSensor, AssessableSensor {
     private static final String UNIT = "dB";
@@ -98,7 +99,10 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
         return tracer(world).signal(drone, rayRandom);
     }
 
-    /** Sound arrives by other paths, too: a drone behind something is hidden only if it would be heard in the open. */
+    /**
+     * {@inheritDoc} Since sound also arrives by other paths, a drone behind an obstacle is only hidden if it would be
+     * heard in the open.
+     */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {
         if (!tracer(world).isHeardInTheOpen(drone)) {
@@ -111,7 +115,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     /**
-     * In the level model: traces until the first ray that is loud enough.
+     * Takes a look with the level model, and traces until the first ray that is loud enough.
      *
      * @throws IllegalStateException when this sensor uses another propagation model
      */
@@ -120,7 +124,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     /**
-     * In the level model: traces everything.
+     * Takes a look with the level model, and traces all rays.
      *
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      * @throws IllegalStateException when this sensor uses another propagation model
@@ -137,7 +141,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     }
 
     /**
-     * In the energy model: levels in octave bands.
+     * Takes a look with the energy model: levels in octave bands.
      *
      * @throws IllegalStateException when this sensor uses another propagation model
      */

@@ -38,7 +38,7 @@ import org.dronewatch.world.World;
  * @param radius rays that pass within this distance are received, above 0, m; in the energy model, which traces rays
  *     backwards, the distance from the drone
  * @param rate looks per second, above 0, Hz
- * @param threshold how far above the background a sound must be to be detected, dB
+ * @param threshold level above the background that a sound must reach to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
  * @param array the microphones of an array; its gain takes the place of {@code arrayGain}, and in the energy model it
  *     measures directions, by which other sensors can be cued
@@ -88,7 +88,7 @@ public record AcousticSettings(
         }
     }
 
-    /** A microphone of 0.5 m radius that listens ten times a second and hears what is 15 dB above the background. */
+    /** A microphone of 0.5 m radius that takes ten looks per second and detects sound 15 dB above the background. */
     @Defaults("position")
     public static AcousticSettings at(Position position) {
         return new AcousticSettings(
@@ -105,7 +105,7 @@ public record AcousticSettings(
         return SettingsForm.with(this, "radius", metres);
     }
 
-    /** These settings with another number of looks a second, Hz. */
+    /** These settings with another number of looks per second, Hz. */
     public AcousticSettings withRate(double looksPerSecond) {
         return SettingsForm.with(this, "rate", looksPerSecond);
     }
@@ -136,7 +136,7 @@ public record AcousticSettings(
         return array.map(ArraySettings::gain).orElse(arrayGain);
     }
 
-    /** Only an array that finds directions, in a model with bands, can cue other sensors. */
+    /** {@inheritDoc} Only an array that finds directions, in a model with bands, is {@link DirectionFinding}. */
     @Override
     public <C> Optional<C> as(Class<C> capability) {
         return capability == DirectionFinding.class && !findsDirections()
@@ -153,7 +153,7 @@ public record AcousticSettings(
         return SettingsForm.with(this, "propagation", model);
     }
 
-    /** These settings, with rays that report and viewer show, or without. */
+    /** These settings with or without rays in report and viewer. */
     public AcousticSettings withDrawRays(boolean drawn) {
         return SettingsForm.with(this, "drawRays", drawn);
     }

@@ -1,2 +1,2 @@
-/** Microphones: sound traced as rays from the drone over reflections to the sensor. */
+/** Microphones: sound is traced as rays from the drone, by reflections, to the sensor. */
 package org.dronewatch.sensor.acoustic;

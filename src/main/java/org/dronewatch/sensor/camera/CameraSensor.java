@@ -27,10 +27,7 @@ import org.dronewatch.sensor.optics.ImageSpeed;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
-/**
- * A camera for visible light. Keeps its last image, and scratch memory for the drones in front of it: one thread at a
- * time.
- */
+/** A camera for visible light. Keeps its last image, and scratch memory for drones: one thread at a time. */
 public final class CameraSensor implements AssessableSensor {
     private final CameraSettings settings;
     private final DronePicture ownAim;
@@ -41,7 +38,7 @@ public final class CameraSensor implements AssessableSensor {
     private Cover cover;
     private Beyond beyond;
 
-    /** By which it sees, through the rain. */
+    /** The light by which it sees, dimmed by rain. */
     private Light light;
 
     /** The vector to the sun, as long as the camera sees it. */
@@ -54,7 +51,7 @@ public final class CameraSensor implements AssessableSensor {
         this.picture = ownAim;
     }
 
-    /** Counts each drone's pixels that are nearer than the world and the other drones. */
+    /** Counts the pixels of each drone that are not hidden by the world or by other drones. */
     @Override
     public List<Observation> observe(World site, List<Drone> drones, Look look) {
         turn(site, look.pointing());
@@ -171,7 +168,8 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     /**
-     * The significant pixels of each drone along the camera's own aim, in the same order, and which of them show it.
+     * The significant pixels of each drone along the camera's own aim, in the same order, and those of them that show
+     * it.
      */
     public List<DronePixels> pixels(World site, List<Drone> drones) {
         return ownAim.pixels(site, drones);

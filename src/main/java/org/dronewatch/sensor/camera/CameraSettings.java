@@ -26,19 +26,19 @@ import org.dronewatch.world.World;
 /**
  * A camera, on a fixed mount or on a positioner.
  *
- * @param position where its centre of projection is, m
- * @param aim where its axis points
- * @param roll how far it is turned about its axis, its right side down; the horizon is level at 0, rad
+ * @param position its centre of projection, m
+ * @param aim aim of its axis
+ * @param roll rotation about its axis, right side down; at 0 the horizon is level, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
- * @param projection where its axis meets the image
- * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: it blurs by diffraction; omit it for a
- *     lens that does not blur
- * @param wavelength wavelength of the light that it sees, 100 nm to 30 um; it matters to the blur by lens and air, m
+ * @param projection position of its axis in the image, and its planes
+ * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: determines the blur by diffraction; omit
+ *     it for a lens without diffraction
+ * @param wavelength wavelength of the light that it sees, 100 nm to 30 um; it determines the blur by lens and air, m
  * @param rate frames per second, above 0, Hz
- * @param detection how a detection is decided
+ * @param detection detection function: how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
@@ -124,7 +124,7 @@ public record CameraSettings(
         return SettingsForm.with(this, "detection", function);
     }
 
-    /** Only a camera that counts pixels has a threshold to fit. */
+    /** Only a camera that counts pixels is {@link Thresholded}. */
     @Override
     public <C> Optional<C> as(Class<C> capability) {
         boolean isMissing = capability == Thresholded.class && !(detection instanceof PixelThreshold);

@@ -6,7 +6,9 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Condition;
 
-/** Decides whether a camera detects a drone: a value from the drone's view, and the threshold that it must reach. */
+/**
+ * The detection function of a camera: a value computed from the view of a drone, and the threshold that it must reach.
+ */
 public interface DetectionFunction {
 
     /** The value that is compared with the threshold. */
@@ -19,7 +21,7 @@ public interface DetectionFunction {
     double threshold();
 
     /**
-     * What the value must reach in one frame; the same in all frames unless a function is probabilistic.
+     * The threshold in one frame; the same in all frames unless the function is probabilistic.
      *
      * @param random the frame's random numbers
      */
@@ -27,15 +29,15 @@ public interface DetectionFunction {
         return threshold();
     }
 
-    /** Whether the function is probabilistic: then {@link #probability} is known. */
+    /** Whether the function is probabilistic, and {@link #probability} known. */
     default boolean byChance() {
         return false;
     }
 
     /**
-     * When chance decides, if it does: anew in each frame, with {@link #threshold(RandomGenerator)}, unless stated
-     * otherwise. Where it decides once per encounter, the value is the probability, and the camera's observer takes
-     * care of the rest.
+     * How often a random draw decides, if the function is probabilistic: in each frame, with
+     * {@link #threshold(RandomGenerator)}, unless overridden. If once per encounter, the value is the probability, and
+     * the camera models the observer.
      */
     default Chance chance() {
         return Chance.PER_LOOK;
@@ -51,8 +53,8 @@ public interface DetectionFunction {
 
     /**
      * The value that must reach the threshold for a positioner to follow the drone, besides the pixels that it needs
-     * ({@code lockPixels}); empty where those pixels alone decide. Unless stated otherwise, what is not detected is not
-     * followed.
+     * ({@code lockPixels}); empty where those pixels alone decide. Unless overridden, a drone that is not detected is
+     * not followed.
      */
     default OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.of(value(view));
@@ -61,7 +63,7 @@ public interface DetectionFunction {
     /**
      * Conditions of the site that would matter to a real camera but not to this decision; none by default.
      *
-     * @return by condition what to do instead, in words
+     * @return by condition the advice for the user
      */
     default Map<Condition, String> ignoredConditions() {
         return Map.of();

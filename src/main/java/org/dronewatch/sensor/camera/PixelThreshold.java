@@ -9,13 +9,13 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Detects a drone that covers enough pixels.
+ * A detection function that detects a drone by the number of its pixels.
  *
- * @param pixels how many pixels, above 0 and at most 1e9
+ * @param pixels number of pixels required, above 0 and at most 1e9
  */
 public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) double pixels)
         implements DetectionFunction {
-    /** Calibrated in the thesis that this project grew from: 12 pixels. */
+    /** 12 pixels, as calibrated in the thesis on which this project is based. */
     @Defaults
     public static final PixelThreshold DEFAULT = new PixelThreshold(12.0);
 
@@ -34,7 +34,7 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
         return pixels;
     }
 
-    /** A positioner counts pixels, too, with its own threshold. */
+    /** Empty: a positioner counts pixels, too, with its own threshold. */
     @Override
     public OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.empty();

@@ -14,35 +14,35 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.Light;
 
 /**
- * How likely it is that a person, or a program as good as one, can perform a task with a drone's image: notice it,
- * recognise it as a drone, or identify which drone it is. Johnson's criteria state how many line pairs across the
- * target that takes (Johnson 1958); the target transfer probability function gives the probability for more or fewer
- * (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with
- * {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
+ * A detection function by the probability that a person, or a program that performs equally well, can perform a task
+ * with a drone's image: detect it, recognise it as a drone, or identify its type. Johnson's criteria state the number
+ * of line pairs across the target that each task requires (Johnson 1958); the target transfer probability function
+ * gives the probability for more or fewer (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993):
+ * {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
  * faster it crosses the image: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The finest detail that is resolved,
- * as a fraction u of the finest that pixels can show, is where the contrast that lens and air leave, {@code C M(u)},
- * falls to what the camera needs, {@code Ct / (1 - u)} ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved});
- * without blur, {@code u = 1 - Ct / C}. C is its contrast reduced by air and rain (Koschmieder before the sky, Duntley
- * before the ground). Ct is the least contrast that the camera can detect; in poor light, where photons are few, it
- * grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the blur by
- * motion in pixels, in one of two directions. The dependence on contrast is a straight line instead of a camera's
- * measured curve of minimum resolvable contrast.
+ * as a fraction u of the finest that pixels can show, is reached where the contrast after lens and air, {@code C M(u)},
+ * falls to the contrast that the camera requires, {@code Ct / (1 - u)} ({@link
+ * org.dronewatch.sensor.optics.ImageTransfer#resolved}); without blur, {@code u = 1 - Ct / C}. C is its contrast
+ * reduced by air and rain (Koschmieder against the sky, Duntley against the ground). Ct is the least contrast that the
+ * camera can detect; in poor light, where photons are few, it grows as the square root of the ratio of
+ * {@code shotNoiseIlluminance} to the actual illuminance. b is the blur by motion in pixels, in one of two directions.
+ * The dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable contrast.
  *
  * @param task the task that the image must support
- * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
- * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
- *     enough for him, and then needs time to find the drone
+ * @param probability probability from which on the task counts as performed, above 0 and below 1; not used with
+ *     {@code byChance}
+ * @param byChance whether chance decides instead: once per encounter, whether the observer can perform the task at all;
+ *     a capable observer then needs time to find the drone
  * @param contrast contrast of the drone against the sky at close range, above 0 and at most 1: the drone is darker by
  *     this fraction
- * @param groundContrast contrast of the drone against what is behind it where that is not the sky, above 0 and at most
- *     100; omit it for a drone as bright as it appears against the sky, and ground by
- *     {@code world.light.skyToGroundRatio}
+ * @param groundContrast contrast of the drone against a background other than the sky, above 0 and at most 100; omit it
+ *     to derive it from {@code contrast} and {@code world.light.skyToGroundRatio}
  * @param contrastThreshold least contrast that the camera can detect in good light, above 0 and below 1
  * @param shotNoiseIlluminance illuminance below which shot noise raises the contrast threshold, above 0, lx
  * @param exposure exposure time of a frame, 0 to 1 s
- * @param sunExclusionAngle angle around the sun within which nothing is seen, 0 to pi/2, rad
+ * @param sunExclusionAngle angle around the sun within which drones cannot be seen, 0 to pi/2, rad
  */
 public record TargetTask(
         Discrimination task,
@@ -57,8 +57,8 @@ public record TargetTask(
         implements DetectionFunction {
     /**
      * Detection at a probability of 0.5, of a drone of contrast 0.5, by a camera that detects a contrast of 2 % down to
-     * 100 lx, exposes for a hundredth of a second and is blind within 5 degrees of the sun. All assumed except the
-     * task.
+     * 100 lx, has an exposure time of 0.01 s, and is blind within 5 degrees of the sun. All values are assumed except
+     * the task.
      */
     @Defaults
     public static final TargetTask DEFAULT = new TargetTask(
@@ -86,7 +86,7 @@ public record TargetTask(
         return SettingsForm.with(this, "task", other);
     }
 
-    /** These settings with another probability at which the task counts as done. */
+    /** These settings with another probability from which on the task counts as performed. */
     public TargetTask withProbability(double least) {
         return SettingsForm.with(this, "probability", least);
     }
@@ -101,7 +101,7 @@ public record TargetTask(
         return SettingsForm.with(this, "contrast", ofDrone);
     }
 
-    /** These settings for a drone with a stated contrast against what is behind it where that is not the sky. */
+    /** These settings with a stated contrast of the drone against a background other than the sky. */
     public TargetTask withGroundContrast(double ofDrone) {
         return SettingsForm.with(this, "groundContrast", Optional.of(ofDrone));
     }
@@ -150,7 +150,9 @@ public record TargetTask(
         return byChance ? EVEN_CHANCE : probability;
     }
 
-    /** By chance: an observer can perform the task or not, and needs time. */
+    /**
+     * {@inheritDoc} With {@code byChance}, once per encounter: an observer can perform the task or not, and needs time.
+     */
     @Override
     public Chance chance() {
         return byChance ? Chance.PER_ENCOUNTER : Chance.PER_LOOK;
@@ -161,7 +163,10 @@ public record TargetTask(
         return OptionalDouble.of(value(view));
     }
 
-    /** What is detected can be followed, though it cannot be recognised or identified yet. */
+    /**
+     * The probability of detection: a detected drone can be followed, even if it cannot be recognised or identified
+     * yet.
+     */
     @Override
     public OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.of(Discrimination.DETECTION.probability(resolved(view)));

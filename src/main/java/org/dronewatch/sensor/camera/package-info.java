@@ -1,2 +1,2 @@
-/** Cameras for visible light, and how much of a drone's image is enough for a detection. */
+/** Cameras for visible light, and their detection functions. */
 package org.dronewatch.sensor.camera;

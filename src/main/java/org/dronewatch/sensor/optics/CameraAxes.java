@@ -3,8 +3,8 @@ package org.dronewatch.sensor.optics;
 import org.dronewatch.geometry.Position;
 
 /**
- * The axes of a camera in the world, unit vectors: where it looks, and what is to the right and up in its image.
- * Immutable.
+ * The axes of a camera in the world, unit vectors: its line of sight, and the directions to the right and up in its
+ * image. Immutable.
  */
 public final class CameraAxes {
     /** Beyond this fraction of the vertical the camera counts as looking straight up or down. */
@@ -27,7 +27,7 @@ public final class CameraAxes {
     /**
      * The axes of a camera.
      *
-     * @param direction where it looks, of any length but 0
+     * @param direction line of sight of the camera, of any length but 0
      * @param roll how far its right side is turned down from where the horizon is level, rad
      */
     CameraAxes(Position direction, double roll) {
@@ -74,9 +74,9 @@ public final class CameraAxes {
     }
 
     /**
-     * The roll with which a camera has a vector at the top of its image.
+     * The roll at which a vector points to the top of a camera's image.
      *
-     * @param direction where it looks, of any length but 0
+     * @param direction line of sight of the camera, of any length but 0
      * @param up the vector, not along that direction
      * @return rad, -pi to pi
      * @throws IllegalArgumentException when the two vectors are parallel, or one of them is 0

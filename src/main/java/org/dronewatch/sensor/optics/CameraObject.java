@@ -14,7 +14,7 @@ import org.joml.Vector4d;
  * left one; a pixel's ray goes through its centre. Immutable.
  */
 public final class CameraObject {
-    /** Least depth that is projected, m: so small that no ray can hit a drone before it. */
+    /** Least depth that is projected, m: small enough that no ray can hit a drone in front of it. */
     public static final double NEAR = 1e-6;
 
     private final Position position;
@@ -36,7 +36,7 @@ public final class CameraObject {
     private final Matrix4d view;
     private final Matrix4d projection;
 
-    /** A camera with these settings. Without roll, one that looks straight down has north at the top. */
+    /** A camera with these settings. Without roll, north is at the top if it looks straight down. */
     public CameraObject(PictureSettings settings) {
         this(
                 settings.position(),
@@ -49,10 +49,10 @@ public final class CameraObject {
     }
 
     /**
-     * A camera. The horizon is level; a camera that looks straight down has north at the top.
+     * A camera. The horizon is level; north is at the top if the camera looks straight down.
      *
-     * @param position where its centre of projection is, m
-     * @param direction where it looks, of any length but 0
+     * @param position its centre of projection, m
+     * @param direction line of sight of the camera, of any length but 0
      * @param width pixels in a row
      * @param height rows
      * @param focalLength in pixels
@@ -64,14 +64,14 @@ public final class CameraObject {
     /**
      * A camera.
      *
-     * @param position where its centre of projection is, m
-     * @param direction where it looks, of any length but 0
-     * @param roll how far its right side is turned down about that direction from where the horizon is level, rad; a
-     *     camera that looks straight down has north at the top at 0
+     * @param position its centre of projection, m
+     * @param direction line of sight of the camera, of any length but 0
+     * @param roll rotation about that direction, its right side down, rad; at 0 the horizon is level, and north is at
+     *     the top if the camera looks straight down
      * @param width pixels in a row
      * @param height rows
      * @param focalLength in pixels
-     * @param lens where its axis meets the image
+     * @param lens position of its axis in the image, and its planes
      */
     public CameraObject(
             Position position,
@@ -126,7 +126,7 @@ public final class CameraObject {
                         lens.limit());
     }
 
-    /** This camera with another number of pixels, whose picture is as high. */
+    /** This camera with another number of pixels, and the same vertical field of view. */
     public CameraObject withPixels(int columns, int rows) {
         return new CameraObject(position, forward, roll, columns, rows, focalLength * rows / height, lens);
     }
@@ -163,14 +163,14 @@ public final class CameraObject {
         return new Ray(ray.origin(), ray.direction(), slant * near(), slant * far());
     }
 
-    /** Writes the unit direction of a pixel's ray in the world's frame; allocates nothing. */
+    /** Writes the unit direction of a pixel's ray in the world's frame; does not allocate. */
     public void direction(int column, int row, double[] target) {
         axes.direction((column + 0.5 - axisColumn) / focalLength, (axisRow - row - 0.5) / focalLength, target);
     }
 
     /**
-     * The directions of all pixels as a grid in the world's frame: that of the first pixel, what a column adds and what
-     * a row adds, three numbers each. They reach one unit along the camera's axis, so they are longer than unit
+     * The directions of all pixels as a grid in the world's frame: that of the first pixel, and its changes per column
+     * and per row, three numbers each. They reach one unit along the camera's axis, so they are longer than unit
      * directions by {@link #obliqueness}.
      */
     public double[][] grid() {
@@ -194,7 +194,7 @@ public final class CameraObject {
         return Math.sqrt(1.0 + x * x + y * y);
     }
 
-    /** Writes where a point of the world is in the camera's frame: metres to the right, up and ahead. */
+    /** Writes the coordinates of a point of the world in the camera's frame: metres to the right, up and ahead. */
     public void toView(double x, double y, double z, double[] target, int at) {
         double dx = x - position.x();
         double dy = y - position.y();
@@ -205,7 +205,7 @@ public final class CameraObject {
     }
 
     /**
-     * Whether a sphere is wholly behind the camera or outside its image: conservative, true only when it certainly is.
+     * Whether a sphere is entirely behind the camera or outside its image: conservative, true only if it certainly is.
      */
     public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();
@@ -239,7 +239,7 @@ public final class CameraObject {
     }
 
     /**
-     * Where a point of the world appears.
+     * The position of a point of the world in the image.
      *
      * @return column and row in pixels, (0, 0) being the top left corner of the top left pixel; empty for a point
      *     nearer than {@link #NEAR}, not between the near and the far plane, or behind the camera. The point may lie
@@ -262,7 +262,7 @@ public final class CameraObject {
         return 0.5 * (1.0 - clip.y / clip.w) * height;
     }
 
-    /** What the image shows of the world. */
+    /** The field of view of the image. */
     public Outline.Frustum outline() {
         return new Outline.Frustum(
                 forward,
@@ -286,7 +286,7 @@ public final class CameraObject {
         return lens.limit();
     }
 
-    /** Where the camera is, m. */
+    /** The position of the camera, m. */
     public Position position() {
         return position;
     }

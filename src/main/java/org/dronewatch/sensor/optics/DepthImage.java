@@ -71,7 +71,7 @@ public final class DepthImage {
         return hits[row * width + column];
     }
 
-    /** How many pixels show a drone. */
+    /** The number of pixels that show a drone. */
     public int hitCount() {
         int count = 0;
         for (boolean hit : hits) {
@@ -80,7 +80,10 @@ public final class DepthImage {
         return count;
     }
 
-    /** The image in blues, darker where nearer, on a logarithmic scale; the sky pale, drones orange. */
+    /**
+     * The image in shades of blue on a logarithmic scale, darker for shorter distances; the sky is pale, drones are
+     * orange.
+     */
     public BufferedImage toImage() {
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = 0.0;

@@ -7,8 +7,8 @@ import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
 /**
- * What a camera that stands still sees of a world and of the drones in it. Keeps the static view of the world it saw
- * last, and scratch memory for the drones before it: one thread at a time.
+ * The pictures that a camera at rest takes of drones in a world. Caches the image of the last world without drones, and
+ * keeps scratch memory for the drones: one thread at a time.
  */
 public final class DronePicture {
     private final CameraObject camera;
@@ -19,7 +19,7 @@ public final class DronePicture {
     /** For drones without the world. */
     private DynamicView openView;
 
-    /** The picture of a camera. */
+    /** The pictures of a camera. */
     public DronePicture(CameraObject camera) {
         this.camera = camera;
     }
@@ -29,7 +29,7 @@ public final class DronePicture {
         return camera;
     }
 
-    /** Looks at drones; forgets those it saw before. */
+    /** Draws drones, instead of those drawn before. */
     public void draw(World world, List<Drone> drones) {
         if (staticView == null || !staticView.shows(world)) {
             staticView = new StaticView(camera, world);
@@ -38,12 +38,12 @@ public final class DronePicture {
         dynamicView.draw(staticView, drones);
     }
 
-    /** How many pixels show a drone, by its index in the list that was drawn. */
+    /** The number of pixels that show a drone, by its index in the list that was drawn. */
     public int pixels(int number) {
         return dynamicView.pixels(number);
     }
 
-    /** How many pixels would show a drone if it were alone and nothing obstructed it; keeps what was drawn. */
+    /** The number of pixels that would show a drone if it were alone and unobstructed; the drones drawn are kept. */
     public int pixelsInTheOpen(Drone drone) {
         if (openView == null) {
             openView = new DynamicView(camera, TileTracer::new);
@@ -61,7 +61,7 @@ public final class DronePicture {
         return DepthImage.over(camera, distances, hits);
     }
 
-    /** The significant pixels of each drone, in the same order, and which of them show it. */
+    /** The significant pixels of each drone, in the same order, and those of them that show it. */
     public List<DronePixels> pixels(World world, List<Drone> drones) {
         draw(world, drones);
         List<DronePixels> pixels = new ArrayList<>(drones.size());

@@ -42,12 +42,12 @@ public final class DronePixels {
         return top;
     }
 
-    /** How many columns may show it; 0 when it is outside the image. */
+    /** The number of columns that may show it; 0 when it is outside the image. */
     public int columns() {
         return columns;
     }
 
-    /** How many rows may show it. */
+    /** The number of rows that may show it. */
     public int rows() {
         return rows;
     }
@@ -57,13 +57,13 @@ public final class DronePixels {
         return distance(column, row) < Float.POSITIVE_INFINITY;
     }
 
-    /** How far it is along a pixel's ray, m; infinity where the pixel does not show it. */
+    /** Its distance along a pixel's ray, m; infinity where the pixel does not show it. */
     public float distance(int column, int row) {
         boolean inside = column >= left && row >= top && column < left + columns && row < top + rows;
         return inside ? distances[(row - top) * columns + column - left] : Float.POSITIVE_INFINITY;
     }
 
-    /** How many pixels show it. */
+    /** The number of pixels that show it. */
     public int count() {
         return count;
     }

@@ -20,7 +20,7 @@ final class EnsquaredEnergy {
     /** Directions over an eighth of a turn; the rest follows by symmetry. */
     private static final int DIRECTIONS = 128;
 
-    /** Finer detail than what is left of at this transfer does not count. */
+    /** Detail whose transfer is below this is ignored. */
     private static final double NOTHING = 1e-9;
 
     /** For each ring of frequencies, the sincs summed over it. */

@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.optics;
 
-/** Which side of the image a field of view spans. */
+/** The dimension of the image that a field of view spans. */
 public enum FieldOfView {
     /** From the bottom edge to the top edge, as in OpenGL's perspective. */
     VERTICAL,

@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 
-/** How fast drones cross a camera's image, and what the blur takes. */
+/** The speed at which drones cross a camera's image, and the resolution lost by motion blur. */
 public final class ImageSpeed {
     private ImageSpeed() {}
 
@@ -14,8 +14,8 @@ public final class ImageSpeed {
      * The angular rate of the line of sight to a drone relative to a camera, which a positioner may turn as well,
      * rad/s.
      *
-     * @param camera where it is, m
-     * @param pointing where a positioner points it, and how fast it turns; empty for a fixed mount
+     * @param camera its position, m
+     * @param pointing pointing and rates of its positioner; empty for a fixed mount
      */
     public static double turning(Position camera, Drone drone, Optional<Pointing> pointing) {
         Position velocity = Position.of(drone.velocity());
@@ -33,7 +33,7 @@ public final class ImageSpeed {
     }
 
     /**
-     * The fraction of the line pairs across the root of an area that are left when it is blurred in one of two
+     * The fraction of the line pairs across the square root of an area that remains if it is blurred in one of two
      * directions: {@code (1 + b^2)^(-1/4)}.
      *
      * @param blur b, 0 or more, pixels

@@ -1,20 +1,20 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * How much of the contrast of fine detail lens and air leave in an image, and which detail a camera still resolves.
+ * The modulation transfer of lens and air, and the finest detail that a camera resolves with it.
  *
  * @param lens of the camera
- * @param air between it and what it looks at
+ * @param air between it and the target
  */
 public record ImageTransfer(Lens lens, Turbulence air) {
     /** Halvings of the interval: what is left of it is the rounding of a double. */
     private static final int HALVINGS = 53;
 
     /**
-     * Through a lens.
+     * The transfer through a lens and turbulent air.
      *
      * @param structure refractive-index structure constant Cn2 of the air, 0 or more, m^(-2/3)
-     * @param range of what the camera looks at, m
+     * @param range of the target, m
      */
     public static ImageTransfer through(Lens lens, double structure, double range) {
         return new ImageTransfer(lens, Turbulence.of(structure, lens.wavelength(), range));
@@ -26,7 +26,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * What is left of the modulation of a pattern: the product of both transfer functions.
+     * The modulation transfer for a pattern: the product of both transfer functions.
      *
      * @param frequency of the pattern, 0 or more, cycles per radian
      * @return 0 to 1
@@ -36,11 +36,11 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * The fraction of a point's light, or heat, that the pixel receives on whose centre it is imaged; blur spreads the
-     * rest over the neighbours.
+     * The fraction of the light, or heat, of a point imaged on the centre of a pixel that this pixel receives; blur
+     * spreads the rest over its neighbours.
      *
      * @param focalLength pixels
-     * @return 0 to 1; 1 without blur, otherwise to about 0.01
+     * @return 0 to 1; 1 without blur, otherwise accurate to about 0.01
      */
     public double ensquaredEnergy(double focalLength) {
         return isPerfect() ? 1.0 : EnsquaredEnergy.of(this, focalLength);
@@ -48,13 +48,13 @@ public record ImageTransfer(Lens lens, Turbulence air) {
 
     /**
      * The finest detail that a camera resolves, as a fraction u of the finest that its pixels can show, which is a line
-     * pair across two of them. A camera that blurs nothing needs the contrast {@code needed / (1 - u)} there: a
-     * straight line in place of its measured curve of minimum resolvable contrast. Detail is resolved up to the
-     * frequency at which the contrast that is left, {@code seen * transfer}, falls to what is needed: the rule by which
-     * Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for thermal imaging
-     * systems", Optical Engineering 15, 525, 1976). Without blur that is {@code 1 - needed / seen}.
+     * pair across two of them. Without blur, a pattern at the fraction u requires the contrast
+     * {@code needed / (1 - u)}: a straight line in place of the measured curve of minimum resolvable contrast. Detail
+     * is resolved up to the frequency at which the remaining contrast, {@code seen * transfer}, falls to the required
+     * one, as when Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for thermal
+     * imaging systems", Optical Engineering 15, 525, 1976). Without blur that is {@code 1 - needed / seen}.
      *
-     * @param needed the least contrast, or signal-to-noise ratio, with which anything is resolved, above 0
+     * @param needed the least contrast, or signal-to-noise ratio, at which anything is resolved, above 0
      * @param seen contrast, or signal-to-noise ratio, of a large object of the same kind, 0 or more
      * @param focalLength pixels
      * @return 0 to 1; 0 when nothing is resolved

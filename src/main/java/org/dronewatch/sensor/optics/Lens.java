@@ -3,13 +3,13 @@ package org.dronewatch.sensor.optics;
 import java.util.OptionalDouble;
 
 /**
- * The lens of a camera, as far as diffraction blurs its image.
+ * The lens of a camera, with its diffraction.
  *
  * @param aperture diameter of its entrance pupil, above 0, m; empty for a lens that does not blur
- * @param wavelength of the light or heat that it images, above 0, m
+ * @param wavelength of the light or thermal radiation that it images, above 0, m
  */
 public record Lens(OptionalDouble aperture, double wavelength) {
-    /** Wavelength at which eyes are most sensitive, m. */
+    /** Wavelength of the eye's peak sensitivity, m. */
     public static final double GREEN = 550e-9;
 
     /** A lens that does not blur, at a wavelength in m. */
@@ -18,9 +18,8 @@ public record Lens(OptionalDouble aperture, double wavelength) {
     }
 
     /**
-     * What diffraction at a round aperture D leaves of the modulation of a pattern:
-     * {@code 2/pi (acos x - x sqrt(1 - x^2))} with {@code x = wavelength f / D}, 0 from x = 1 (Goodman, "Introduction
-     * to Fourier Optics", section 6.3).
+     * The modulation transfer by diffraction at a round aperture D: {@code 2/pi (acos x - x sqrt(1 - x^2))} with
+     * {@code x = wavelength f / D}, 0 from x = 1 (Goodman, "Introduction to Fourier Optics", section 6.3).
      *
      * @param frequency f, of the pattern, 0 or more, cycles per radian
      * @return 0 to 1

@@ -5,8 +5,8 @@ import org.dronewatch.raster.TileTracer;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * The rays of a camera's pixels in the space of a model that stands somewhere in the world. Lengths along them stay
- * those of the world. Reused from model to model; one per thread.
+ * The rays of a camera's pixels in the space of a model. Lengths along them remain those of the world. Reused for
+ * several models; one per thread.
  */
 public final class ModelGrid {
     private final double[][] grid;
@@ -16,7 +16,7 @@ public final class ModelGrid {
     private final double[] origin = new double[3];
     private final double[][] modelGrid = new double[3][3];
 
-    /** For the pixels of a camera. */
+    /** A grid of the pixels of a camera. */
     public ModelGrid(CameraObject camera) {
         this.grid = camera.grid();
         this.from = camera.position();

@@ -25,8 +25,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Settings of an imaging sensor: its field of view is a frustum, an image gives directions, and a positioner
- * may turn it about its aim.
+ * Settings of an imaging sensor: its field of view is a frustum, it measures directions, and it may be mounted on a
+ * positioner.
  *
  * @param <C> the record that implements this: {@code withRoll} and the others copy one of the same kind
  * @param <S> the sensor that they create
@@ -44,19 +44,18 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "aim", other);
     }
 
-    /** These settings looking at another point, m. */
+    /** These settings aimed at another point, m. */
     default C withLookAt(Position point) {
         return withAim(new Aim.Target(point));
     }
 
-    /** These settings turned about the camera's axis by an angle, its right side down, rad. */
+    /** These settings rotated about the camera's axis by an angle, its right side down, rad. */
     default C withRoll(double angle) {
         return SettingsForm.with(self(), "roll", angle);
     }
 
     /**
-     * These settings turned about the axis in which the camera points now, so that a vector points to the top of the
-     * image.
+     * These settings rotated about the camera's present axis, so that a vector points to the top of the image.
      *
      * @throws IllegalArgumentException when the vector is parallel to that axis
      */
@@ -74,7 +73,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "rate", framesPerSecond);
     }
 
-    /** These settings with a lens whose entrance pupil has a diameter, m: it blurs by diffraction. */
+    /** These settings with a lens with diffraction, by the diameter of its entrance pupil, m. */
     default C withAperture(double diameter) {
         return SettingsForm.with(self(), "aperture", Optional.of(diameter));
     }
@@ -123,14 +122,15 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * How many pixels of a drone let its positioner follow it although it is not detected; infinite on a fixed mount.
+     * The number of a drone's pixels from which on its positioner follows it although it is not detected; infinite on a
+     * fixed mount.
      */
     default double lockPixels() {
         return positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
     }
 
     /**
-     * Where an image shows a drone: the direction, to a pixel or better, and how large it appears, but no range.
+     * The sighting of a drone in an image: its direction, to a pixel or better, and its apparent size, but no range.
      *
      * @param drone its position, m
      * @param pixels that it covers
@@ -245,10 +245,10 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * What reports say about a camera, on a positioner or not.
+     * The texts about a camera for reports, on a positioner or not.
      *
-     * @param measures what the values of its observations mean
-     * @param leftOut a sentence about what its model leaves out
+     * @param measures the quantity that its observations measure
+     * @param leftOut a sentence about the effects that its model leaves out
      */
     static SensorDescription describe(String measures, String leftOut, Optional<PositionerSettings> positioner) {
         SensorDescription description = SensorDescription.measuring(measures);

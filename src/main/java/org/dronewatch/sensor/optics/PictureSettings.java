@@ -7,25 +7,25 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Imaging;
 
-/** Where a camera of any kind stands, where it points, and how many pixels its image has. */
+/** The geometry of a camera of any kind: its position, its aim and its image. */
 public interface PictureSettings extends Aimed, Imaging {
 
-    /** Where its centre of projection is, m. */
+    /** Its centre of projection, m. */
     Position position();
 
-    /** Where its axis points. */
+    /** The aim of its axis. */
     @Override
     Aim aim();
 
     /**
-     * How far it is turned about its axis: its right side down, so that the image turns counterclockwise, rad. At 0 the
-     * horizon is level.
+     * Its rotation about its axis, right side down, so that the image rotates counterclockwise, rad. At 0 the horizon
+     * is level.
      */
     default double roll() {
         return 0.0;
     }
 
-    /** Where its axis meets the image. */
+    /** The position of its axis in the image, and its planes. */
     default Projection projection() {
         return Projection.DEFAULT;
     }
@@ -53,17 +53,17 @@ public interface PictureSettings extends Aimed, Imaging {
         return 0.5 * side / Math.tan(0.5 * fov());
     }
 
-    /** Diameter of the entrance pupil of its lens, m; empty for a lens that does not blur. */
+    /** Diameter of the entrance pupil of its lens, m; empty for a lens without diffraction. */
     default Optional<Double> aperture() {
         return Optional.empty();
     }
 
-    /** Wavelength of the light or heat that it sees, m. */
+    /** Wavelength of the light or thermal radiation that it images, m. */
     default double wavelength() {
         return Lens.GREEN;
     }
 
-    /** Its lens, as far as it blurs. */
+    /** Its lens, with diffraction. */
     default Lens lens() {
         return new Lens(aperture().map(OptionalDouble::of).orElse(OptionalDouble.empty()), wavelength());
     }

@@ -7,14 +7,14 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Where the optical axis of a camera meets its image, and between which planes perpendicular to it the camera sees. A
- * frustum of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts
+ * The projection of a camera: the position of the optical axis in the image, and the near and the far plane. A frustum
+ * of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts
  * {@code (left + right) / 2 / (right - left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of
  * view of {@code 2 atan((top - bottom) / 2 / near)}.
  *
- * @param shiftRight how far the image is shifted to the right, so that it shows more of that side, as a fraction of its
- *     width, -5 to 5; the field of view is that of the image without a shift
- * @param shiftUp how far it is shifted upwards, as a fraction of its height, -5 to 5
+ * @param shiftRight shift of the image to the right, so that it shows more of that side, as a fraction of its width, -5
+ *     to 5; the field of view is that of the image without a shift
+ * @param shiftUp shift upwards, as a fraction of its height, -5 to 5
  * @param near near plane: nothing closer than this along the axis is seen, 0 to less than far, m
  * @param far far plane: nothing farther than this along the axis is seen; the default of 1000 km means no limit, m
  */
@@ -26,7 +26,7 @@ public record Projection(
     /** A far plane at this distance or beyond means no limit, m. */
     private static final double UNLIMITED = 1e6;
 
-    /** The axis meets the middle of the image, and the camera sees at all distances. */
+    /** The axis in the middle of the image, and all distances visible. */
     @Defaults
     public static final Projection DEFAULT = new Projection(0.0, 0.0, 0.0, UNLIMITED);
 
@@ -40,7 +40,7 @@ public record Projection(
     }
 
     /**
-     * The projection of a lens that is shifted, at all distances.
+     * The projection of a shifted lens, with all distances visible.
      *
      * @param right as a fraction of the width of the image
      * @param up as a fraction of its height

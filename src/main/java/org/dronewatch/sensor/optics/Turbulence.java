@@ -1,13 +1,12 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * What turbulent air does to the image of something at a finite distance, in an exposure that is long compared with the
- * motion of the air: an upper bound for a single short exposure, in which part of the blur is a shift of the whole
- * image.
+ * The blur by turbulent air of a target at a finite distance, in an exposure that is long compared with the motion of
+ * the air: an upper bound for a single short exposure, in which part of the blur is a shift of the whole image.
  *
- * @param coherenceDiameter Fried's parameter r0: a lens of this diameter loses about as much to the air as to
+ * @param coherenceDiameter Fried's parameter r0: with a lens of this diameter, the air blurs about as much as
  *     diffraction, above 0, m; infinite in still air
- * @param wavelength of the light or heat, above 0, m
+ * @param wavelength of the light or thermal radiation, above 0, m
  */
 public record Turbulence(double coherenceDiameter, double wavelength) {
     /** Of the integral of {@code Cn2 (s/L)^(5/3)} along the path, in Fried's parameter. */
@@ -22,10 +21,10 @@ public record Turbulence(double coherenceDiameter, double wavelength) {
     private static final double LONG_EXPOSURE = 3.44;
 
     /**
-     * The air between a camera and what it looks at. The wave of a point at a finite distance is spherical, and
-     * turbulence near the camera counts most: {@code r0 = (0.423 k^2 integral Cn2 (s/L)^(5/3) ds)^(-3/5)} with
-     * {@code k = 2 pi / wavelength} and s counted from the point (Fried, Journal of the Optical Society of America 56,
-     * 1372, 1966). With the same Cn2 everywhere the integral is {@code 3/8 Cn2 L}, which gives
+     * The turbulence between a camera and a target. The wave of a point at a finite distance is spherical, so
+     * turbulence near the camera has the greatest effect: {@code r0 = (0.423 k^2 integral Cn2 (s/L)^(5/3) ds)^(-3/5)}
+     * with {@code k = 2 pi / wavelength} and s counted from the point (Fried, Journal of the Optical Society of America
+     * 56, 1372, 1966). With the same Cn2 everywhere the integral is {@code 3/8 Cn2 L}, which gives
      * {@code r0 = (0.159 k^2 Cn2 L)^(-3/5)}.
      *
      * @param structure refractive-index structure constant Cn2, 0 or more, m^(-2/3)
@@ -37,13 +36,13 @@ public record Turbulence(double coherenceDiameter, double wavelength) {
         return new Turbulence(Math.pow(FRIED * SPHERICAL * k * k * structure * range, -0.6), wavelength);
     }
 
-    /** The width of a blurred point where half its brightness is reached: {@code 0.98 wavelength / r0}, rad. */
+    /** The full width at half maximum of a blurred point: {@code 0.98 wavelength / r0}, rad. */
     public double blur() {
         return WIDTH * wavelength / coherenceDiameter;
     }
 
     /**
-     * What the air leaves of the modulation of a pattern: {@code exp(-3.44 (wavelength f / r0)^(5/3))} (Fried 1966;
+     * The modulation transfer by the air for a pattern: {@code exp(-3.44 (wavelength f / r0)^(5/3))} (Fried 1966;
      * Goodman, "Statistical Optics", chapter 8).
      *
      * @param frequency f, of the pattern, 0 or more, cycles per radian

@@ -10,8 +10,8 @@ import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * How much of a camera's image a drone covers, in pixels and parts of pixels: for what is smaller than a pixel, and for
- * heat, of which a pixel gathers what falls on any part of it. The drone is sampled by rays whose spacing adapts to its
+ * The area of a drone in a camera's image, in pixels and fractions of pixels: for drones smaller than a pixel, and for
+ * thermal images, in which a pixel integrates over its area. The drone is sampled by rays whose spacing adapts to its
  * size, so that the area is accurate to a few percent at any distance. Drones do not hide each other. One thread.
  */
 public final class VisibleArea {
@@ -28,7 +28,7 @@ public final class VisibleArea {
     private final Outline.Frustum outline;
     private final Matrix4d toModel = new Matrix4d();
 
-    /** For the image of a camera in a world. */
+    /** Areas in the image of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
         this.camera = camera;
         this.visibility = new Visibility(world);
@@ -45,7 +45,7 @@ public final class VisibleArea {
         return camera;
     }
 
-    /** The area of a drone that is in the image and that no part of the site hides, in pixels. */
+    /** The area of a drone that is in the image and not hidden by the site, in pixels. */
     public double of(Drone drone) {
         return of(drone, false);
     }

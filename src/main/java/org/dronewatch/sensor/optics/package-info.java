@@ -1,5 +1,5 @@
 /**
- * Pictures of a site with drones in it: one ray a pixel, and only the pixels that can show a drone are traced again.
- * What cameras of every kind have in common.
+ * The common parts of all cameras: pictures of a site with drones, with one ray per pixel, of which only those that can
+ * show a drone are traced again.
  */
 package org.dronewatch.sensor.optics;

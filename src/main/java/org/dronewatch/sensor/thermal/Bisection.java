@@ -4,7 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 
 /** Where a falling function crosses zero. */
 final class Bisection {
-    /** What is left of the interval is about the rounding of a double. */
+    /** Enough halvings to reach double precision. */
     private static final int HALVINGS = 64;
 
     private Bisection() {}

@@ -9,39 +9,38 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How a program finds drones that are no more than a spot: in each frame it marks the pixels whose signal exceeds t
- * times the noise, and reports a spot that was marked in several of the last frames. Noise is normally distributed and
- * independent from pixel to pixel and from frame to frame, so a frame marks a spot with the probability
- * {@code P1 = Phi(SNR - t)}, and M of N frames do with
- * {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}.
+ * Detection of drones that are no more than a spot, by a program: in each frame it marks the pixels whose signal
+ * exceeds t times the noise, and it reports a spot that was marked in several of the last frames. Noise is normally
+ * distributed, and independent between pixels and between frames, so a frame marks a spot with the probability
+ * {@code P1 = Phi(SNR - t)}, and M of N frames do with {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N -
+ * i)}.
  *
- * <p>The threshold t follows from how many false alarms an hour are accepted, of which noise causes in each pixel and
- * frame
+ * <p>The threshold t follows from the accepted number of false alarms per hour. In each pixel and frame, noise causes
  *
  * <pre>
  * C(N - 1, M - 1) p q^(M - 1) (1 - q)^(N - M + 1),  p = Q(t),  q = 1 - (1 - p)^g
  * </pre>
  *
  * <p>where Q is the tail of the normal distribution and g the number of pixels in which the program looks for the same
- * spot in another frame. It counts a spot when it is confirmed for the first time: M - 1 of the N - 1 frames before had
- * marked it, and the frame before those had not. Two spots that share a mark count twice, so that the number is an
- * upper bound when g is more than 1. A camera that takes twice as many frames makes twice as many errors, so its
- * threshold is higher.
+ * spot in another frame. A spot counts when it is confirmed for the first time: M - 1 of the N - 1 frames before had
+ * marked it, and the frame before those had not. Two spots that share a mark count twice, so the number is an upper
+ * bound if g is more than 1. Twice the frame rate causes twice as many false alarms, and so requires a higher
+ * threshold.
  *
  * @param falseAlarmsPerHour false alarms by noise that are accepted, 1e-6 to 1e9 an hour, and which the camera raises
  *     in a run unless {@code falseAlarms} states those of all causes. A lower threshold than the one that causes the
  *     most of them is never used
- * @param hits M, how many of the last frames must mark a spot, 1 to 50
- * @param frames N, of how many, as many as hits to 50
- * @param gate g, number of pixels in which the spot of the next frame is looked for, 1 to 10,000: 9 for a drone that
- *     moves by one pixel per frame at most
+ * @param hits M, number of the last N frames that must mark a spot, 1 to 50
+ * @param frames N, number of the last frames considered, from hits to 50
+ * @param gate g, number of pixels in which the spot is searched for in the next frame, 1 to 10,000: 9 for a drone that
+ *     moves by at most one pixel per frame
  */
 public record PointTargets(
         @In(value = Quantity.NUMBER, from = 1e-6, to = 1e9) double falseAlarmsPerHour,
         @In(value = Quantity.NUMBER, from = 1, to = 50) int hits,
         @In(value = Quantity.NUMBER, from = 1, to = 50) int frames,
         @In(value = Quantity.PIXELS, from = 1, to = 10_000) int gate) {
-    /** One false alarm an hour, three of five frames, in a gate of 3 x 3 pixels. */
+    /** One false alarm per hour, three of five frames, a gate of 3 x 3 pixels. */
     @Defaults
     public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9);
 
@@ -62,12 +61,12 @@ public record PointTargets(
         }
     }
 
-    /** These settings with another number of false alarms an hour. */
+    /** These settings with another number of false alarms per hour. */
     public PointTargets withFalseAlarmsPerHour(double accepted) {
         return SettingsForm.with(this, "falseAlarmsPerHour", accepted);
     }
 
-    /** These settings with a detection that takes a number of hits in a number of frames. */
+    /** These settings with another number of frames that must mark a spot, of another number of frames. */
     public PointTargets withConfirmation(int ofFrames, int inFrames) {
         return SettingsForm.with(this, Map.of("hits", ofFrames, "frames", inFrames));
     }
@@ -78,7 +77,7 @@ public record PointTargets(
     }
 
     /**
-     * The threshold t, in standard deviations of the noise, that keeps to the accepted number of false alarms.
+     * The threshold t, in standard deviations of the noise, at which the number of false alarms is the accepted one.
      *
      * @param pixels number of pixels of the image
      * @param rate frames per second, Hz
@@ -106,7 +105,7 @@ public record PointTargets(
     }
 
     /**
-     * How many false alarms noise causes in an hour.
+     * The number of false alarms by noise per hour.
      *
      * @param threshold t, in standard deviations of the noise
      * @param pixels number of pixels of the image
@@ -162,7 +161,7 @@ public record PointTargets(
     /**
      * The probability that one frame marks a spot: {@code Phi(SNR - t)}.
      *
-     * @param signalToNoise of the pixel in which it lies, 0 or more
+     * @param signalToNoise of the pixel that contains the spot, 0 or more
      * @param threshold t
      */
     public static double markProbability(double signalToNoise, double threshold) {
@@ -170,7 +169,7 @@ public record PointTargets(
     }
 
     /**
-     * The probability that enough of the frames mark a spot that each of them marks with a given probability.
+     * The probability that at least M of N frames mark a spot, if each marks it with a given probability.
      *
      * @param mark 0 to 1
      */

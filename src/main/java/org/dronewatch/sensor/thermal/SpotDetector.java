@@ -24,7 +24,8 @@ final class SpotDetector {
     }
 
     /**
-     * The probability that enough of the last frames mark a spot; 0 for none, since noise alone is a false alarm.
+     * The probability that enough of the last frames mark a spot; 0 without a signal: what noise alone marks is a false
+     * alarm.
      *
      * @param signalToNoise 0 or more
      */

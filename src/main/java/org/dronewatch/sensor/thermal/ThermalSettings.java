@@ -28,29 +28,31 @@ import org.dronewatch.world.World;
 /**
  * A thermal camera, on a fixed mount or on a positioner.
  *
- * @param position where its centre of projection is, m
- * @param aim where its axis points
- * @param roll how far it is turned about its axis, its right side down; the horizon is level at 0, rad
+ * @param position its centre of projection, m
+ * @param aim aim of its axis
+ * @param roll rotation about its axis, right side down; at 0 the horizon is level, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
- * @param projection where its axis meets the image
- * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: it blurs by diffraction; omit it for a
- *     lens that does not blur
- * @param wavelength wavelength of the heat that it sees, 100 nm to 30 um; it matters to the blur by lens and air, m
+ * @param projection position of its axis in the image, and its planes
+ * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: determines the blur by diffraction; omit
+ *     it for a lens without diffraction
+ * @param wavelength wavelength of the thermal radiation that it sees, 100 nm to 30 um; it determines the blur by lens
+ *     and air, m
  * @param rate frames per second, above 0, Hz
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
- * @param transmission transmittance of a kilometre of air in its band and in the weather assumed, 1e-6 to 1
+ * @param transmission transmittance of a kilometre of air in its band and in the weather of the scene, 1e-6 to 1
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
- * @param exposure time in which a frame gathers heat, or in which an uncooled detector follows it: motion blurs the
- *     image meanwhile, but not that of point targets, 0 to 1 s
+ * @param exposure integration time of a frame, or time constant of an uncooled detector: motion blur in this time
+ *     reduces the resolution, but not the signal of point targets, 0 to 1 s
  * @param task the task that the image must support
- * @param probability probability at which the task counts as done, above 0 and below 1; not used when chance decides
- * @param byChance whether chance decides instead: an observer draws once per encounter whether the probability is
- *     enough for him, and then needs time to find the drone; with {@code pointTargets}, the noise of each frame decides
- * @param pointTargets how a program finds drones that are too small for the eye; omit it for an observer who needs to
- *     see a shape. It takes the place of the task, which must be detection
+ * @param probability probability from which on the task counts as performed, above 0 and below 1; not used with
+ *     {@code byChance}
+ * @param byChance whether chance decides instead: once per encounter, whether the observer can perform the task at all;
+ *     a capable observer then needs time to find the drone; with {@code pointTargets}, the noise of each frame decides
+ * @param pointTargets detection by a program of drones that are too small for an observer; omit it for an observer, who
+ *     must see a shape. It replaces the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
  * @param falseAlarms how often it mistakes something else for a drone, whatever the cause; unless set, only
  *     pointTargets raises false alarms, those caused by noise, and otherwise the rate is unknown, and none are
@@ -121,7 +123,7 @@ public record ThermalSettings(
     }
 
     /**
-     * 640 x 512 pixels over 24 degrees, 25 frames a second, NETD 50 mK, transmittance 85 % per kilometre, minimum
+     * 640 x 512 pixels over 24 degrees, 25 frames per second, NETD 50 mK, transmittance 85 % per kilometre, minimum
      * signal-to-noise ratio 2; detects at a probability of 0.5.
      */
     @Defaults("position")
@@ -175,7 +177,7 @@ public record ThermalSettings(
         return SettingsForm.with(this, "byChance", drawn);
     }
 
-    /** These settings for a program that finds drones as spots. */
+    /** These settings with a program that detects drones as spots. */
     public ThermalSettings withPointTargets(PointTargets rule) {
         return SettingsForm.with(this, "pointTargets", Optional.of(rule));
     }
@@ -204,7 +206,7 @@ public record ThermalSettings(
                 .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));
     }
 
-    /** Its pictures are of heat. */
+    /** False: its pictures show thermal radiation. */
     @Override
     public boolean seesColour() {
         return false;
@@ -216,8 +218,8 @@ public record ThermalSettings(
     }
 
     /**
-     * By chance: an observer can perform the task or not, and needs time; noise hides or shows a spot anew in each
-     * frame.
+     * {@inheritDoc} With {@code byChance}, once per encounter for an observer, who can perform the task or not, and
+     * needs time; in each frame for point targets, because of noise.
      */
     @Override
     public Chance chance() {

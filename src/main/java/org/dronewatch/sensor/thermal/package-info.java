@@ -1,2 +1,2 @@
-/** Cameras that see heat. */
+/** Thermal cameras. */
 package org.dronewatch.sensor.thermal;

@@ -10,14 +10,14 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.sound.Levels;
 
 /**
- * The arrangement of the microphones of an array about the sensor's position.
+ * An array of microphones around the sensor's position.
  *
- * @param microphones how many, 2 to 4096; at least 3 for a ring and 4 for a sphere
- * @param aperture from end to end of a line, or the diameter of a ring or a sphere, above 0 to 100 m
- * @param shape how they are arranged
+ * @param microphones their number, 2 to 4096; at least 3 for a ring and 4 for a sphere
+ * @param aperture length of a line, or diameter of a ring or a sphere, above 0 to 100 m
+ * @param shape their arrangement
  * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, from errors in the
  *     positions, phases and gains of the microphones and from the air, 0 to pi/6 rad; one degree is assumed
- * @param axis the direction of a level line, clockwise from north, rad; it does not matter for the others
+ * @param axis direction of a horizontal line, clockwise from north, rad; of no effect for other shapes
  */
 public record ArraySettings(
         @In(value = Quantity.NUMBER, from = 2, to = 4096) int microphones,
@@ -27,13 +27,16 @@ public record ArraySettings(
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double axis) {
     private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
 
-    /** How microphones are arranged. */
+    /** An arrangement of microphones. */
     public enum Shape {
-        /** On a level line, evenly: it measures the angle to the line only, and so cannot cue. */
+        /** A horizontal line, evenly spaced: it measures the angle to the line only, and so cannot cue. */
         LINE(2),
-        /** On a level circle, evenly: it measures bearing and elevation, the latter badly near the horizon. */
+        /**
+         * A horizontal circle, evenly spaced: it measures bearing and elevation, the latter inaccurately near the
+         * horizon.
+         */
         RING(3),
-        /** On a sphere, nearly evenly: it measures bearing and elevation alike. */
+        /** A sphere, nearly evenly spaced: it measures bearing and elevation equally well. */
         SPHERE(4);
 
         private final int fewest;
@@ -82,7 +85,7 @@ public record ArraySettings(
         return Levels.ofRatio(microphones);
     }
 
-    /** The distance between neighbouring microphones, m: on a sphere that of a square lattice of their density. */
+    /** The distance between neighbouring microphones, m: on a sphere, that of a square lattice of the same density. */
     public double spacing() {
         return switch (shape) {
             case LINE -> aperture / (microphones - 1);
@@ -92,8 +95,8 @@ public record ArraySettings(
     }
 
     /**
-     * The width of the main lobe of a line between its half-power points, broadside, {@code 0.886 lambda / (N d)}; of
-     * the others about that of a line as long as their diameter, rad.
+     * The half-power width of the main lobe of a line, broadside, {@code 0.886 lambda / (N d)}; for other shapes about
+     * that of a line as long as their diameter, rad.
      *
      * @param wavelength m, above 0
      */
@@ -106,7 +109,7 @@ public record ArraySettings(
         return shape != Shape.LINE;
     }
 
-    /** Where a microphone is, relative to the centre, m. */
+    /** The position of a microphone relative to the centre, m. */
     Position place(int microphone) {
         double radius = 0.5 * aperture;
         switch (shape) {

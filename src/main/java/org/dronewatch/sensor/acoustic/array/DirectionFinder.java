@@ -10,14 +10,15 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * How accurately an array finds the direction of one sound in noise that is incoherent from microphone to microphone:
- * by the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods
- * reach once the sound is detected. In a narrow band the inverse of the variance of an angle is
+ * The accuracy with which an array finds the direction of one sound in noise that is incoherent between microphones:
+ * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
+ * once the sound is detected. In a narrow band the inverse of the variance of an angle is
  * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the wave
  * number k, N microphones, and the sum D of the squared distances of the microphones from their centre along the
- * direction in which the sound's changes with the angle. Bands add up, in each as many snapshots as its width times the
- * duration of a look. Bands of which half a wavelength is shorter than the distance between neighbouring microphones
- * are left out, since their directions are ambiguous. The error of the array itself is added in quadrature. Immutable.
+ * direction in which that of the sound changes with the angle. The contributions of all bands are added, each with as
+ * many snapshots as its width times the duration of a look. Bands with half a wavelength below the distance between
+ * neighbouring microphones are left out, since their directions are ambiguous. The error of the array itself is added
+ * in quadrature. Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
@@ -111,10 +112,10 @@ public final class DirectionFinder {
     /**
      * A measurement, with its random error.
      *
-     * @param array where the array is, m
-     * @param source where the sound comes from, m
+     * @param array position of the array, m
+     * @param source position of the source, m
      * @param ratios signal-to-noise ratio of one microphone in each octave band, dB
-     * @return empty where the array finds no direction; an elevation that it cannot measure is set to 0
+     * @return empty if the array finds no direction; an elevation that it cannot measure is set to 0
      */
     public Optional<Found> find(Position array, Position source, double[] ratios, RandomGenerator random) {
         Position vector = source.minus(array);
@@ -149,9 +150,9 @@ public final class DirectionFinder {
     /**
      * A measured direction.
      *
-     * @param sighting where the array believes the sound to come from
+     * @param sighting the estimated direction of the source
      * @param bearingError standard error of its bearing, rad
-     * @param elevationError standard error of its elevation, rad; empty where it is not measured
+     * @param elevationError standard error of its elevation, rad; empty if it is not measured
      */
     public record Found(Sighting sighting, double bearingError, OptionalDouble elevationError) {}
 }

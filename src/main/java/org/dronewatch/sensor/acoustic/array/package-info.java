@@ -1,2 +1,2 @@
-/** Arrays of microphones: their gain against noise, and how accurately they find the direction of a sound. */
+/** Arrays of microphones: their gain against noise, and the accuracy of the directions that they find. */
 package org.dronewatch.sensor.acoustic.array;

@@ -9,13 +9,13 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The shortest path round the obstacles between two points, over any number of edges: a rubber band in that plane
- * through both points in which it is shortest. {@value #PLANES} planes are tried, more if no path is found, and the
- * best ones are rotated until the path gets no shorter. For a single straight edge this is the globally shortest path;
- * over several it is what the standards compute, which separate propagation into planes. A path through an opening that
- * none of the planes intersects is not found.
+ * The shortest path round the obstacles between two points, over any number of edges: the shortest convex path in the
+ * plane through both points in which it is shortest. {@value #PLANES} planes are tried, more if no path is found, and
+ * the best ones are rotated until the path cannot be shortened. For a single straight edge this is the globally
+ * shortest path; over several it is the path of the standards, which treat propagation in separate planes. A path
+ * through an opening that none of the planes intersects is not found.
  *
- * <p>Short detours are searched first, so that only obstacles near the straight line are examined where that is enough.
+ * <p>Short detours are searched first, so that only obstacles near the straight line are examined if that suffices.
  * Exchanging the points gives the same path. One per thread.
  */
 public final class EdgePath {
@@ -80,7 +80,7 @@ public final class EdgePath {
     }
 
     /**
-     * Looks for the shortest way round between two points that do not see each other, in still air.
+     * Searches for the shortest path round the obstacles between two points that do not see each other, in still air.
      *
      * @return whether one was found
      */
@@ -89,7 +89,7 @@ public final class EdgePath {
     }
 
     /**
-     * Looks for the shortest way round between two points between which no arc of sound is free.
+     * Searches for the shortest path round the obstacles between two points between which no arc of sound is free.
      *
      * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m
      * @return false where none was found
@@ -128,14 +128,14 @@ public final class EdgePath {
     }
 
     /**
-     * How much longer the path found last is than the straight line, 0 or more, m: where sound travels in arcs, in the
-     * time that it takes, at the speed of sound on the straight line.
+     * The path difference between the last path found and the straight line, 0 or more, m: if sound travels in arcs,
+     * the difference of their travel times, times the speed of sound on the straight line.
      */
     public double pathDifference() {
         return pathDifference;
     }
 
-    /** How far along the straight line the middle of the edges is, or of the line where there are none, m. */
+    /** The distance along the straight line to the middle of the edges, or of the line if there are none, m. */
     public double halfWay() {
         int edges = shortest.count();
         double middle = edges == 0 ? 0.5 * straight : 0.5 * (shortest.along(0) + shortest.along(edges - 1));
@@ -143,9 +143,9 @@ public final class EdgePath {
     }
 
     /**
-     * How much longer its arcs from edge to edge are than the arc from end to end that nothing would hide, m. Sound
-     * that bends travels faster on its way up, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it where
-     * sound bends down.
+     * The path difference between its arcs from edge to edge and the unobstructed arc from end to end, m. Sound on an
+     * arc travels faster at greater heights, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it if sound
+     * bends down.
      */
     public double arcDifference() {
         return arcDifference;

@@ -12,15 +12,15 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. There is an
- * edge only where the outline of an obstacle bends: seams in flat surfaces and valleys are not edges. One per thread.
+ * Finds the edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. Only
+ * bends in the outline of an obstacle are edges: seams in flat surfaces and valleys are not. One per thread.
  */
 public final class NearEdges {
     /**
      * An edge near a line of sight.
      *
-     * @param detour how much longer the path that touches it is than the line, 0 or more, m
-     * @param bend by how much the outline of the obstacle bends there, rad; pi for the end of a sheet
+     * @param detour path difference between the path that touches it and the line, 0 or more, m
+     * @param bend angle by which the outline of the obstacle bends there, rad; pi for the end of a sheet
      * @param material index of the material of a triangle at the edge
      */
     public record NearEdge(double detour, double bend, int material) {}
@@ -42,7 +42,7 @@ public final class NearEdges {
     private final double[] normal = new double[3];
     private double curvature;
 
-    /** Edges of a world. */
+    /** Searches the edges of a world. */
     public NearEdges(World world) {
         this.mesh = world.mesh();
         this.query = new EllipsoidQuery(world.tree());
@@ -59,7 +59,7 @@ public final class NearEdges {
     }
 
     /**
-     * Finds the edges near the arc of sound between two points that nothing hides.
+     * Finds the edges near the unobstructed arc of sound between two points.
      *
      * @param longest detours longer than this do not count, above 0, m
      * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m

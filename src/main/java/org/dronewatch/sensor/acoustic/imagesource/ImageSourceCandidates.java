@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** Image sources as they are found, with what each of them is worth. */
+/** Candidates for image sources, each with its worth. */
 public final class ImageSourceCandidates {
     private final List<Integer> parents = new ArrayList<>(List.of(ImageSources.ORIGINAL));
     private final List<Integer> walls = new ArrayList<>(List.of(WallPlanes.NONE));
@@ -15,7 +15,7 @@ public final class ImageSourceCandidates {
     private final Map<Long, Integer> children = new HashMap<>();
 
     /**
-     * Adds an image source unless it is known, and what it is worth.
+     * Adds an image source unless it is known, and adds to its worth.
      *
      * @return its number
      */
@@ -38,7 +38,7 @@ public final class ImageSourceCandidates {
         }
     }
 
-    /** What the image source of a sequence of walls is worth; 0 if it is not known. */
+    /** The worth of the image source of a sequence of walls; 0 if it is not known. */
     public double worth(int[] sequence) {
         int image = ImageSources.ORIGINAL;
         for (int wall : sequence) {
@@ -51,7 +51,7 @@ public final class ImageSourceCandidates {
         return worths.get(image);
     }
 
-    /** The walls of the image sources of first order that are worth most. */
+    /** The walls of the image sources of first order of the greatest worth. */
     public int[] firstWalls(int most) {
         return IntStream.range(1, parents.size())
                 .filter(image -> parents.get(image) == ImageSources.ORIGINAL)
@@ -63,7 +63,7 @@ public final class ImageSourceCandidates {
                 .toArray();
     }
 
-    /** What an image source is worth. */
+    /** The worth of an image source. */
     public double worth(int image) {
         return worths.get(image);
     }
@@ -71,8 +71,8 @@ public final class ImageSourceCandidates {
     /**
      * The image sources of the greatest worth. None may be worth more than its parent.
      *
-     * @param most how many
-     * @param least image sources that are worth less are left out
+     * @param most maximum number
+     * @param least image sources of less worth are left out
      */
     public ImageSources best(int most, double least) {
         int[] kept = IntStream.range(0, parents.size())

@@ -13,9 +13,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Finds the image sources of a point that matter: those by whose walls evenly spread rays from it are reflected (M.
- * Vorlaender, JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than one ray may be
- * missed. The same point has the same image sources. One per thread.
+ * Finds the relevant image sources of a point: those whose walls reflect evenly spread rays from it (M. Vorlaender,
+ * JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than one ray may be missed. The same
+ * point has the same image sources. One per thread.
  */
 public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
@@ -56,11 +56,11 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point. Where a ray has found one of higher order that few others have found, more rays are
-     * sent around it.
+     * The image sources of a point. More rays are traced around one that has found an image source of higher order that
+     * few others have found.
      *
      * @param from the point, m
-     * @param rays how many rays are spread over all directions
+     * @param rays number of rays, spread over all directions
      * @param maxOrder maximum number of walls of an image source
      */
     public ImageSourceCandidates from(Position from, int rays, int maxOrder) {

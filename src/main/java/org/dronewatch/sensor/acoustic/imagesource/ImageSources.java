@@ -3,15 +3,15 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import java.util.Arrays;
 
 /**
- * The image sources of a point: the point mirrored in a sequence of walls, by which sound that leaves it is reflected
- * specularly, one after another. They form a tree: an image is its parent mirrored in one more wall; image 0 is the
- * point itself, and parents come before their children. Immutable.
+ * The image sources of a point: the point mirrored in a sequence of walls that reflect its sound specularly, one after
+ * another. They form a tree: an image is its parent mirrored in one more wall; image 0 is the point itself, and parents
+ * come before their children. Immutable.
  */
 public final class ImageSources {
     /** The point itself, mirrored in no wall. */
     public static final int ORIGINAL = 0;
 
-    /** No image but the point itself. */
+    /** The point alone, without images. */
     public static final ImageSources NONE = new ImageSources(new int[1], new int[1]);
 
     private static final long STEP = 0x9E3779B97F4A7C15L;
@@ -28,8 +28,8 @@ public final class ImageSources {
     /**
      * Image sources.
      *
-     * @param parents of each image; of the first, the point itself, any
-     * @param walls the last wall of each image; of the first, any
+     * @param parents of each image; any number for the first, which is the point itself
+     * @param walls the last wall of each image; any number for the first
      */
     public ImageSources(int[] parents, int[] walls) {
         this.parents = parents.clone();
@@ -60,7 +60,7 @@ public final class ImageSources {
     }
 
     /**
-     * Some of these images, and all their parents.
+     * A subset of these images, with all their parents.
      *
      * @param isKept for each image whether it is
      */
@@ -129,7 +129,7 @@ public final class ImageSources {
     /**
      * Whether a sequence of walls is that of one of these images.
      *
-     * @param order how many walls, 1 or more
+     * @param order number of walls, 1 or more
      * @param key of the sequence
      */
     public boolean contains(int order, long key) {
@@ -175,7 +175,8 @@ public final class ImageSources {
     }
 
     /**
-     * Where the images of a point are, three coordinates each: the point mirrored in the first wall, then in the next.
+     * Writes the positions of the images of a point, three coordinates each: the point mirrored in the first wall, then
+     * in the next.
      */
     public void positions(double x, double y, double z, WallPlanes planes, double[] images) {
         images[0] = x;

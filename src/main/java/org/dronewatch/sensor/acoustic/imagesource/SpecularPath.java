@@ -10,8 +10,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The path from one point by specular reflections to another, by its images: it must hit every wall at the right point,
- * unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per thread.
+ * A path from one point by specular reflections to another, constructed by image sources: it must hit every wall at the
+ * right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per
+ * thread.
  */
 public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;
@@ -46,8 +47,8 @@ public final class SpecularPath {
     }
 
     /**
-     * Sets how the air bends the paths that follow: each leg must be unobstructed as an arc, too. Without it, paths are
-     * straight.
+     * Sets the curvature of subsequent paths by the air: each leg must be unobstructed as an arc, too. By default,
+     * paths are straight.
      *
      * @param isSoundAhead whether sound travels from a path's beginning to its end, and not the other way
      */
@@ -57,10 +58,10 @@ public final class SpecularPath {
     }
 
     /**
-     * Follows the path from a point to the one whose images are given, via the last wall of the image first.
+     * Follows the path from a point to the one whose images are given, starting with the last wall of the image.
      *
      * @param images positions of the image sources of the other point: {@link ImageSources#positions}
-     * @return whether there is a path; this object then holds its figures
+     * @return whether there is a path, whose properties can then be queried
      */
     public boolean follow(
             ImageSources imageSources, double[] images, int image, double fromX, double fromY, double fromZ) {

@@ -13,11 +13,11 @@ import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
 /**
- * The planes in which a mesh reflects specularly: all triangles that lie in one plane, of whatever material and
- * winding, count as one wall. Nothing here depends on the directions of the axes. Immutable.
+ * The planes in which a mesh reflects specularly: all triangles in one plane, of any material and winding, are one
+ * wall. The result does not depend on the directions of the axes. Immutable.
  */
 public final class WallPlanes {
-    /** The number of a triangle that reflects nothing specularly. */
+    /** The number for a triangle that does not reflect specularly. */
     public static final int NONE = -1;
 
     /**
@@ -106,7 +106,7 @@ public final class WallPlanes {
         return boxes;
     }
 
-    /** How many planes reflect something. */
+    /** The number of planes that reflect. */
     public int count() {
         return triangleOf.length;
     }
@@ -121,7 +121,7 @@ public final class WallPlanes {
         return triangleOf[wall];
     }
 
-    /** How far a point may lie off a plane to which it is assigned, m. */
+    /** The maximum distance of a point from a plane to which it is assigned, m. */
     public double tolerance() {
         return tolerance;
     }
@@ -137,7 +137,7 @@ public final class WallPlanes {
         return planes[NUMBERS * wall + axis];
     }
 
-    /** Whether two planes meet at an edge rather than nearly coincide: one wall is never perfectly flat. */
+    /** Whether two planes meet at an edge instead of nearly coinciding, as parts of one imperfectly flat wall do. */
     public boolean meet(int some, int other) {
         int a = NUMBERS * some;
         int b = NUMBERS * other;

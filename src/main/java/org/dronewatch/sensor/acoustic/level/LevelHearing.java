@@ -13,8 +13,8 @@ import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
 /**
- * What a microphone hears in the level model: the highest level received, which is not divided among branches. One
- * thread at a time.
+ * A microphone in the level model: measures the highest level received, which is not divided among rays. One thread at
+ * a time.
  */
 public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
@@ -33,9 +33,9 @@ public final class LevelHearing implements SoundTracer {
     }
 
     /**
-     * One look.
+     * Takes one look.
      *
-     * @param fully whether to go on after the first ray that is loud enough
+     * @param fully whether to continue after the first ray that is loud enough
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
     public LevelReading listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {

@@ -15,22 +15,23 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
- * How the level model propagates sound: every ray carries the drone's full level, which is reduced only by the air and
- * at each surface. It is the model of the thesis that this project began with; its levels are calibrated, not physical.
+ * The level model of sound propagation: every ray carries the drone's full level, which is reduced only by the air and
+ * at each surface. It is the model of the thesis on which this project is based; its levels are calibrated, not
+ * physical.
  *
  * @param initialRays rays that leave the drone in random directions, in addition to one straight to the sensor; 1 to
  *     100,000
- * @param reflectionsPerHit rays that leave each surface that is hit, 1 to 10,000
+ * @param reflectionsPerHit rays from each surface that is hit, 1 to 10,000
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
- * @param maxOrder how many surfaces a ray may hit before it ends, 0 to 100
- * @param rayBudget how many ray segments one look may trace, 1 to 50,000,000
+ * @param maxOrder maximum number of surfaces that a ray may hit before it ends, 0 to 100
+ * @param rayBudget maximum number of ray segments of one look, 1 to 50,000,000
  * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all
  *     rays, and reports the highest level and the cumulative energy
  * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular
- *     and the refracted ray carry the rest; without it all rays carry equal energy. It changes the cumulative energy,
+ *     and the refracted ray carry the rest; if omitted, all rays carry equal energy. It affects the cumulative energy,
  *     not the levels, which are not divided
- * @param transmittedRays rays that leave the far side of a wall that lets sound through, 1 to 10,000: one refracted,
- *     the others scattered
+ * @param transmittedRays rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted, the others
+ *     scattered
  */
 public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,
@@ -81,7 +82,7 @@ public record LevelModel(
         return SettingsForm.with(this, Map.of("maxOrder", orders, "rayBudget", budget));
     }
 
-    /** This model with looks that end early, or trace everything. */
+    /** This model with looks that end early, or trace all rays. */
     public LevelModel withListening(Listening other) {
         return SettingsForm.with(this, "listening", other);
     }

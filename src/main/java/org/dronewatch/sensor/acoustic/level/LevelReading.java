@@ -11,11 +11,11 @@ import java.util.OptionalInt;
  * @param detected whether the best level reaches the threshold
  * @param energy the received fraction of the emitted energy, summed over all rays: for information only, as the forced
  *     rays make it unphysical
- * @param received how many rays reached the sensor
- * @param traced how many ray segments were traced
- * @param cutByOrder how many branches were not followed because of the maximum order
- * @param cutByBudget how many branches were not followed because of the ray budget
- * @param cutOrder the lowest order at which the budget cut a branch; empty when it cut none
+ * @param received number of rays that reached the sensor
+ * @param traced number of ray segments that were traced
+ * @param cutByOrder number of rays not followed because of the maximum order
+ * @param cutByBudget number of rays not followed because of the ray budget
+ * @param cutOrder the lowest order at which the budget ended a ray; empty if it ended none
  */
 public record LevelReading(
         double bestLevel,

@@ -15,8 +15,8 @@ import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.world.World;
 
 /**
- * The level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end below the level
- * of detection, at the maximum order and when the ray budget is spent; what was cut is counted.
+ * The tracer of the level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end
+ * below the level of detection, at the maximum order, and at the end of the ray budget; rays not followed are counted.
  *
  * <p>Rays are queued and traced in chunks of the queue, on the calling {@link Workers}. Each chunk has a separate
  * random stream, and its results count in the queue's order: they are the same for any number of threads. Used by one
@@ -62,11 +62,11 @@ public final class LevelTracer {
     }
 
     /**
-     * One look.
+     * Takes one look.
      *
-     * @param source where the drone is
+     * @param source position of the drone
      * @param sourceLevel its level, dB
-     * @param fully whether to go on after the first detection
+     * @param fully whether to continue after the first detection
      */
     public LevelReading trace(
             Position source, double sourceLevel, RandomGenerator random, boolean fully, RayRecorder recorder) {

@@ -1,12 +1,12 @@
 package org.dronewatch.sensor.acoustic.level;
 
-/** How long the rays of a look are traced. Both detect the same. */
+/** The criterion for the end of a look. Both give the same detections. */
 public enum Listening {
-    /** Until a ray arrives that is loud enough: the thesis's {@code listen}. */
+    /** Ends when a ray arrives that is loud enough: {@code listen} in the thesis. */
     FAST,
     /**
-     * Until all rays are too quiet, which gives the highest level and the cumulative energy: the thesis's
-     * {@code listenFully}.
+     * Ends when all rays are too quiet, which gives the highest level and the cumulative energy: {@code listenFully} in
+     * the thesis.
      */
     THOROUGH
 }

@@ -9,9 +9,9 @@ import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.world.World;
 
 /**
- * Makes the rays that leave a surface: first the specular one, then one straight at the sensor if it lies on the same
- * side, the rest at random over the hemisphere; and, where the material lets sound through, some on the other side, of
- * which the first is refracted and the rest are scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
+ * Generates the rays from a surface: first the specular one, then one straight at the sensor if it lies on the same
+ * side, and the rest at random over the hemisphere; if the material transmits sound, also rays on the other side, the
+ * first refracted and the rest scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
  */
 public final class ReflectionGenerator {
     /**
@@ -40,8 +40,8 @@ public final class ReflectionGenerator {
     /**
      * A generator for the surfaces of a world.
      *
-     * @param model how many rays leave a surface, and how they divide its energy
-     * @param sensor where the second ray is aimed, m
+     * @param model number of rays from a surface, and division of its energy
+     * @param sensor position at which the second ray is aimed, m
      */
     public ReflectionGenerator(LevelModel model, World world, Position sensor) {
         this(model, world.mesh(), new SurfaceLevels(world), sensor);
@@ -54,26 +54,26 @@ public final class ReflectionGenerator {
         this.sensor = sensor;
     }
 
-    /** Receives each ray that leaves a hit. */
+    /** Receives each ray from a hit. */
     @FunctionalInterface
     public interface Branches {
         /**
          * Receives a ray.
          *
-         * @param branch the ray; the carrier is reused, so copy what is to be kept
+         * @param branch the ray; the object is reused, so copy data to be kept
          */
         void accept(AcousticRay branch);
     }
 
     /**
-     * The rays that leave a triangle that a ray hits. Every reflected ray has the level of the arriving ray minus the
-     * loss of the reflection, every transmitted one minus the loss of the wall; their energies divide what is reflected
-     * and what is transmitted.
+     * Generates the rays from a triangle that a ray hits. Every reflected ray has the level of the arriving ray minus
+     * the loss of the reflection, every transmitted one minus the loss of the wall; the reflected and the transmitted
+     * energy are divided among them.
      *
      * @param ray the ray that arrives
      * @param distance from its origin to the triangle, m
      * @param triangle index in the world's mesh
-     * @param arriving its level there, dB
+     * @param arriving its level at the triangle, dB
      * @param random draws the directions of scattered rays
      * @param target receives the rays, the specular one first
      */
