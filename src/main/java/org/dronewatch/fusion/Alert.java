@@ -6,8 +6,8 @@ import java.util.List;
  * An alert for a contact.
  *
  * @param contact number of the contact
- * @param time when, seconds since the start of the run
- * @param sensors names of the sensors on which it rests, in the order in which they detected it
+ * @param time of the alert, seconds since the start of the run
+ * @param sensors names of the sensors that raised it, in the order of their detections
  */
 public record Alert(int contact, double time, List<String> sensors) {
     /** Copies the list: later changes by the caller have no effect. */

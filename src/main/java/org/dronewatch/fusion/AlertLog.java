@@ -10,9 +10,9 @@ import java.util.function.IntPredicate;
 import org.dronewatch.tracking.ContactLook;
 
 /**
- * Follows the looks of one run at its contacts, in order of time, and records the first alert for each contact. Some
- * contacts are loose: one sensor's alone, and nobody knows which of another sensor's are the same thing. Where a rule
- * asks for several sensors, loose contacts count together that agree in time and bearing.
+ * A log of the alerts of one run: applies the alert rule to the looks at contacts, in order of time, and records the
+ * first alert for each contact. Loose contacts belong to one sensor alone, and cannot be associated with those of other
+ * sensors. For a rule that requires several sensors, loose contacts that agree in time and bearing count together.
  */
 public final class AlertLog {
     private final AlertSettings settings;
@@ -42,7 +42,7 @@ public final class AlertLog {
     /**
      * Adds the sensors' looks of one time.
      *
-     * @return the alerts that they raise. One for several loose contacts has the number of the last of them
+     * @return the alerts that they raise. An alert for several loose contacts has the number of the last of them
      */
     public List<Alert> add(List<ContactLook> looks) {
         for (ContactLook look : looks) {
@@ -105,7 +105,9 @@ public final class AlertLog {
         return tracks.size() + alerts.size() + loose.map(LooseContacts::size).orElse(0);
     }
 
-    /** Forgets contacts of which there will be no more looks. Until they are too old, others may count with them. */
+    /**
+     * Removes contacts at which there will be no more looks. Until they are too old, others may still count with them.
+     */
     public void forget(Collection<Integer> ended) {
         ended.forEach(contact -> {
             tracks.remove(contact);

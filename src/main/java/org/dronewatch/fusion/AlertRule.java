@@ -11,18 +11,18 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
-/** When the sensors' observations of a drone amount to an alert. */
+/** A rule for when the sensors' looks at a contact raise an alert. */
 public sealed interface AlertRule {
 
     /**
-     * The sensors that currently justify an alert; empty if there is no alert.
+     * The sensors whose looks justify an alert now; empty if there is no alert.
      *
-     * @param tracks what each sensor has observed of the drone
-     * @param time now, s
+     * @param tracks the record of each sensor's looks at the contact
+     * @param time the present time, s
      */
     List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time);
 
-    /** As soon as any sensor detects the drone, with the confirmation required. */
+    /** An alert as soon as any sensor detects the drone, with the confirmation required. */
     record AnySensor() implements AlertRule {
         @Override
         public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
@@ -33,12 +33,12 @@ public sealed interface AlertRule {
     }
 
     /**
-     * As soon as several sensors detect the drone, each with the confirmation required.
+     * An alert as soon as several sensors detect the drone, each with the confirmation required.
      *
      * @param count number of sensors, 1 to 1000
      * @param within time within which they must detect it, 0 to 3600 s
-     * @param gate how far the bearings of two sensors' false alarms may differ for them to be taken for one drone, 0 to
-     *     180 degrees, rad; a sensor that measures no bearing agrees with any. It does not matter for drones
+     * @param gate maximum difference between the bearings of two sensors' false alarms that count as one drone, 0 to
+     *     180 degrees, rad; a sensor that measures no bearing agrees with any. It has no effect on drones
      */
     record SeveralSensors(
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
@@ -53,13 +53,14 @@ public sealed interface AlertRule {
         }
 
         /**
-         * A rule with a gate of 10 degrees, which is assumed: sensors 50 m apart see a drone 300 m away so differently.
+         * A rule with a gate of 10 degrees, which is assumed: the difference between bearings from sensors 50 m apart
+         * to a drone at 300 m.
          */
         public SeveralSensors(int count, double within) {
             this(count, within, USUAL_GATE);
         }
 
-        /** Within 5 seconds. */
+        /** A rule with a time of 5 seconds. */
         @Defaults("count")
         public static SeveralSensors of(int count) {
             return new SeveralSensors(count, 5.0);
@@ -80,10 +81,10 @@ public sealed interface AlertRule {
     }
 
     /**
-     * As soon as it is likely enough that at least one of the sensors detects the drone in its last look: {@code 1 -
-     * (1-p1)(1-p2)...}. This assumes that the sensors miss independently of each other, which they do not where one
-     * hill or one bank of fog hides the drone from all of them: then the rule is too optimistic. A sensor that decides
-     * by a fixed threshold counts as 0 or 1.
+     * An alert as soon as the probability that at least one of the sensors detects the drone in its last look is high
+     * enough: {@code 1 - (1-p1)(1-p2)...}. This assumes that the sensors' misses are independent; if one hill or one
+     * bank of fog hides the drone from all of them, the rule is too optimistic. The probability of a sensor with a
+     * fixed threshold is 0 or 1.
      *
      * @param probability the combined probability that raises the alert, above 0 and at most 1
      * @param within how long a look counts, 0 to 3600 s
@@ -97,13 +98,13 @@ public sealed interface AlertRule {
             Limits.check(UnionOfProbabilities.class, probability, within);
         }
 
-        /** Looks count for 2 seconds. */
+        /** A rule in which looks count for 2 seconds. */
         @Defaults("probability")
         public static UnionOfProbabilities of(double probability) {
             return new UnionOfProbabilities(probability, 2.0);
         }
 
-        /** The most likely sensors first, as many as necessary. */
+        /** {@inheritDoc} Those of the highest probabilities first, as many as necessary. */
         @Override
         public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
             List<SensorTrack> likeliest = new ArrayList<>(tracks);

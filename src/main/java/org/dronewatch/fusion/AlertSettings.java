@@ -11,13 +11,13 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * When an alert is raised, what has to be protected, and how much time the response needs.
+ * The conditions of an alert, the protected zones, and the time that the response takes.
  *
- * @param rule when the sensors' observations amount to an alert
- * @param confirm how often a sensor must detect a drone before it counts
+ * @param rule for when the sensors' looks raise an alert
+ * @param confirm number of detections required of a sensor before it counts
  * @param protect the zone that must not be reached; omit it for none
  * @param zones areas that must not be reached either, by name; the first that a drone enters counts
- * @param response how much time is needed between the alert and the drone's arrival, 0 to 86400 s; 0 if not required
+ * @param response time required between the alert and the drone's arrival, 0 to 86400 s; 0 if none is required
  */
 public record AlertSettings(
         AlertRule rule,
@@ -52,7 +52,7 @@ public record AlertSettings(
         return SettingsForm.with(this, "confirm", new Confirmation(hits, looks));
     }
 
-    /** Whether there is anything that must not be reached. */
+    /** Whether there are protected zones. */
     public boolean isProtecting() {
         return protect.isPresent() || !zones.isEmpty();
     }

@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
  * A protected area on its ground: an upright prism or cylinder in the world frame.
  *
  * @param name of the area
- * @param settings what it was made of
+ * @param settings of the area
  * @param bottom its lowest height, m
  * @param top its greatest height, m
  */
@@ -114,10 +114,10 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     }
 
     /**
-     * How far along a straight segment its surface is first reached.
+     * The position along a straight segment at which its surface is first reached.
      *
-     * @param from where the segment begins, m
-     * @param to where it ends, m
+     * @param from start of the segment, m
+     * @param to its end, m
      * @return fraction of the segment, 0 when it begins inside; empty when it stays outside
      */
     public OptionalDouble entry(Position from, Position to) {

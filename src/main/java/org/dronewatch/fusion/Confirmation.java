@@ -5,10 +5,11 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How often a sensor must detect a drone before it counts: in a given number of its last looks.
+ * The confirmation required of a sensor before its detections count: a number of detections in a number of its last
+ * looks.
  *
- * @param hits how many looks must detect the drone, 1 to 100
- * @param looks out of how many, not fewer than hits, 1 to 100
+ * @param hits number of looks that must detect the drone, 1 to 100
+ * @param looks number of last looks considered, not fewer than hits, 1 to 100
  */
 public record Confirmation(
         @In(value = Quantity.NUMBER, from = 1, to = 100) int hits,
@@ -26,7 +27,7 @@ public record Confirmation(
 
     /**
      * The probability that the last looks confirm a contact, if each detects it with the same probability,
-     * independently of the others: the tail of the binomial distribution, {@code sum over k from hits to looks of
+     * independently of the others: the upper tail of the binomial distribution, {@code sum over k from hits to looks of
      * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
      *
      * @param ofOneLook 0 to 1

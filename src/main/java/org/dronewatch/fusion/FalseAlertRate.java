@@ -33,7 +33,10 @@ import org.dronewatch.sensor.alarm.FalseAlarming;
  * @param unknown names of the sensors whose rates are not known
  */
 public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> known, List<String> unknown) {
-    /** As many confirmed false alarms as a rule for several sensors may be expected to remember at a time. */
+    /**
+     * The maximum expected number of confirmed false alarms that a rule for several sensors may have to remember at a
+     * time.
+     */
     public static final int MOST_AT_A_TIME = 200_000;
 
     private static final double DAY = 86_400.0;
@@ -44,7 +47,7 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
         unknown = List.copyOf(unknown);
     }
 
-    /** The rate of an alert's rule with a scene's sensors. */
+    /** The rate with an alert rule and a scene's sensors. */
     public static FalseAlertRate of(AlertSettings alert, Map<String, SensorSettings<?>> sensors) {
         Map<String, Confirmed> known = new LinkedHashMap<>();
         List<String> unknown = new ArrayList<>();
@@ -82,7 +85,7 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
         }
     }
 
-    /** Whether nothing is known. */
+    /** Whether no sensor's rate is known. */
     public boolean isUnknown() {
         return known.isEmpty();
     }
@@ -100,7 +103,7 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
                 : number + " from " + String.join(", ", known) + "; unknown from " + String.join(", ", unknown);
     }
 
-    /** A rate or a number in words: two digits at least, without a long row of zeros. */
+    /** A rate or a number as text: at least two digits, without many zeros. */
     public static String brief(double value) {
         if (value == 0.0 || value >= 0.01 && value < 1e5) {
             return String.format(Locale.ROOT, value >= 100.0 ? "%.0f" : value >= 10.0 ? "%.1f" : "%.2f", value);
@@ -118,7 +121,7 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
      * One sensor's false alarms that are confirmed.
      *
      * @param perSecond how many a second
-     * @param isUpperBound whether there may be fewer
+     * @param isUpperBound whether the number is an upper bound
      * @param duration for how long one is confirmed, from the first to the last look, s
      * @param lookRate looks per second, Hz
      * @param bearings where they lie, if that is known

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What must not be reached: a sphere.
+ * A protected zone: a sphere that drones must not reach.
  *
  * @param centre its centre, m
  * @param radius its radius, above 0 and at most 100 km, m
@@ -31,10 +31,10 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
     }
 
     /**
-     * How far along a straight segment its edge is first reached.
+     * The position along a straight segment at which its edge is first reached.
      *
-     * @param from where the segment begins, m
-     * @param to where it ends, m
+     * @param from start of the segment, m
+     * @param to its end, m
      * @return fraction of the segment, 0 when it begins inside; empty when it stays outside
      */
     public OptionalDouble entry(Position from, Position to) {
@@ -53,7 +53,7 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return share >= 0.0 && share <= 1.0 ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** The time that something needs to reach its edge in a straight line, s: 1 km at 20 m/s is 50 s. */
+    /** The flight time to its edge in a straight line, s: 50 s for 1 km at 20 m/s. */
     public double timeLeft(Position position, double speed) {
         return distance(position) / speed;
     }

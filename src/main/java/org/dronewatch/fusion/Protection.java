@@ -8,13 +8,13 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.World;
 
 /**
- * All that is protected in a world: distances are those to the nearest zone, and the first that is entered counts.
+ * The protected zones of a world: distances are those to the nearest zone, and the first zone entered counts.
  *
  * @param zone the sphere, if there is one
- * @param areas on their ground, in the order of the scene
+ * @param areas the protected areas, placed on the ground, in the order of the scene
  */
 public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
-    /** The name of the sphere in results: it has none in the settings. */
+    /** The name of the sphere in results, since it has none in the settings. */
     public static final String ZONE = "protected";
 
     /** Copies the list: later changes by the caller have no effect. */
@@ -23,7 +23,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
     }
 
     /**
-     * What settings protect in a world.
+     * The protected zones of settings, in a world.
      *
      * @throws org.dronewatch.setting.InputException in one line when there is no ground below an area
      */
@@ -33,7 +33,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
         return new Protection(alert.protect(), areas);
     }
 
-    /** Whether there is nothing to protect. */
+    /** Whether there is no zone. */
     public boolean isEmpty() {
         return zone.isEmpty() && areas.isEmpty();
     }
@@ -60,7 +60,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
     }
 
     /**
-     * How far along a straight segment a zone is first reached.
+     * The position along a straight segment at which a zone is first reached.
      *
      * @return fraction of the segment, 0 when it begins inside one; empty when it stays outside all
      */

@@ -3,7 +3,7 @@ package org.dronewatch.fusion;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.tracking.ContactLook;
 
-/** What one sensor has observed of one contact so far. */
+/** The record of one sensor's looks at one contact so far. */
 public final class SensorTrack {
     private final String sensor;
     private final ConfirmedLooks looks;

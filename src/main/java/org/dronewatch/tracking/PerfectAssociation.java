@@ -37,14 +37,14 @@ public class PerfectAssociation {
     /**
      * An association.
      *
-     * @param patience after how many looks without a measurement a contact that is no drone ends, 1 or more
+     * @param patience number of looks without a measurement after which a false contact ends, 1 or more
      */
     public PerfectAssociation(int patience) {
         this.patience = patience;
     }
 
     /**
-     * Sorts what the sensors observed at one time, all of which observed something.
+     * Associates the observations of one time, at which every sensor that looked has an observation.
      *
      * @return each sensor's look at each contact, in the order of the observations
      */
@@ -56,12 +56,12 @@ public class PerfectAssociation {
     }
 
     /**
-     * Sorts what the sensors observed at one time.
+     * Associates the observations of one time.
      *
      * @param looked names of the sensors that looked, whether or not they observed anything
      * @param time of these looks, seconds since the start of the run
-     * @return each sensor's look at each contact, in the order of the observations; last those at contacts without a
-     *     measurement in this look that are no drones
+     * @return each sensor's look at each contact, in the order of the observations; then those at false contacts
+     *     without a measurement in this look
      */
     public List<ContactLook> associate(List<Observation> observations, Collection<String> looked, double time) {
         ended.clear();
@@ -114,23 +114,23 @@ public class PerfectAssociation {
         return new ContactLook(contact, first.sensor(), first.arrival(), probability, measurements);
     }
 
-    /** The contact that a drone is, for scoring; empty when no sensor has looked at it. */
+    /** The contact of a drone, for scoring; empty when no sensor has looked at it. */
     public OptionalInt contactOf(String drone) {
         Integer contact = contacts.get(drone);
         return contact == null ? OptionalInt.empty() : OptionalInt.of(contact);
     }
 
-    /** The drone that a contact is, for scoring; empty for a false measurement. */
+    /** The drone of a contact, for scoring; empty for a false one. */
     public Optional<String> droneOf(int contact) {
         return Optional.ofNullable(drones.get(contact));
     }
 
-    /** Whether it is known which looks of all sensors belong to a contact: those at a drone. */
+    /** Whether the looks of all sensors at a contact are associated, as those at a drone are. */
     public boolean isComplete(int contact) {
         return drones.containsKey(contact);
     }
 
-    /** The contacts of which there will be no more looks after those that were associated last. */
+    /** The contacts at which there will be no more looks after the last ones. */
     public List<Integer> ended() {
         return List.copyOf(ended);
     }

@@ -30,7 +30,7 @@ public final class FalseAlarmSource {
      */
     public static final String CELL = "cell";
 
-    /** The figure, 1, of a false alarm that began in an earlier look. */
+    /** The name of the figure, 1, of a false alarm that began in an earlier look. */
     public static final String CONTINUED = "continued";
 
     /** Larger means are drawn in parts, since {@code exp(-mean)} must not vanish. */
@@ -61,7 +61,7 @@ public final class FalseAlarmSource {
         return observation.isFalse() && !observation.figures().containsKey(CONTINUED);
     }
 
-    /** What the sensor reports in a look although there is no drone. */
+    /** The false alarms that the sensor reports in a look. */
     public List<Observation> observe(World world, Look look) {
         if (!begun) {
             begun = true;

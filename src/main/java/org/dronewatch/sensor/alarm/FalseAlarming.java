@@ -6,14 +6,13 @@ import org.dronewatch.sensor.Reading;
 import org.dronewatch.world.World;
 
 /**
- * Settings of a sensor that may take something else for a drone. A capability: {@link
- * org.dronewatch.sensor.SensorSettings#as}. In a run a sensor whose rate is known reports false alarms by that rate,
- * without any effect on its looks at drones. Where one lies in the field of view is given by numbers from 0 to 1, of
- * which each is uniformly distributed over all false alarms.
+ * Settings of a sensor that may raise false alarms. A capability: {@link org.dronewatch.sensor.SensorSettings#as}. In a
+ * run, a sensor whose rate is known reports false alarms at that rate, without any effect on its looks at drones. The
+ * position of one in the field of view is given by numbers that are uniformly distributed from 0 to 1.
  */
 public interface FalseAlarming {
 
-    /** How often it raises false alarms; empty when that is not known. */
+    /** The rate of its false alarms; empty when that is not known. */
     Optional<FalseAlarmRate> falseAlarmRate();
 
     /**
@@ -25,7 +24,7 @@ public interface FalseAlarming {
     }
 
     /**
-     * Where the source of a false alarm seems to be; empty for a sensor that reports no direction.
+     * The sighting of a false alarm; empty for a sensor that reports no direction.
      *
      * @param u first number, 0 to 1
      * @param v second number, 0 to 1
@@ -36,24 +35,24 @@ public interface FalseAlarming {
     }
 
     /**
-     * What a false alarm measures: a value that reaches the threshold.
+     * The reading of a false alarm: a value that reaches the threshold.
      *
      * @param world the site
-     * @param excess 0 or more, exponentially distributed with mean 1: by how much noise exceeds a threshold
+     * @param excess 0 or more, exponentially distributed with mean 1: the excess of noise over a threshold
      */
     Reading falseReading(World world, double excess);
 
     /**
-     * Where the bearings of false alarms lie; empty for a sensor that measures none, and for one whose bearings are not
-     * known beforehand, such as one on a positioner.
+     * The bearings of false alarms; empty for a sensor that measures none, and for one whose bearings are not known
+     * beforehand, such as one on a positioner.
      */
     default Optional<AzimuthSpan> falseBearings() {
         return Optional.empty();
     }
 
-    /** Settings that state a rate as such. */
+    /** Settings that state a rate directly. */
     interface Stated extends FalseAlarming {
-        /** How often it raises false alarms; empty when that is not known. */
+        /** The rate of its false alarms; empty when that is not known. */
         Optional<FalseAlarms> falseAlarms();
 
         /** Looks per second, Hz. */

@@ -49,7 +49,7 @@ public record FalseAlarms(
     }
 
     /**
-     * The same for a sensor's looks.
+     * The rate of these false alarms for a sensor's looks.
      *
      * @param lookRate looks per second, above 0, Hz
      * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} are expected in a look

@@ -27,9 +27,9 @@ import org.dronewatch.setting.SettingsForm;
  * bound if g is more than 1. Twice the frame rate causes twice as many false alarms, and so requires a higher
  * threshold.
  *
- * @param falseAlarmsPerHour false alarms by noise that are accepted, 1e-6 to 1e9 an hour, and which the camera raises
- *     in a run unless {@code falseAlarms} states those of all causes. A lower threshold than the one that causes the
- *     most of them is never used
+ * @param falseAlarmsPerHour accepted false alarms by noise per hour, 1e-6 to 1e9, which the camera also raises in a run
+ *     unless {@code falseAlarms} states those of all causes. The threshold is never below the one at which their number
+ *     is greatest
  * @param hits M, number of the last N frames that must mark a spot, 1 to 50
  * @param frames N, number of the last frames considered, from hits to 50
  * @param gate g, number of pixels in which the spot is searched for in the next frame, 1 to 10,000: 9 for a drone that

@@ -4,21 +4,21 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * One straight segment of a sound ray. It carries two quantities: a level, which is used for detection and copied to
- * every branch, and an energy, which is divided among branches. A mutable, reused object, for one thread.
+ * each outgoing ray, and an energy, which is divided among outgoing rays. A mutable, reused object, for one thread.
  */
 public final class AcousticRay {
-    /** The medium of rays in the open. */
+    /** The medium of rays in air. */
     public static final int AIR = -1;
 
     private static final double STAND_OFF = 1e-9;
 
-    /** Where it begins, m. */
+    /** Origin, m. */
     public double originX;
 
-    /** Where it begins, m. */
+    /** Origin, m. */
     public double originY;
 
-    /** Where it begins, m. */
+    /** Origin, m. */
     public double originZ;
 
     /** Unit direction. */
@@ -42,10 +42,10 @@ public final class AcousticRay {
     /** Number of surfaces that it has hit. */
     public int order;
 
-    /** Number of the material that it propagates in, or {@link #AIR}. */
+    /** Number of the material in which it propagates, or {@link #AIR}. */
     public int medium;
 
-    /** Whether it hits a surface; the tracer then states which, and how far away. */
+    /** Whether it hits a surface; the tracer then has the triangle and the distance. */
     public boolean meets(RayTracer tracer) {
         return tracer.closestHit(
                 originX, originY, originZ, directionX, directionY, directionZ, 0.0, Double.POSITIVE_INFINITY);
@@ -71,7 +71,7 @@ public final class AcousticRay {
         originZ += step * normal[2];
     }
 
-    /** Reflects it specularly; its origin stays. */
+    /** Reflects it specularly; its origin is unchanged. */
     public void reflect(double[] normal) {
         double twice = 2.0 * (directionX * normal[0] + directionY * normal[1] + directionZ * normal[2]);
         directionX -= twice * normal[0];

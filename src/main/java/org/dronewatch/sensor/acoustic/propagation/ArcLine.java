@@ -1,8 +1,9 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 /**
- * An arc of sound between two points as straight pieces, end to end. The ends of pieces lie at no simple fraction of
- * the arc, so that none lies in a wall, where the pieces on both sides would miss it. One per thread.
+ * An arc of sound between two points, approximated by straight pieces. The ends of the pieces are not at simple
+ * fractions of the arc, so that they are unlikely to lie in a wall, which the pieces on both sides would miss. One per
+ * thread.
  */
 public final class ArcLine {
     private static final double GOLDEN = 0.3819660112501051;
@@ -21,11 +22,11 @@ public final class ArcLine {
     private int corners;
 
     /**
-     * Lays the line from one point to another.
+     * Sets the arc from one point to another.
      *
-     * @param bending curvature of sound on it, either way: {@link PathCurvature#along}, 1/m
-     * @param isBelow whether the pieces of an arc that bends up run just below it: then a surface that the arc only
-     *     grazes is met
+     * @param bending curvature of sound along it, in either direction: {@link PathCurvature#along}, 1/m
+     * @param isBelow whether the pieces of an arc that bends up run just below it, so that they meet a surface that the
+     *     arc only grazes
      */
     public void lay(double x, double y, double z, double toX, double toY, double toZ, double bending, boolean isBelow) {
         fromX = x;
@@ -47,22 +48,22 @@ public final class ArcLine {
         return length;
     }
 
-    /** How many pieces it has; 1 where the arc is straight enough. */
+    /** The number of its pieces; 1 if the arc is straight enough. */
     public int pieces() {
         return corners + 1;
     }
 
-    /** Where a piece ends, m; the end of the piece before the first is the first point. */
+    /** The end of a piece, m; the end of piece -1 is the first point. */
     public double x(int piece) {
         return fromX + share(piece) * alongX;
     }
 
-    /** Where a piece ends, m. */
+    /** The end of a piece, m. */
     public double y(int piece) {
         return fromY + share(piece) * alongY;
     }
 
-    /** Where a piece ends, m. */
+    /** The end of a piece, m. */
     public double z(int piece) {
         double share = share(piece);
         double sag =

@@ -3,22 +3,22 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** Whether arcs of sound between two points meet something. One per thread. */
+/** Tests whether arcs of sound between two points are unobstructed. One per thread. */
 public final class ArcSight {
     private static final double OVERLAP = 4.0 * Visibility.MARGIN;
 
     private final Visibility visibility;
     private final ArcLine line = new ArcLine();
 
-    /** In a world, between points that may lie on surfaces. */
+    /** A test in a world, between points that may lie on surfaces. */
     public ArcSight(World world) {
         this.visibility = new Visibility(world);
     }
 
     /**
-     * Whether nothing stands in the arc from one point to another; a straight line is an arc, too.
+     * Whether the arc, or straight line, from one point to another is unobstructed.
      *
-     * @param curvature of sound on it, either way: {@link PathCurvature#along}, 1/m
+     * @param curvature of sound along it, in either direction: {@link PathCurvature#along}, 1/m
      */
     public boolean isFree(
             double fromX, double fromY, double fromZ, double toX, double toY, double toZ, double curvature) {

@@ -66,7 +66,7 @@ public final class BandSurfaces {
     }
 
     /**
-     * Deducts what a surface does not reflect.
+     * Multiplies energies by the fractions that a surface reflects.
      *
      * @param cosine of the angle between the sound and the normal, 0 to 1
      * @param energies in each band
@@ -105,7 +105,7 @@ public final class BandSurfaces {
         return mean > 0.0 ? reflected(material, band, cosine) / mean : 0.0;
     }
 
-    /** The fraction transmitted on entry; what is inside a solid leaves it without further loss. */
+    /** The fraction transmitted on entry; sound leaves a solid without further loss. */
     public double transmitted(int material, int band) {
         return transmitted[BANDS * material + band];
     }
@@ -139,7 +139,7 @@ public final class BandSurfaces {
         return evenlyScattering[material];
     }
 
-    /** The fraction of what is reflected that is scattered. */
+    /** The fraction of the reflected energy that is scattered. */
     public double scattered(int material, int band) {
         return scattered[BANDS * material + band];
     }
@@ -159,7 +159,7 @@ public final class BandSurfaces {
         return transmits[material];
     }
 
-    /** Whether there is any material that lets sound through. */
+    /** Whether any material transmits sound. */
     public boolean anyTransmits() {
         return anyTransmits;
     }

@@ -3,11 +3,12 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Barrier;
 
 /**
- * How sound bends round edges into a shadow. All are approximations; none has a step at the shadow boundary, where the
- * attenuation is 4.77 dB: it fades to zero where the source is visible above the edge, within {@link #reach}.
+ * A method for the diffraction of sound round edges into a shadow. All methods are approximations; none has a step at
+ * the shadow boundary, where the attenuation is 4.77 dB: it fades to zero where the source is visible above the edge,
+ * within {@link #reach}.
  */
 public enum Diffraction {
-    /** No diffraction: only transmission through walls reaches the shadow zone. */
+    /** No diffraction: sound reaches a shadow zone only by transmission through walls. */
     OFF {
         @Override
         public double attenuation(double pathDifference, double span, double wavelength) {
@@ -20,7 +21,7 @@ public enum Diffraction {
         }
     },
     /**
-     * The curve through Maekawa's measurements, over the whole detour where there are several edges:
+     * The curve through Maekawa's measurements, with the total path difference for several edges:
      * {@link Barrier#maekawa}.
      */
     MAEKAWA {
@@ -67,11 +68,11 @@ public enum Diffraction {
     };
 
     /**
-     * The attenuation by edges of the sound that would arrive without the obstacle.
+     * The attenuation by edges, relative to the sound without the obstacle.
      *
-     * @param pathDifference how much longer the path over the edges is than the straight one, m; negative where the
-     *     source is visible
-     * @param span how long that path is from the first edge to the last, m; 0 for one edge
+     * @param pathDifference length of the path over the edges minus that of the straight one, m; negative if the source
+     *     is visible
+     * @param span length of that path from the first edge to the last, m; 0 for one edge
      * @param wavelength above 0, m
      * @return 0 or more, dB
      */
@@ -79,17 +80,17 @@ public enum Diffraction {
 
     /**
      * Whether the path difference of sound that bends down is that of the arcs' lengths, as in CNOSSOS-EU's favourable
-     * conditions, rather than that of the times which sound takes.
+     * conditions, instead of that of the travel times.
      */
     public boolean measuresArcs() {
         return false;
     }
 
     /**
-     * How far above the edge a line of sight is free of it.
+     * The path difference up to which an edge attenuates sound although the source is visible.
      *
      * @param wavelength above 0, m
-     * @return how much longer the path that touches the edge then is than the line, m
+     * @return length of the path that touches the edge minus that of the line, m
      */
     public abstract double reach(double wavelength);
 }

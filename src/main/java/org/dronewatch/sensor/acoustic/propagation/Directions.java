@@ -8,7 +8,7 @@ public final class Directions {
 
     private Directions() {}
 
-    /** Gives a ray one of a number of directions that are spread evenly over the sphere (Fibonacci lattice). */
+    /** Sets a ray's direction to one of a number of directions spread evenly over the sphere (Fibonacci lattice). */
     public static void ofLattice(int number, int count, AcousticRay ray) {
         double z = 1.0 - (2.0 * number + 1.0) / count;
         double radius = Math.sqrt(Math.max(0.0, 1.0 - z * z));
@@ -17,7 +17,7 @@ public final class Directions {
         ray.directionZ = z;
     }
 
-    /** Gives a ray a direction drawn uniformly from the sphere (Archimedes: the height is uniform). */
+    /** Draws a ray's direction uniformly from the sphere (Archimedes: the height is uniform). */
     public static void draw(RandomGenerator random, AcousticRay ray) {
         double z = 2.0 * random.nextDouble() - 1.0;
         double angle = 2.0 * Math.PI * random.nextDouble();
@@ -28,7 +28,7 @@ public final class Directions {
     }
 
     /**
-     * Gives a ray a direction by Lambert's law about a unit normal: towards a uniformly distributed point of a unit
+     * Draws a ray's direction by Lambert's law about a unit normal: towards a uniformly distributed point of a unit
      * sphere that touches the surface.
      */
     public static void drawLambert(RandomGenerator random, double[] normal, AcousticRay ray) {

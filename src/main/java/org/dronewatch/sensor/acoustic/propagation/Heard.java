@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a microphone hears of a drone in one look.
+ * The sound of a drone at a microphone in one look.
  *
  * @param value that is compared with the threshold, dB
  * @param threshold that it must reach, dB
@@ -13,7 +13,7 @@ import java.util.Map;
  */
 public record Heard(double value, double threshold, Map<String, Double> figures, List<Double> ratios) {
 
-    /** What is heard by a model without bands. */
+    /** A result of a model without bands. */
     public Heard(double value, double threshold, Map<String, Double> figures) {
         this(value, threshold, figures, List.of());
     }

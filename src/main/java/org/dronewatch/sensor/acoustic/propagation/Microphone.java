@@ -3,11 +3,11 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.geometry.Position;
 
 /**
- * What a propagation model needs to know of a microphone.
+ * The properties of a microphone for propagation models.
  *
  * @param position its centre, m
- * @param radius rays that pass within this distance are heard, above 0, m
- * @param threshold how far above the background a sound must be, dB
+ * @param radius rays that pass within this distance are received, above 0, m
+ * @param threshold level above the background that a sound must reach, dB
  * @param arrayGain gain of an array over a single microphone, 0 or more, dB
  */
 public record Microphone(Position position, double radius, double threshold, double arrayGain) {

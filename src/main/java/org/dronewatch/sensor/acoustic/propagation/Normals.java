@@ -6,7 +6,7 @@ import org.dronewatch.geometry.TriangleMesh;
 public final class Normals {
     private Normals() {}
 
-    /** Writes the unit normal of a triangle on the side that a ray comes from. */
+    /** Writes the unit normal of a triangle on the side from which a ray arrives. */
     public static void facing(TriangleMesh mesh, int triangle, AcousticRay ray, double[] target) {
         mesh.normal(triangle, target);
         double nx = target[0];

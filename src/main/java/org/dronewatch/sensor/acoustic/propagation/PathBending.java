@@ -5,12 +5,12 @@ import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** How the air of a world bends the paths between a sensor and what it hears. One per thread. */
+/** The curvature of sound paths by the air of a world. One per thread. */
 public final class PathBending {
     private final Atmosphere air;
     private final Visibility visibility;
 
-    /** In a world. */
+    /** Curvatures in a world. */
     public PathBending(World world) {
         this.air = world.atmosphere();
         this.visibility = new Visibility(world);
@@ -21,7 +21,7 @@ public final class PathBending {
         return air.isUniform() ? PathCurvature.NONE : PathCurvature.of(air, height(source), height(sensor));
     }
 
-    /** The wind's speed at a place, m/s. */
+    /** The wind's speed at a position, m/s. */
     public double windAt(Position position) {
         return air.wind().speedAt(height(position));
     }

@@ -3,27 +3,27 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Atmosphere;
 
 /**
- * How wind and temperature bend the paths of sound: where the effective speed of sound, that of the air and of the wind
- * along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius
- * {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is taken as linear between the
+ * The curvature of sound paths by wind and temperature: if the effective speed of sound, that of the air plus that of
+ * the wind along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius
+ * {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is assumed linear between the
  * heights of source and microphone. Immutable.
  *
- * @param everywhere curvature by temperature, positive where it bends sound up, 1/m
+ * @param everywhere curvature by temperature, positive if it bends sound up, 1/m
  * @param eastward curvature by wind of sound that travels east, 1/m
  * @param northward of sound that travels north, 1/m
  */
 public record PathCurvature(double everywhere, double eastward, double northward) {
-    /** That of still air of uniform temperature: straight paths. */
+    /** The curvature in still air of uniform temperature: straight paths. */
     public static final PathCurvature NONE = new PathCurvature(0.0, 0.0, 0.0);
 
     /** Sharper arcs, in reciprocals of their length, are taken for this: the formulas hold for flat ones. */
     private static final double SHARPEST = 1.0;
 
-    /** How far the straight pieces of which an arc is made may lie off it, m. */
+    /** The maximum distance of an arc's straight pieces from the arc, m. */
     public static final double EXACT = 0.02;
 
     /**
-     * Between two heights.
+     * The curvature between two heights.
      *
      * @param sourceHeight of the source over the ground, m
      * @param sensorHeight of the sensor over the ground, m
@@ -46,8 +46,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * The curvature of sound that travels along a vector, 1/m: positive where it bends up, at most the reciprocal of
-     * the vector's length.
+     * The curvature of sound that travels along a vector, 1/m: positive if it bends up, at most the reciprocal of the
+     * vector's length.
      */
     public double along(double x, double y, double z) {
         double length = Math.sqrt(x * x + y * y + z * z);
@@ -59,13 +59,12 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * How much lower than the straight line an arc that bends up runs, or, the other way round, how much higher the
-     * ground is where arcs are drawn as straight lines, m: {@code k s (L - s) / 2}. That holds at any elevation, with
-     * lengths along the line.
+     * The height of the straight line above an arc that bends up, or, equivalently, the rise of the ground if arcs are
+     * drawn as straight lines, m: {@code k s (L - s) / 2}. It holds at any elevation, with lengths along the line.
      *
-     * @param curvature 1/m; negative where the arc bends down, and runs higher
+     * @param curvature 1/m; negative if the arc bends down, and runs above the line
      * @param length of the straight line, m
-     * @param at how far along it, m
+     * @param at distance along it, m
      */
     public static double sag(double curvature, double length, double at) {
         return at > 0.0 && at < length ? 0.5 * curvature * at * (length - at) : 0.0;
@@ -83,12 +82,12 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * The sum of distances from both ends within which the surfaces lie that are within another sum where arcs are
-     * drawn straight, m.
+     * An upper bound on the sum of distances from both ends, m, for points whose sum is within a limit if arcs are
+     * drawn straight.
      *
      * @param curvature 1/m
      * @param length of the straight line, m
-     * @param limit the other sum, at least that length, m
+     * @param limit of the sum with straight arcs, at least that length, m
      */
     public static double reach(double curvature, double length, double limit) {
         double sag = sag(Math.abs(curvature), length, 0.5 * length);
@@ -97,7 +96,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * Of how many straight pieces an arc is made.
+     * The number of straight pieces of an arc.
      *
      * @param curvature 1/m
      * @param length m

@@ -6,7 +6,7 @@ import org.dronewatch.sensor.Condition;
 import org.dronewatch.world.World;
 
 /**
- * How sound propagates from a drone to a microphone. Implementations are immutable records;
+ * A model of the propagation of sound from a drone to a microphone. Implementations are immutable records;
  * {@link org.dronewatch.setting.Kind} explains how scene files can choose a new one.
  */
 public interface Propagation {
@@ -14,22 +14,20 @@ public interface Propagation {
     /** A tracer of sound to a microphone in a world. */
     SoundTracer tracer(Microphone microphone, World world);
 
-    /** What is compared with the threshold, in words for a plot: {@code sound level}. */
+    /** The quantity that is compared with the threshold, as the label of an axis: {@code sound level}. */
     String measures();
 
-    /** The speed at which sound travels to the microphone, m/s; infinity where it is heard at once. */
+    /** The speed at which sound travels to the microphone, m/s; infinity if it arrives at once. */
     default double signalSpeed(World world) {
         return Double.POSITIVE_INFINITY;
     }
 
-    /**
-     * Whether what a microphone hears comes with the signal-to-noise ratio in each octave band, which directions need.
-     */
+    /** Whether the result includes the signal-to-noise ratio in each octave band, from which arrays find directions. */
     default boolean hasBands() {
         return false;
     }
 
-    /** What this model leaves out of the propagation of real sound, in a sentence for a report. */
+    /** The effects in the propagation of real sound that this model leaves out, in a sentence for a report. */
     default String leavesOut() {
         return "Interference of sound is left out.";
     }
@@ -37,13 +35,13 @@ public interface Propagation {
     /**
      * Conditions of the site that would matter to real sound but not to this model; none by default.
      *
-     * @return by condition what to do instead, in words
+     * @return by condition the advice for the user
      */
     default Map<Condition, String> ignoredConditions() {
         return Map.of();
     }
 
-    /** What looks odd about its settings, although it is allowed: one sentence for each oddity, without a full stop. */
+    /** Warnings about settings that are valid, but implausible: one sentence each, without a full stop. */
     default List<String> advice() {
         return List.of();
     }

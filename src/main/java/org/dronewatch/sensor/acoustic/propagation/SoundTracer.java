@@ -11,7 +11,7 @@ import org.dronewatch.sensor.Signal;
 public interface SoundTracer {
 
     /**
-     * One look.
+     * Takes one look.
      *
      * @param drone as it was when the sound left it
      * @param random the random numbers of the look's rays
@@ -25,8 +25,8 @@ public interface SoundTracer {
     boolean isHeardInTheOpen(Drone drone);
 
     /**
-     * Traces the rays of one look to their ends and reports every segment to the recorder; does nothing where there are
-     * no rays.
+     * Traces the rays of one look to their ends and reports every segment to the recorder; does nothing if there are no
+     * rays.
      */
     default void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {}
 

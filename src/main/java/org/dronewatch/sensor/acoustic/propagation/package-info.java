@@ -1,2 +1,2 @@
-/** Propagation of sound: settings of the two models, and the ray types that both use. */
+/** Propagation of sound: the interface of propagation models, and their common parts. */
 package org.dronewatch.sensor.acoustic.propagation;

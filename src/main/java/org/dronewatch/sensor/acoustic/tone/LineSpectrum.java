@@ -14,12 +14,11 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.Tone;
 
 /**
- * The lines in a drone's sound at the frequencies at which they are heard. A line is attenuated on its way as its
- * octave band is on average; the spectra of noise, and of what is not in lines, are flat within each octave band.
- * Immutable.
+ * The tones in a drone's sound, at their frequencies at the microphone. A tone is attenuated like its octave band on
+ * average; the spectra of noise and of broadband sound are flat within each octave band. Immutable.
  */
 public final class LineSpectrum {
-    /** The spectrum of a drone without lines. */
+    /** The spectrum of a drone without tones. */
     public static final LineSpectrum NONE =
             new LineSpectrum(List.of(), Collections.nCopies(OctaveBands.COUNT, 0.0), 0.0, 1.0, 0.0);
 
@@ -32,13 +31,13 @@ public final class LineSpectrum {
     private record Line(int harmonic, NarrowBand band, int travelling, double ratio) {}
 
     /**
-     * The lines of a drone in flight. Those that are heard outside the octave bands are left out.
+     * The tones of a drone in flight. Those outside the octave bands at the microphone are left out.
      *
-     * @param tones as they are emitted
-     * @param powerLevels sound power levels of the octave bands, lines included, dB
+     * @param tones with their emitted frequencies
+     * @param powerLevels sound power levels of the octave bands, tones included, dB
      * @param approach speed of the drone towards the microphone, m/s; negative when it flies away
      * @param soundSpeed in the air, m/s
-     * @param wind speed, which widens the lines, m/s, 0 or more
+     * @param wind speed, which widens the tones, m/s, 0 or more
      */
     public LineSpectrum(List<Tone> tones, List<Double> powerLevels, double approach, double soundSpeed, double wind) {
         Arrays.fill(broadband, 1.0);
@@ -61,9 +60,9 @@ public final class LineSpectrum {
     }
 
     /**
-     * The lines that are heard, from the lowest harmonic on.
+     * The tones at the microphone, from the lowest harmonic on.
      *
-     * @param energies what arrives in each octave band, relative to 20 uPa squared
+     * @param energies received in each octave band, relative to 20 uPa squared
      * @param noise sound pressure levels in the octave bands, dB
      */
     public List<HeardTone> heard(IntToDoubleFunction energies, BandLevels noise) {
@@ -79,9 +78,9 @@ public final class LineSpectrum {
     }
 
     /**
-     * The line that is highest above the noise; the lowest of several that are equal.
+     * The tone that is highest above the noise; the lowest of several that are equal.
      *
-     * @param energies what arrives in each octave band, relative to 20 uPa squared
+     * @param energies received in each octave band, relative to 20 uPa squared
      * @param noise sound pressure levels in the octave bands, dB
      * @return empty when there is none
      */

@@ -1,2 +1,2 @@
-/** The spectral lines of a drone at the microphone, and the signal-to-noise ratio of each within its line width. */
+/** The tones of a drone at the microphone, and the signal-to-noise ratio of each within its width. */
 package org.dronewatch.sensor.acoustic.tone;
