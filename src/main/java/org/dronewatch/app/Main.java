@@ -95,8 +95,8 @@ public final class Main implements Runnable {
     /**
      * Runs a command. Java errors, such as lack of memory, also become a line and an exit code.
      *
-     * @param out where results go
-     * @param err where messages go
+     * @param out destination of results
+     * @param err destination of messages
      * @return 0 done, 2 wrong usage or bad input, 3 no display, 1 anything else
      */
     public static int execute(PrintWriter out, PrintWriter err, String... arguments) {
@@ -161,7 +161,7 @@ public final class Main implements Runnable {
         return problem instanceof InputException ? BAD_INPUT : FAILED;
     }
 
-    /** Without a subcommand: fails, and lists the commands. */
+    /** Fails, and lists the commands: there is no subcommand. */
     @Override
     public void run() {
         throw new ParameterException(

@@ -1,2 +1,2 @@
-/** The command line: reads the command, runs it, reports. It has no logic. */
+/** The command line: a class for each command, without other logic. */
 package org.dronewatch.app;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How a cost grows: curves versus one quantity.
+ * Curves of a cost as a function of one quantity.
  *
  * @param name short, for the names of files
  * @param title what is shown
@@ -21,7 +21,7 @@ public record CostCurves(String name, String title, String xLabel, String yLabel
     /**
      * One line.
      *
-     * @param name what it is the cost of
+     * @param name name of the line
      * @param x the quantity
      * @param y the cost
      */

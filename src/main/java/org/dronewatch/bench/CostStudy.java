@@ -24,9 +24,7 @@ import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.world.World;
 
-/**
- * Measures how costs grow with triangles, rays, sensors, drones and threads, on ground that it makes itself.
- */
+/** Measures costs as functions of the number of triangles, rays, sensors, drones and threads, on generated ground. */
 public final class CostStudy {
     private static final int SITE_TRIANGLES = 65_000;
     private static final int MOST = 64;
@@ -44,7 +42,7 @@ public final class CostStudy {
      *
      * @param droneMesh the drone's model in its own frame
      * @param largest triangles of the largest terrain
-     * @param progress receives what is measured next
+     * @param progress receives the name of the next measurement
      */
     public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {
         this(droneMesh, largest, new Stopwatch(), progress);
@@ -57,7 +55,7 @@ public final class CostStudy {
         this.progress = progress;
     }
 
-    /** Runs all of it. */
+    /** Runs the study. */
     public List<CostCurves> run() {
         List<CostCurves> all = new ArrayList<>(new TracingStudy(largest, watch, progress).run());
         World site = World.of(RollingTerrain.of(SITE_TRIANGLES));

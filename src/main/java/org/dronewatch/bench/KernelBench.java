@@ -32,7 +32,7 @@ public final class KernelBench {
     /**
      * Builds the tree of a mesh three times and keeps the median time.
      *
-     * @param threads how many threads trace
+     * @param threads number of threads that trace
      */
     public KernelBench(TriangleMesh mesh, TraversalKind kind, int threads) {
         double[] seconds = new double[BUILDS];
@@ -52,8 +52,8 @@ public final class KernelBench {
     /**
      * Measures one set of rays, after warm-up passes for a second, at least one.
      *
-     * @param passes how many passes count, 1 or more
-     * @param progress is called when the warm-up is over, and after each pass that counts
+     * @param passes number of measured passes, 1 or more
+     * @param progress is called after the warm-up, and after each measured pass
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public TracingSpeed measure(RaySet set, int passes, Consumer<String> progress) {

@@ -5,7 +5,7 @@ import org.jogamp.vecmath.SingularMatrixException;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * The pinhole picture that a set of rays is said to be: found from the rays of its four corners, held against every
+ * The pinhole picture that a set of rays is said to be: found from the rays of its four corners, checked against every
  * ray. Tiles whose rays are not those of the picture are known as such.
  */
 final class Picture {

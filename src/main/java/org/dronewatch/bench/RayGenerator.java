@@ -11,8 +11,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Makes rays for a model without a ray file: those of a camera inside the model's box that looks at its middle, and
- * those that diffuse walls reflect from what the camera sees.
+ * Generates rays for a model without a ray file: those of a camera inside the model's box that looks at its middle, and
+ * diffuse reflections of these.
  */
 public final class RayGenerator {
     private static final int WIDTH = 1024;
@@ -30,7 +30,9 @@ public final class RayGenerator {
     private final long seed;
     private final Vector3d up;
 
-    /** A generator of rays for the tree of a model as it is written, y up; the same seed gives the same rays. */
+    /**
+     * A generator of rays for the tree of a model in its file's coordinates, y up; the same seed gives the same rays.
+     */
     public RayGenerator(KDTree tree, long seed) {
         this(tree, seed, new Vector3d(0, 1, 0));
     }

@@ -1,12 +1,12 @@
 package org.dronewatch.bench;
 
 /**
- * How fast a set of rays was traced.
+ * The speed at which a set of rays was traced.
  *
  * @param set name of the ray set
- * @param traversal how they were traced
- * @param rays how many rays
- * @param hits how many of them hit
+ * @param traversal method by which they were traced
+ * @param rays number of rays
+ * @param hits number of rays that hit
  * @param median millions of rays per second, median of the passes
  * @param slowest the slowest pass
  * @param fastest the fastest pass

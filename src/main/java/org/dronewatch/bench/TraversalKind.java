@@ -7,18 +7,18 @@ import org.dronewatch.kdtree.SequentialTraversal;
 
 /** The traversals of a tree that can be measured. */
 public enum TraversalKind {
-    /** The fastest for the set: tiles for a picture, vectors for others where there are any. */
+    /** The fastest for the set: tiles for a picture, vectors for other sets if they can be used. */
     FASTEST,
-    /** Tiles of a picture; rays that are none one by one. */
+    /** Tiles of a picture; one ray at a time for other sets. */
     TILES,
     /** One ray at a time, ordered, with a stack. */
     STACK,
-    /** One ray at a time, eight boxes a step by vector instructions; where there are none, as STACK. */
+    /** One ray at a time, eight boxes per step by vector instructions; if these cannot be used, as STACK. */
     BVH,
     /** One ray at a time, stackless, leaf by leaf from the root. */
     SEQUENTIAL;
 
-    /** This kind, or what it means for a set of rays. */
+    /** This kind, or the one that it stands for with a set of rays. */
     TraversalKind of(RaySet set) {
         return switch (this) {
             case FASTEST -> set.width() > 0 ? TILES : BVH;
@@ -27,7 +27,7 @@ public enum TraversalKind {
         };
     }
 
-    /** What makes a tracer of this kind for each thread. */
+    /** Creates a tracer of this kind for each thread. */
     Supplier<Tracer> tracers(TracingIndex index, RaySet set) {
         return switch (of(set)) {
             case SEQUENTIAL -> () -> new RaySetTracer(new SequentialTraversal(index.tree()), set);
@@ -41,7 +41,7 @@ public enum TraversalKind {
         };
     }
 
-    /** As it is written on the command line. */
+    /** Its name on the command line. */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);

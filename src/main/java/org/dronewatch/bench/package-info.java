@@ -1,2 +1,2 @@
-/** Measures how fast the kernel traces rays through a model, on rays that other tracers can trace too. */
+/** Benchmarks of the kernel's ray tracing in a model, with rays that other tracers can trace, too. */
 package org.dronewatch.bench;

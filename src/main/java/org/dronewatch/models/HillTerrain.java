@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The ground of the example site: a hill with a level top at the plan origin, spurs, ravines and a river valley. Plan
+ * The ground of the example site: a hill with a flat top at the plan origin, spurs, ravines and a river valley. Plan
  * coordinates are metres east and north of the origin, heights are metres; the model file has east as x, height as y
  * and south as z.
  */
@@ -16,7 +16,7 @@ public final class HillTerrain {
     /** Number of grid cells along each edge; every cell is two triangles. */
     public static final int CELLS = 180;
 
-    /** Height of the level top at the plan origin, metres. */
+    /** Height of the flat top at the plan origin, metres. */
     public static final double TOP_METRES = 132;
 
     /** Decimals of the model file; the heights are rounded to them. */

@@ -18,7 +18,7 @@ public record Material(String name, double red, double green, double blue) {
     /** Lenses of cameras. */
     static final Material LENS = new Material("lens", 0.05, 0.06, 0.10);
 
-    /** Refuses names an OBJ file cannot carry. */
+    /** Rejects names that an OBJ file cannot contain. */
     public Material {
         if (!name.matches("[A-Za-z0-9_]+")) {
             throw new IllegalArgumentException("material name must be letters, digits and '_': " + name);

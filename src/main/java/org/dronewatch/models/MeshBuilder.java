@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Collects parts into a {@link Mesh}. Coordinates are rounded to the decimals of the file, and corners of one part
- * that round to the same position become one vertex, so a solid that was closed on paper is closed in the file.
+ * Collects parts into a {@link Mesh}. Coordinates are rounded to the decimals of the file, and corners of one part that
+ * round to the same position become one vertex, so that a closed solid is also closed in the file.
  */
 public final class MeshBuilder {
 

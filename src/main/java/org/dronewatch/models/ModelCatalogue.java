@@ -40,7 +40,7 @@ public enum ModelCatalogue {
         return files;
     }
 
-    /** All models in the order in which to show them. */
+    /** All models, in the order in which they are listed. */
     public static List<ModelCatalogue> all() {
         return List.of(values());
     }

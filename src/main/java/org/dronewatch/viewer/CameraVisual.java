@@ -24,10 +24,10 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
- * The view of one camera: distances in blues, darker where nearer, the sky pale, the drone's pixels in orange, its
- * significant pixels framed, and the number of its pixels beside the number required. The frame of a distant drone is
- * drawn larger than it is; a large view magnifies it in a corner. For your own window, and for Swing's event thread as
- * any of its components:
+ * The view of one camera: distances in shades of blue, darker for shorter ones, a pale sky, the drone's pixels in
+ * orange, its significant pixels framed, and the number of its pixels beside the number required. The frame of a
+ * distant drone is enlarged; a large view magnifies it in a corner. For use in your own window, on Swing's event thread
+ * like all its components:
  *
  * <pre>{@code
  * CameraVisual visual = CameraVisual.of("gate", cameraSettings, stage);
@@ -65,7 +65,7 @@ public final class CameraVisual extends JPanel {
     /**
      * The view through a fixed camera, or a thermal one; empty until {@link #showTime}.
      *
-     * @param id name that it shows
+     * @param id name to be shown
      * @param sensor settings of the camera
      * @param stage world and drones
      * @throws IllegalArgumentException when the sensor takes no images
@@ -78,7 +78,7 @@ public final class CameraVisual extends JPanel {
     }
 
     /**
-     * Shows what the camera sees in its last frame up to a time.
+     * Shows the camera's last frame up to a time.
      *
      * @param time seconds since the start of the run, 0 or more
      */

@@ -15,8 +15,8 @@ import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.world.World;
 
 /**
- * A window with what a camera of your own program sees: distances in blues, darker where nearer, drones orange. It
- * needs no scene. Closing it ends nothing else.
+ * A window with the image of a camera in your own program: distances in shades of blue, darker for shorter ones, drones
+ * in orange. It needs no scene. Closing it does not end the program.
  *
  * <pre>{@code
  * DepthImageFrame frame = new DepthImageFrame("gate");
@@ -46,8 +46,8 @@ public final class DepthImageFrame extends JFrame {
     }
 
     /**
-     * Looks through a camera and shows what it sees; the first image makes the window visible. For the thread that uses
-     * the camera.
+     * Takes an image with a camera and shows it; the first image makes the window visible. For the thread that uses the
+     * camera.
      *
      * @param camera one thread at a time may use it
      */

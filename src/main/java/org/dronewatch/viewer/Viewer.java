@@ -15,8 +15,8 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
 /**
- * A window that shows a scene while it runs and afterwards. It listens to a run as a report does and changes nothing in
- * it: results are the same with it and without.
+ * A window that shows a scene during a run and afterwards. It listens to a run, like a report, and does not affect the
+ * results.
  *
  * <pre>{@code
  * SceneRunner runner = new SceneRunner(scene);
@@ -48,7 +48,7 @@ public final class Viewer implements AutoCloseable {
      *
      * @param scene the scene
      * @param runner the runner that will run it; it also provides the settings and the stage of the view
-     * @param file the file that describes it, which a window then offers again; empty when there is none
+     * @param file the file that describes it, which is added to the list of recent scenes; empty when there is none
      */
     public record Subject(Scene scene, SceneRunner runner, Optional<Path> file) {}
 
@@ -56,7 +56,7 @@ public final class Viewer implements AutoCloseable {
         this.threads = threads;
     }
 
-    /** Why no window can be opened here; empty when one can. */
+    /** The reason why no window can be opened; empty if one can. */
     public static Optional<String> obstacle() {
         if (GraphicsEnvironment.isHeadless()) {
             return Optional.of("there is no display");
@@ -71,8 +71,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Opens the window, as the user last left it. The calling thread is expected to run the scene: if the window is
-     * closed while that thread is still reading models, it is interrupted.
+     * Opens the window, with the layout in which the user last closed it. The calling thread is expected to run the
+     * scene: if the window is closed while that thread is still reading models, it is interrupted.
      *
      * @param runner the runner that will run the scene; it also provides the settings and the stage of the view
      * @param threads number of threads that render
@@ -86,7 +86,7 @@ public final class Viewer implements AutoCloseable {
      * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The
      * calling thread is expected to run them one after the other: {@link #awaitNext} returns the next.
      *
-     * @param reader reads and checks a scene file; it throws InputException where there are mistakes
+     * @param reader reads and checks a scene file; it throws InputException for mistakes
      * @throws IllegalStateException when there is no display
      */
     public static Viewer open(Subject subject, int threads, Function<Path, Subject> reader) {
@@ -156,7 +156,7 @@ public final class Viewer implements AutoCloseable {
 
     /**
      * Waits until the user opens another scene or closes the window. Another scene then replaces the previous one,
-     * whose threads have ended; the caller is to run it.
+     * whose threads have ended; the caller must run it.
      *
      * @return the other scene; empty when the window is closed
      */
@@ -217,7 +217,7 @@ public final class Viewer implements AutoCloseable {
         }
     }
 
-    /** The listener through which the window receives the run. */
+    /** The listener by which the window receives the run. */
     public SceneListener listener() {
         return recording;
     }
@@ -228,7 +228,7 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Records that nothing more will come.
+     * Records that the runs have ended.
      *
      * @param complete whether all of the scene has been simulated
      */

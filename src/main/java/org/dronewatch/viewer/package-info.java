@@ -1,5 +1,6 @@
 /**
- * The window: a run is recorded while it is simulated, and the display shows one time of the recording. The simulation
- * knows nothing of it. Swing's event thread only paints and reacts; images are rendered on separate threads.
+ * The viewer window: a run is recorded while it is simulated, and the display shows one time of the recording. The
+ * simulation does not depend on it. Swing's event thread only paints and handles events; images are rendered on
+ * separate threads.
  */
 package org.dronewatch.viewer;

@@ -13,14 +13,14 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How accurately a radar measures a drone's position: standard deviations of normally distributed errors, independent
- * from scan to scan.
+ * The accuracy with which a radar measures a drone's position: standard deviations of normally distributed errors,
+ * independent between scans.
  *
  * @param range standard deviation of the range, 0 to 1000 m
  * @param azimuth standard deviation of the bearing, 0 to pi/6, rad
  * @param elevation standard deviation of the elevation, 0 to pi/6, rad
- * @param measuresElevation whether it measures elevations at all; a radar whose beam is a fan does not, and takes a
- *     drone to be at the elevation of its aim
+ * @param measuresElevation whether it measures elevations at all; a radar with a fan beam does not, and assumes the
+ *     elevation of its aim
  */
 public record Accuracy(
         @In(value = Quantity.LENGTH, from = 0, to = 1000) double range,

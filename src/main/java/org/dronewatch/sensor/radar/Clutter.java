@@ -9,14 +9,14 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The echoes of the ground and of rain that compete with that of a drone: those of its resolution cell, as wide as the
- * beam and as deep as the range resolution {@code c / (2 B)}. What the radar's filters leave of them adds to the noise.
+ * Clutter, the echoes of ground and rain in the resolution cell of a drone, which is as wide as the beam and as deep as
+ * the range resolution {@code c / (2 B)}. The residual clutter after the radar's filters is added to the noise.
  *
- * @param ground how strongly the surface of the site scatters back
- * @param improvement improvement factor of the radar against the ground, 0 to 150 dB: by how much its filters raise the
- *     ratio of signal to clutter, for a drone at a speed that they pass
- * @param rainImprovement the same against rain, which moves, 0 to 150 dB
- * @param bandwidth bandwidth B of the transmitted signal, 1 to 1e12 Hz; omit it where the budget states it as
+ * @param ground backscatter of the site's surface
+ * @param improvement improvement factor of the radar against ground clutter, 0 to 150 dB: increase of the
+ *     signal-to-clutter ratio by its filters, for a drone at a speed that they pass
+ * @param rainImprovement improvement factor against rain, which moves, 0 to 150 dB
+ * @param bandwidth bandwidth B of the transmitted signal, 1 to 1e12 Hz; omit it if the budget states it as
  *     sweepBandwidth
  */
 public record Clutter(
@@ -36,7 +36,7 @@ public record Clutter(
         Limits.check(Clutter.class, ground, improvement, rainImprovement, bandwidth);
     }
 
-    /** With an improvement of 20 dB against rain, which is assumed, and the bandwidth of the budget. */
+    /** Clutter with an improvement factor of 20 dB against rain, which is assumed, and the bandwidth of the budget. */
     @Defaults({"ground", "improvement"})
     public static Clutter of(SurfaceReflectivity ground, double improvement) {
         return new Clutter(ground, improvement, 20.0, Optional.empty());
@@ -52,7 +52,7 @@ public record Clutter(
         return SettingsForm.with(this, "rainImprovement", decibels);
     }
 
-    /** This clutter in range cells by a bandwidth, Hz. */
+    /** This clutter with another bandwidth, which determines the size of range cells, Hz. */
     public Clutter withBandwidth(double hertz) {
         return SettingsForm.with(this, BANDWIDTH, Optional.of(hertz));
     }

@@ -11,7 +11,7 @@ final class ClutterEcho {
     /** Number of bearings, evenly spaced over the beamwidth, at which the ground is sampled. */
     private static final int BEARINGS = 5;
 
-    /** What a two-way Gaussian beam fills of the box of its widths: pi / (8 ln 2) (Probert-Jones). */
+    /** Fraction of the box of its beamwidths that a two-way Gaussian beam fills: pi / (8 ln 2) (Probert-Jones). */
     private static final double FILLED = Math.PI / (8.0 * Math.log(2.0));
 
     private final SurfaceReflectivity surface;

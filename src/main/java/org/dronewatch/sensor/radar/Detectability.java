@@ -5,9 +5,9 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How reliably an echo is distinguished from noise by a square-law detector: exact, for steady targets and Swerling's
- * four cases and any number of non-coherently integrated pulses. Signal-to-noise ratios are those of a single pulse,
- * averaged over the fluctuation.
+ * The probability of detection by a square-law detector: exact, for steady targets and Swerling's four cases, with any
+ * number of non-coherently integrated pulses. Signal-to-noise ratios are those of a single pulse, averaged over the
+ * fluctuation.
  */
 public final class Detectability {
     private Detectability() {}
@@ -16,7 +16,7 @@ public final class Detectability {
      * Probability that one look of a single pulse detects a target.
      *
      * @param signalToNoise dB
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation of the target
      */
     public static double probability(double signalToNoise, double falseAlarm, Fluctuation fluctuation) {
@@ -27,20 +27,20 @@ public final class Detectability {
      * Probability that one look detects a target.
      *
      * @param signalToNoise of each pulse, dB
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation of the target
-     * @param pulses how many are added up, 1 to 1000
+     * @param pulses number of pulses integrated, 1 to 1000
      */
     public static double probability(double signalToNoise, double falseAlarm, Fluctuation fluctuation, int pulses) {
         return detector(falseAlarm, pulses).probability(signalToNoise, fluctuation);
     }
 
     /**
-     * Signal-to-noise ratio that one look of a single pulse needs, dB; minus infinity for a probability that noise
+     * Signal-to-noise ratio required in one look of a single pulse, dB; minus infinity for a probability that noise
      * alone reaches.
      *
      * @param probability of detection, above 0 and below 1
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation of the target
      */
     public static double required(double probability, double falseAlarm, Fluctuation fluctuation) {
@@ -48,13 +48,13 @@ public final class Detectability {
     }
 
     /**
-     * Signal-to-noise ratio that each of several pulses needs, dB; minus infinity for a probability that noise alone
+     * Signal-to-noise ratio required of each of several pulses, dB; minus infinity for a probability that noise alone
      * reaches.
      *
      * @param probability of detection, above 0 and below 1
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation of the target
-     * @param pulses how many are added up, 1 to 1000
+     * @param pulses number of pulses integrated, 1 to 1000
      */
     public static double required(double probability, double falseAlarm, Fluctuation fluctuation, int pulses) {
         return detector(falseAlarm, pulses).required(probability, fluctuation);

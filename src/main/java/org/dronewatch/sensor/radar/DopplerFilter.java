@@ -8,8 +8,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A filter that rejects the echoes of what stands still, and with them those of slow and of crossing drones: its
- * response over radial speed, relative to the speeds that it passes best.
+ * A Doppler filter that rejects stationary echoes, and with them those of slow and of crossing drones: its response
+ * over radial speed, relative to that at the speeds that it passes best.
  */
 public sealed interface DopplerFilter {
     /**
@@ -20,21 +20,21 @@ public sealed interface DopplerFilter {
     double response(double radialSpeed);
 
     /**
-     * Why a drone is lost whose echo would be strong enough if it passed.
+     * The reason why a drone is missed whose echo would be strong enough if it passed.
      *
      * @param radialSpeed its radial speed, m/s
-     * @param needed the response that it needs, above 0 and at most 1
+     * @param needed the response that it requires, above 0 and at most 1
      */
     Explanation miss(double radialSpeed, double needed);
 
     /**
-     * A high-pass filter with the Butterworth response {@code 1 / (1 + (w / v)^(2 n))} (A. V. Oppenheim, R. W. Schafer,
-     * Discrete-Time Signal Processing, appendix B), as for a radar whose dwell is so long or whose pulse repetition
-     * frequency so varied that it has no blind speeds.
+     * A high-pass filter with the Butterworth response {@code 1 / (1 + (w / v)^(2 n))}, for a radar with so long a
+     * dwell, or so varied a pulse repetition frequency, that it has no blind speeds. Source: A. V. Oppenheim, R. W.
+     * Schafer, Discrete-Time Signal Processing, appendix B.
      *
      * @param halfPowerSpeed the radial speed w at which half of the power passes, above 0 and at most 1000 m/s
-     * @param order the order n: far below that speed the response falls by 6 n dB each time that the speed is halved, 1
-     *     to 20
+     * @param order the order n: far below that speed, the response falls by 6 n dB each time the speed is halved, 1 to
+     *     20
      */
     record HighPass(
             @In(value = Quantity.SPEED, above = 0, to = 1000) double halfPowerSpeed,
@@ -69,8 +69,9 @@ public sealed interface DopplerFilter {
     }
 
     /**
-     * A canceller of N pulses with binomial weights: {@code |sin(pi v / b)|^(2 (N - 1))} (M. A. Richards, Fundamentals
-     * of Radar Signal Processing, section 5.2). It is blind at every multiple of the speed b, too.
+     * A canceller of N pulses with binomial weights and the response {@code |sin(pi v / b)|^(2 (N - 1))}, which is also
+     * blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing, section
+     * 5.2.
      *
      * @param pulses the number of pulses N, 2 to 10
      * @param blindSpeed the first blind speed b, half the wavelength times the pulse repetition frequency, above 0 and

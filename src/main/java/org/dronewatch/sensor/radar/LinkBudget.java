@@ -12,8 +12,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How strong an echo is relative to the noise: from the parameters of the radar's hardware, or from its manufacturer's
- * data sheet.
+ * The link budget of a radar, which gives the signal-to-noise ratio of an echo: from the parameters of its hardware, or
+ * from its manufacturer's data sheet.
  */
 public sealed interface LinkBudget {
     /** Speed of light, m/s. */
@@ -35,7 +35,7 @@ public sealed interface LinkBudget {
      * of radar cross-section, m2, and range, m, above 0.
      *
      * @param frequency carrier, Hz
-     * @param pulses how many pulses of a look are integrated non-coherently, 1 to 1000
+     * @param pulses number of pulses of a look that are integrated non-coherently, 1 to 1000
      */
     DoubleBinaryOperator echo(double frequency, int pulses);
 
@@ -95,7 +95,7 @@ public sealed interface LinkBudget {
             return new Hardware(power, gain, integrationTime, 10e6, 5.0, 6.0);
         }
 
-        /** The ratio of one pulse, however many there are. */
+        /** {@inheritDoc} It does not depend on the number of pulses. */
         @Override
         public DoubleBinaryOperator echo(double frequency, int pulses) {
             return (crossSection, range) -> ofPulse(frequency, crossSection, range);
@@ -124,14 +124,14 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * What a data sheet states: at what range which target is detected, and with what probability. It determines the
-     * overall gain, including that from integrating pulses; the echo then falls with the fourth power of the range.
+     * A link budget from a data sheet: the range at which a target is detected with a stated probability. It determines
+     * the overall gain, including that from integrating pulses; the echo then falls with the fourth power of the range.
      *
      * @param range range at which the target is detected, 0.1 m to 1000 km, m
      * @param crossSection radar cross-section of that target, 1e-9 to 1e6 m2
      * @param probability probability of detection, 0.1 to 0.99
-     * @param falseAlarm probability that noise is taken for a target, 1e-12 to 0.01
-     * @param fluctuation how that target fluctuates
+     * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
+     * @param fluctuation fluctuation of that target
      */
     record DataSheet(
             @In(value = Quantity.LENGTH, from = 0.1, to = 1e6) double range,
@@ -145,15 +145,18 @@ public sealed interface LinkBudget {
             Limits.check(DataSheet.class, range, crossSection, probability, falseAlarm, fluctuation);
         }
 
-        /** A stated probability of 90 % for a steady target, with one false alarm in a million. */
+        /**
+         * A data sheet with a probability of 90 % for a steady target, and a probability of false alarm of one in a
+         * million.
+         */
         @Defaults({"range", "crossSection"})
         public static DataSheet of(double range, double crossSection) {
             return new DataSheet(range, crossSection, 0.9, 1e-6, Fluctuation.STEADY);
         }
 
         /**
-         * What the data sheet promises includes all processing: its target at its range has as much in each pulse as
-         * the pulses together need.
+         * {@inheritDoc} The range in the data sheet includes all processing: its target at its range has the ratio in
+         * each pulse that is required of so many pulses.
          */
         @Override
         public DoubleBinaryOperator echo(double frequency, int pulses) {

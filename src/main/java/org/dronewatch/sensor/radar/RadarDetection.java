@@ -9,47 +9,47 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** Decides from the signal-to-noise ratio whether an echo is detected. */
+/** A detection function of a radar: decides from the signal-to-noise ratio whether an echo is detected. */
 public sealed interface RadarDetection {
     /** The unit of ratios. */
     String DECIBELS = "dB";
 
     /**
-     * How echoes of targets with a fluctuation are decided on.
+     * The decision on echoes of targets with a fluctuation.
      *
      * @param fluctuation of the target
      */
     Decision on(Fluctuation fluctuation);
 
     /**
-     * How echoes of targets are decided on whose cross-section is log-normally distributed from look to look.
+     * The decision on echoes of targets with a log-normally distributed cross-section from look to look.
      *
      * @param spread standard deviation of the cross-section in decibels, above 0 and at most 20 dB
      */
     Decision on(double spread);
 
-    /** How echoes of targets with a signature are decided on. */
+    /** The decision on echoes of targets with a signature. */
     default Decision on(RadarSignature signature) {
         double deviation = signature.deviation();
         return deviation > 0.0 ? on(deviation) : on(signature.fluctuation());
     }
 
-    /** How many pulses per look are integrated non-coherently, 1 to 1000. */
+    /** The number of pulses per look that are integrated non-coherently, 1 to 1000. */
     default int pulses() {
         return 1;
     }
 
     /**
-     * What noise that passes the threshold looks like.
+     * The reading of noise that passes the threshold.
      *
-     * @param excess by how much it exceeds the threshold, exponentially distributed with mean 1
+     * @param excess its excess over the threshold, exponentially distributed with mean 1
      */
     Reading noise(double excess);
 
-    /** Decides on the echoes of targets with one kind of fluctuation. */
+    /** A decision on the echoes of targets with one kind of fluctuation. */
     interface Decision {
         /**
-         * What an echo must reach in one look, dB.
+         * The threshold for an echo in one look, dB.
          *
          * @param random the look's random numbers
          */
@@ -70,9 +70,10 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * A fixed threshold, as in the thesis that this project grew from. A target that fluctuates needs more on average
-     * by the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the difference between what
-     * it and a steady one need to be detected nine times of ten, with one false alarm in a million, by one pulse.
+     * A fixed threshold, as in the thesis on which this project is based. A fluctuating target requires a higher
+     * average ratio by the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the difference
+     * between the ratios required by it and by a steady target for a probability of detection of 0.9 and of false alarm
+     * of 1e-6, with one pulse.
      *
      * @param signalToNoise signal-to-noise ratio that a steady target must reach, -50 to 100 dB
      */
@@ -136,11 +137,10 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * Probabilistic: noise and the target's fluctuation make some looks succeed and others fail. A number between 0 and
-     * 1 is drawn, and the ratio for which the probability of detection is that number is what this look's echo must
-     * reach.
+     * Probabilistic detection: noise and the target's fluctuation decide in each look. A number between 0 and 1 is
+     * drawn, and the threshold of the look is the ratio for which the probability of detection is that number.
      *
-     * @param falseAlarm probability that noise alone is taken for a target, 1e-12 to 0.01
+     * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param pulses number of pulses per look that are integrated non-coherently, 1 to 1000; the signal-to-noise ratio
      *     is that of one of them
      */
@@ -153,7 +153,7 @@ public sealed interface RadarDetection {
 
         private static final double EVEN_CHANCE = 0.5;
 
-        /** One false alarm in a million, one pulse. */
+        /** A probability of false alarm of one in a million, and one pulse. */
         @Defaults
         public static final Chance DEFAULT = new Chance(1e-6, 1);
 
@@ -187,13 +187,13 @@ public sealed interface RadarDetection {
             };
         }
 
-        /** As a mean over the pulses, in units of the mean noise. */
+        /** {@inheritDoc} It is a mean over the pulses, in units of the mean noise. */
         @Override
         public Reading noise(double excess) {
             return new SquareLawDetector(falseAlarm, pulses).noise(excess);
         }
 
-        /** In each look, noise and cross-section are drawn apart from one another. */
+        /** {@inheritDoc} In each look, noise and cross-section are drawn independently. */
         @Override
         public Decision on(double spread) {
             SquareLawDetector detector = new SquareLawDetector(falseAlarm, pulses);

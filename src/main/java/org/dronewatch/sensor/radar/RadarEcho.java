@@ -100,7 +100,10 @@ final class RadarEcho {
         return new Received(signal, passed(drone), toNoise, reflection, loss);
     }
 
-    /** What the notch lets pass of a drone's echo, dB: of its body by its radial speed, of its turning rotors all. */
+    /**
+     * What the notch lets pass of a drone's echo, dB: for its body depending on radial speed; its turning rotors pass
+     * in full.
+     */
     private double passed(Drone drone) {
         if (settings.notch().isEmpty()) {
             return 0.0;

@@ -25,11 +25,10 @@ import org.dronewatch.sensor.radar.RadarEcho.Received;
 import org.dronewatch.world.World;
 
 /**
- * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter where the
- * settings ask for it, behind the notch if there is one; minus infinity for a drone that it does not look for, because
- * of the drone's position or radial speed, and for one that is wholly hidden. Of a partly hidden drone, the visible
- * fraction of the cross-section counts, or, where the settings ask for it, the wave that is diffracted round the edges
- * of the site on both ways.
+ * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter if the settings
+ * have clutter, after the notch if there is one; minus infinity for a drone outside its limits of position or radial
+ * speed, and for one that is entirely hidden. For a partly hidden drone, the visible fraction of the cross-section
+ * counts or, with {@code diffraction}, the wave diffracted round the edges of the site in both directions.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";

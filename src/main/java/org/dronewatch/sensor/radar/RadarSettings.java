@@ -30,27 +30,28 @@ import org.dronewatch.world.World;
 /**
  * A radar on a fixed mount. Without a {@code beam} it has the same gain throughout its field of view.
  *
- * @param position where its antenna is, m
+ * @param position of its antenna, m
  * @param aim the centre of its field of view; the elevation is its tilt
- * @param maxTilt how far its mount tilts it, up or down: limits the elevation of the aim, 0 to 90 degrees, rad
+ * @param maxTilt greatest tilt of its mount, up or down, which limits the elevation of the aim, 0 to 90 degrees, rad
  * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
  * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
  * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
- * @param minSpeed minimum radial speed: slower drones are taken for ground clutter, 0 to 10,000 m/s; not used with a
+ * @param minSpeed minimum radial speed: slower drones are rejected as ground clutter, 0 to 10,000 m/s; not used with a
  *     notch
  * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
- * @param polarisation polarisation; it matters in rain and where the ground reflects
- * @param budget what determines the signal-to-noise ratio of an echo
- * @param detection at which signal-to-noise ratio an echo is detected
- * @param accuracy how accurately it measures positions
- * @param groundReflection ground whose reflection interferes with the direct wave, both ways, if the reflected path
- *     lies within the field of view of the radar; none by default. The polarisation must then be horizontal or vertical
+ * @param polarisation polarisation; it affects attenuation by rain and reflection from the ground
+ * @param budget link budget, which gives the signal-to-noise ratio of an echo
+ * @param detection detection function: the signal-to-noise ratio at which an echo is detected
+ * @param accuracy accuracy of the positions that it measures
+ * @param groundReflection ground whose reflection interferes with the direct wave, in both directions, if the reflected
+ *     path lies within the field of view of the radar; none by default. The polarisation must then be horizontal or
+ *     vertical
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
- * @param diffraction whether the wave goes round the edges of the site, both ways, as a radio receiver's does;
- *     otherwise the fraction of a drone counts that is in line of sight
+ * @param diffraction whether the wave is diffracted round the edges of the site, in both directions, as for a radio
+ *     receiver; otherwise the visible fraction of a drone counts
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a filter that rejects what stands still, in place of minSpeed; none by default
@@ -159,9 +160,9 @@ public record RadarSettings(
     }
 
     /**
-     * A radar that scans all round once a second, over 20 degrees of elevation with a level axis, at 10 GHz with
-     * horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, and detects at 15 dB and above;
-     * it measures a drone's position to within 5 m and one degree.
+     * A radar that scans all round once per second, over 20 degrees of elevation with a horizontal axis, at 10 GHz with
+     * horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a threshold of 15 dB; its
+     * errors of position are 5 m and one degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -219,7 +220,7 @@ public record RadarSettings(
         return SettingsForm.with(this, Map.of("minSpeed", least, "maxSpeed", most));
     }
 
-    /** These settings with another number of scans a second, Hz. */
+    /** These settings with another number of scans per second, Hz. */
     public RadarSettings withRate(double scansPerSecond) {
         return SettingsForm.with(this, "rate", scansPerSecond);
     }
@@ -244,7 +245,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "accuracy", other);
     }
 
-    /** These settings with a ground that reflects. */
+    /** These settings with reflecting ground. */
     public RadarSettings withGroundReflection(ReflectingGround ground) {
         return SettingsForm.with(this, "groundReflection", Optional.of(ground));
     }
@@ -254,7 +255,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "beam", Optional.of(pattern));
     }
 
-    /** These settings with a wave that goes round edges, or one that needs a line of sight. */
+    /** These settings with or without diffraction round edges. */
     public RadarSettings withDiffraction(boolean roundEdges) {
         return SettingsForm.with(this, "diffraction", roundEdges);
     }
@@ -264,7 +265,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "clutter", Optional.of(other));
     }
 
-    /** These settings with a filter that rejects what stands still, in place of a minimum radial speed. */
+    /** These settings with a Doppler filter that rejects stationary echoes, in place of a minimum radial speed. */
     public RadarSettings withNotch(DopplerFilter filter) {
         return SettingsForm.with(this, "notch", Optional.of(filter));
     }
@@ -321,7 +322,10 @@ public record RadarSettings(
                 Math.atan2(axis.x(), axis.y()), tilt(axis), azimuthWidth, elevationWidth, minRange, maxRange);
     }
 
-    /** Rejects a gain that the beam cannot have, and a scan that is too fast for the beams of a hardware budget. */
+    /**
+     * {@inheritDoc} About a gain that the beam cannot have, and a scan that is too fast for the beams of a hardware
+     * budget.
+     */
     @Override
     public List<String> advice() {
         return RadarAdvice.on(this);

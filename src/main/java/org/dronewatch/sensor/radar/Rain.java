@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
-/** Attenuation of a wave by rain, Recommendation ITU-R P.838-3 (2005), and what rain scatters back. */
+/** Attenuation of a wave by rain, Recommendation ITU-R P.838-3 (2005), and backscatter by rain. */
 public final class Rain {
     private static final double LEAST_FREQUENCY = 1e9;
     private static final double MAX_FREQUENCY = 1000e9;
@@ -79,11 +79,11 @@ public final class Rain {
     }
 
     /**
-     * Radar cross-section by volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} of drops that are small against the
+     * Radar cross-section by volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} of drops that are small compared with the
      * wavelength, with {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal
-     * of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Of Mie's
-     * sums over drops of that distribution it is within 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h; at millimetre waves
-     * it is far too high.
+     * of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Compared
+     * with Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h;
+     * at millimetre waves it is far too high.
      *
      * @param frequency Hz
      * @param rate of the rain, 0 or more, mm/h

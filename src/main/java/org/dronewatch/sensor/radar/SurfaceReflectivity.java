@@ -4,31 +4,31 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** How strongly the surface of a site scatters the wave of a radar back. */
+/** A model of the backscatter of radar waves by the surface of a site. */
 public sealed interface SurfaceReflectivity {
     /**
      * Radar cross-section of a part of the surface, m2.
      *
      * @param frequency carrier, Hz
-     * @param facing what is in sight of it, projected onto a plane perpendicular to the line of sight, m2: its area
-     *     times the sine of the grazing angle
-     * @param cell area of the part of the resolution cell in which some of it is in sight, m2
+     * @param facing its visible area, projected onto a plane perpendicular to the line of sight, m2: the area times the
+     *     sine of the grazing angle
+     * @param cell area of the part of the resolution cell in which some of it is visible, m2
      */
     double crossSection(double frequency, double facing, double cell);
 
     /**
      * Constant gamma: {@code sigma0 = gamma sin(psi)} with the grazing angle psi, with gamma by land cover. The figures
-     * hold at 10 GHz and grow with the root of the frequency (D. K. Barton, "Land clutter models for radar design and
-     * analysis", Proceedings of the IEEE 73, 1985; as in MathWorks' {@code surfacegamma}).
+     * hold at 10 GHz and increase with the square root of the frequency (D. K. Barton, "Land clutter models for radar
+     * design and analysis", Proceedings of the IEEE 73, 1985; as in MathWorks' {@code surfacegamma}).
      *
-     * @param cover what covers the land
+     * @param cover the land cover
      */
     record LandCover(Cover cover) implements SurfaceReflectivity {
         private static final double REFERENCE = 10e9;
 
         /**
-         * What covers the land, with gamma at 10 GHz. [N]: F. E. Nathanson, Radar Design Principles, 2nd edition 1999;
-         * [L]: M. W. Long, Radar Reflectivity of Land and Sea, 3rd edition 2001; both as quoted by MathWorks'
+         * A land cover, with gamma at 10 GHz. [N]: F. E. Nathanson, Radar Design Principles, 2nd edition 1999; [L]: M.
+         * W. Long, Radar Reflectivity of Land and Sea, 3rd edition 2001; both as quoted by MathWorks'
          * {@code surfacegamma}.
          */
         public enum Cover {
@@ -95,7 +95,7 @@ public sealed interface SurfaceReflectivity {
     }
 
     /**
-     * The same for all grazing angles.
+     * The same sigma0 at all grazing angles.
      *
      * @param sigma0 radar cross-section by area of the surface at the radar's frequency, -100 to 30 dB
      */

@@ -1,4 +1,5 @@
 /**
- * The radar: its range equation, how reliably an echo is distinguished from noise, and how rain and cover weaken it.
+ * Radars: the range equation, the detection of echoes in noise and clutter, and their attenuation by rain and
+ * obstacles.
  */
 package org.dronewatch.sensor.radar;

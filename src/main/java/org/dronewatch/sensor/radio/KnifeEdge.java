@@ -10,7 +10,7 @@ public final class KnifeEdge {
     /**
      * Loss at a knife edge (P.526-15, equation (31)).
      *
-     * @param v height of the edge over the line, in units of the Fresnel zone; negative below it
+     * @param v height of the edge above the line, in units of the Fresnel zone; negative below it
      * @return dB, 0 for an edge far below
      */
     public static double loss(double v) {

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.radio;
 
-/** Polarisation of a wave that the ground reflects. */
+/** The polarisation of a wave that the ground reflects. */
 public enum Polarisation {
-    /** The electric field is level. */
+    /** Horizontal electric field. */
     HORIZONTAL,
-    /** The electric field is upright, as of an upright rod. */
+    /** Vertical electric field, as of a vertical rod. */
     VERTICAL
 }

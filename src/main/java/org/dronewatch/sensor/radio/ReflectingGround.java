@@ -8,14 +8,14 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Ground that reflects radio waves: the direct wave and the wave reflected by the ground interfere.
+ * Ground that reflects radio waves, which interfere with the direct wave.
  *
  * @param permittivity relative permittivity, 1 to 100: 3 for very dry, 15 for medium dry, 30 for wet ground, 80 for
  *     water (ITU-R P.527)
  * @param conductivity conductivity, 0 to 100 S/m: 0.001 for medium dry, 0.01 for wet ground, 5 for sea water
- * @param roughness standard deviation of the heights beyond what the mesh shows, 0 to 100 m
- * @param roundEarth whether the surface is curved as the earth with 4/3 of its radius, which spreads the reflected
- *     wave; the site itself stays flat
+ * @param roughness standard deviation of the heights relative to the mesh, 0 to 100 m
+ * @param roundEarth whether the surface is curved with 4/3 of the earth's radius, which spreads the reflected wave; the
+ *     site itself remains flat
  */
 public record ReflectingGround(
         @In(value = Quantity.NUMBER, from = 1, to = 100) double permittivity,
@@ -38,7 +38,7 @@ public record ReflectingGround(
         Limits.check(ReflectingGround.class, permittivity, conductivity, roughness, roundEarth);
     }
 
-    /** Ground of a flat earth. */
+    /** Ground on a flat earth. */
     public ReflectingGround(double permittivity, double conductivity, double roughness) {
         this(permittivity, conductivity, roughness, false);
     }

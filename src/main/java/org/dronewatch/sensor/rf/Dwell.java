@@ -8,12 +8,12 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How long a receiver listens in a look, to a part of a transmitter's channels that is as wide as its bandwidth.
+ * The dwell of a receiver: the time in each look during which it receives a part of a transmitter's channels as wide as
+ * its bandwidth.
  *
- * @param time of one dwell, 1e-6 to 1000 s
- * @param overlap how much of a burst must fall into a dwell for it to be received, 0 to 1000 s
- * @param count dwells of a look among the transmitter's channels, at times that have nothing to do with each other, 1
- *     to 10,000
+ * @param time duration of one dwell, 1e-6 to 1000 s
+ * @param overlap duration of a burst that must fall into a dwell for it to be received, 0 to 1000 s
+ * @param count number of dwells of a look on the transmitter's channels, at independent times, 1 to 10,000
  */
 public record Dwell(
         @In(value = Quantity.DURATION, from = 1e-6, to = 1000) double time,
@@ -31,27 +31,27 @@ public record Dwell(
         }
     }
 
-    /** One dwell a look, in which any part of a burst is enough. */
+    /** One dwell per look, in which any part of a burst suffices. */
     @Defaults("time")
     public static Dwell of(double time) {
         return new Dwell(time, 0.0, 1);
     }
 
-    /** This dwell with another overlap that is needed, s. */
+    /** This dwell with another required overlap, s. */
     public Dwell withOverlap(double seconds) {
         return SettingsForm.with(this, "overlap", seconds);
     }
 
-    /** As many of these dwells in a look. */
+    /** This dwell with another number of dwells per look. */
     public Dwell withCount(int dwells) {
         return SettingsForm.with(this, "count", dwells);
     }
 
     /**
-     * The probability that a look intercepts a burst at least: with the burst's duration b, the time T from one to the
-     * next, the dwell D and the overlap t, bursts that begin within {@code D + b - 2 t} overlap enough. Of these there
-     * are {@code n = floor((D + b - 2 t) / T)}, and one more with the probability of the remainder e; each is on a
-     * channel that the receiver hears with the probability p, its bandwidth over the span of the channels. None is
+     * The probability that a look intercepts at least one burst: with the burst's duration b, the time T from one to
+     * the next, the dwell D and the overlap t, bursts that begin within {@code D + b - 2 t} overlap enough. Of these
+     * there are {@code n = floor((D + b - 2 t) / T)}, and one more with the probability of the remainder e; each is on
+     * a channel that the receiver hears with the probability p, its bandwidth over the span of the channels. None is
      * received with {@code (1 - p)^n (1 - p e)}, to the power of the number of dwells.
      *
      * @param bandwidth of the receiver, Hz

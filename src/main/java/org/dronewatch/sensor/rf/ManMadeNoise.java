@@ -1,23 +1,23 @@
 package org.dronewatch.sensor.rf;
 
 /**
- * Man-made radio noise by surroundings: the median of the noise figure of a lossless antenna, {@code Fam = c - d lg f}
- * dB above {@code k 290 K B} with f in MHz, from 0.3 to 250 MHz (ITU-R P.372-17, section on man-made noise). In half of
- * all places it is higher. Above 250 MHz the recommendation gives no figures any more.
+ * Man-made radio noise by type of surroundings: the median of the noise figure of a lossless antenna,
+ * {@code Fam = c - d lg f} dB above {@code k 290 K B} with f in MHz, from 0.3 to 250 MHz (ITU-R P.372-17, section on
+ * man-made noise). In half of all locations it is higher. The recommendation gives no figures above 250 MHz.
  */
 public enum ManMadeNoise {
     /** City: 76.8 - 27.7 lg f. */
     CITY(76.8, 27.7),
     /**
-     * Business area, by the older ITU-R P.372-8: as a city, but from 129 MHz to 900 MHz it falls only as
-     * {@code 44.3 - 12.3 lg f}. Measured in the 1970s.
+     * Business area, from the older ITU-R P.372-8: as for a city, but {@code 44.3 - 12.3 lg f} from 129 MHz to 900 MHz.
+     * Measured in the 1970s.
      */
     BUSINESS(76.8, 27.7),
     /** Residential area: 72.5 - 27.7 lg f. */
     RESIDENTIAL(72.5, 27.7),
     /** Rural area: 67.2 - 27.7 lg f. */
     RURAL(67.2, 27.7),
-    /** Quiet rural area, far from anything electrical: 53.6 - 28.6 lg f. */
+    /** Quiet rural area, far from electrical equipment: 53.6 - 28.6 lg f. */
     QUIET_RURAL(53.6, 28.6);
 
     private static final double MEGAHERTZ = 1e6;
@@ -33,14 +33,14 @@ public enum ManMadeNoise {
         this.slope = slope;
     }
 
-    /** The highest frequency for which there is a figure, Hz. */
+    /** The highest frequency with a figure, Hz. */
     public double highestFrequency() {
         return this == BUSINESS ? HIGHEST_OF_BUSINESS : HIGHEST;
     }
 
     /**
-     * The power of the noise that an antenna receives over that of a resistor at 290 K, as a ratio: 1 or more, since
-     * ground and air are about that warm, and 1 at frequencies without a figure.
+     * The ratio of the noise power received by an antenna to that of a resistor at 290 K: 1 or more, since ground and
+     * air are about that warm, and 1 at frequencies without a figure.
      *
      * @param frequency Hz
      */

@@ -3,8 +3,8 @@ package org.dronewatch.sensor.rf;
 import java.util.stream.DoubleStream;
 
 /**
- * What a receiver has of a drone and its pilot in one look, before chance decides: whether it intercepts them at all,
- * and whether others transmit in their band at the same time.
+ * What a receiver receives from a drone and its pilot in one look, before any random draw: whether it intercepts them
+ * at all, and whether others transmit in their band at the same time.
  *
  * @param drone signal-to-noise ratio of the drone while nobody else transmits, dB; minus infinity where nothing arrives
  * @param pilot that of its pilot, dB
@@ -15,7 +15,7 @@ import java.util.stream.DoubleStream;
 record Reception(double drone, double pilot, double interception, double rise, double occupancy) {
     private static final double EVEN = 0.5;
 
-    /** Whether every look is like the other. */
+    /** Whether all looks are alike. */
     boolean isCertain() {
         return interception == 1.0 && (occupancy == 0.0 || occupancy == 1.0);
     }

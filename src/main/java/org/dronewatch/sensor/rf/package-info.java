@@ -1,2 +1,2 @@
-/** The radio receiver: how strong a drone's and its pilot's emissions arrive, in the open and behind an obstacle. */
+/** Radio receivers: the reception of a drone's and its pilot's emissions, in the open and behind obstacles. */
 package org.dronewatch.sensor.rf;

@@ -6,8 +6,8 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * The decay of sound at a sensor after the source stops, in each octave band and in all of them: received energy by
- * time of arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
+ * The decay of sound at a sensor after the source stops, in each octave band and in all bands together: received energy
+ * by time of arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
  */
 public final class DecayCurve {
     /** Width of a bin, s. */

@@ -4,7 +4,7 @@ package org.dronewatch.sensor.acoustic.energy;
  * The energy balance of the rays, as fractions of the emitted energy: emitted + gained = absorbed + air + escaped +
  * lost + residual.
  *
- * @param emitted emitted by the source: 1 for each band with sound in it, all bands together 1
+ * @param emitted emitted by the source: 1 for each band with sound, 1 for all bands together
  * @param gained added to surviving rays by Russian roulette and branch selection
  * @param absorbed absorbed in surfaces
  * @param air absorbed in the air

@@ -25,7 +25,7 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * What a microphone hears in the energy model: the A-weighted sound pressure level, or the signal-to-noise ratio of the
+ * A microphone in the energy model: measures the A-weighted sound pressure level, or the signal-to-noise ratio of the
  * best band. One thread at a time.
  */
 public final class EnergyHearing implements SoundTracer {
@@ -56,7 +56,7 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * One look: levels in octave bands.
+     * Takes one look: levels in octave bands.
      *
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
@@ -153,7 +153,8 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * In a space that retains at least half of the sound: its decay, and the reverberation time in each octave band.
+     * {@inheritDoc} In a space that retains at least half of the sound: its decay, and the reverberation time in each
+     * octave band.
      */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {

@@ -19,26 +19,25 @@ import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * How the energy model propagates sound: levels in octave bands fall by spreading, in the air and at surfaces, as in
- * reality. The straight path, specular reflections and the path round edges are computed exactly; scattered sound is
- * estimated by ray tracing, with its standard error.
+ * The energy model of sound propagation: levels in octave bands decrease by spreading, in the air and at surfaces. The
+ * straight path, specular reflections and the path round edges are computed exactly; scattered sound is estimated by
+ * ray tracing, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
  * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are
  *     traced
- * @param roulette fraction of its initial energy below which a ray survives by chance only (Russian roulette), above 0
+ * @param roulette fraction of its initial energy below which Russian roulette decides whether a ray survives, above 0
  *     and below 1
- * @param maxOrder how many surfaces a ray may hit before it is dropped, 0 to 10,000
+ * @param maxOrder maximum number of surfaces that a ray may hit before it is dropped, 0 to 10,000
  * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50: all
- *     paths off one surface, and paths off several surfaces in turn if rays from the microphone or from the drone find
- *     those surfaces
- * @param diffraction how diffraction round edges is computed
- * @param criterion which level is compared with the background
+ *     paths with one reflection, and those with several if rays from the microphone or from the drone find the surfaces
+ * @param diffraction method for diffraction round edges
+ * @param criterion level that is compared with the background
  * @param ground whether direct and ground-reflected sound interfere
  * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 in still
  *     air, about 1e-8 in calm, 1e-4 in very turbulent air
  * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, 0.01 to 1000 m
- * @param pressure how intensity is converted to sound pressure
+ * @param pressure conversion of intensity to sound pressure
  */
 public record EnergyModel(
         @In(value = Quantity.NUMBER, from = 1, to = 10_000_000) int rays,
@@ -56,7 +55,7 @@ public record EnergyModel(
 
     /**
      * 8,000 rays, roulette threshold 0.5, maximum order 1,000: a standard error below 0.5 dB in a church in half a
-     * second of tracing; 0.2 dB in the open with fewer rays. For reverberation times a roulette threshold of 0.001 is
+     * second of tracing; 0.2 dB outdoors with fewer rays. For reverberation times, a roulette threshold of 0.001 is
      * better.
      */
     @Defaults
@@ -73,20 +72,20 @@ public record EnergyModel(
             TurbulentCoherence.MODERATE.scale(),
             Pressure.REFERENCE);
 
-    /** What is compared with the background to decide whether a drone is heard. */
+    /** The criterion for the detection of a drone: the level that is compared with the background. */
     public enum Criterion {
-        /** The A-weighted level of all bands together with that of the background. */
+        /** The A-weighted total level, compared with that of the background. */
         A_WEIGHTED,
-        /** The level in each band with that of the background; the best band decides. */
+        /** The level in each band, compared with that of the background; the best band decides. */
         BEST_BAND,
         /**
-         * The level in the band of each of the drone's tones, as wide as the line, with that of the background there;
-         * the best one decides. For a drone without tones as {@link #BEST_BAND}.
+         * The level in a band around each of the drone's tones, as wide as the tone, compared with that of the
+         * background there; the best one decides. {@link #BEST_BAND} for a drone without tones.
          */
         NARROW_BAND
     }
 
-    /** How intensity is converted to sound pressure. */
+    /** A conversion of intensity to sound pressure. */
     public enum Pressure {
         /**
          * With the reference impedance of the standards, 400 Pa s/m, at which pressure level and intensity level are
@@ -97,13 +96,13 @@ public record EnergyModel(
         PHYSICAL
     }
 
-    /** How direct and ground-reflected sound are added. */
+    /** A method for adding direct and ground-reflected sound. */
     public enum Ground {
         /** Their energies add, as do those of all other paths. */
         INCOHERENT,
         /**
-         * They interfere: a spherical wave over the ground's impedance, averaged over each band, as far as turbulence
-         * leaves them coherent.
+         * They interfere, with the coherence that turbulence leaves: a spherical wave over the ground's impedance,
+         * averaged over each band.
          */
         COHERENT
     }
@@ -139,7 +138,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "accuracy", decibels);
     }
 
-    /** This model with another fraction of energy below which rays survive by Russian roulette only. */
+    /** This model with another fraction of energy below which Russian roulette decides whether rays survive. */
     public EnergyModel withRoulette(double fraction) {
         return SettingsForm.with(this, "roulette", fraction);
     }
@@ -154,12 +153,12 @@ public record EnergyModel(
         return SettingsForm.with(this, "imageSourceOrder", order);
     }
 
-    /** This model with another diffraction. */
+    /** This model with another method for diffraction. */
     public EnergyModel withDiffraction(Diffraction kind) {
         return SettingsForm.with(this, "diffraction", kind);
     }
 
-    /** This model with ground that interferes with direct sound, or does not. */
+    /** This model with another method for adding ground-reflected sound. */
     public EnergyModel withGround(Ground kind) {
         return SettingsForm.with(this, "ground", kind);
     }

@@ -14,15 +14,15 @@ import org.dronewatch.sound.OctaveBands;
  * The result of one look of an acoustic sensor at one drone, in the energy model. Energies are per octave band and
  * relative to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
  *
- * @param direct by the straight path, through walls that let sound pass; exact
+ * @param direct by the straight path, including transmission through walls; exact
  * @param diffracted round the edges of the obstacles that hide the drone
  * @param mirrored by specular reflections alone, exact
  * @param reverberant by all other paths, estimated
- * @param traced how many ray segments were traced
+ * @param traced number of ray segments that were traced
  * @param standardError of the level on which detection is based, dB, from the scatter among rays
- * @param isConverged whether enough rays contributed to the reverberant part
- * @param audit where the rays' energy went
- * @param decay how the sound decays
+ * @param isConverged whether a sufficient number of rays contributed to the reverberant part
+ * @param audit energy balance of the rays
+ * @param decay decay of the sound
  */
 public record EnergyReading(
         List<Double> direct,
@@ -45,7 +45,7 @@ public record EnergyReading(
 
     /**
      * This reading, without the contribution of rays if too few contributed: the exact paths alone. The standard error
-     * stays that of the whole: these paths are exact, but how much of the sound they carry is uncertain.
+     * stays that of the whole: these paths are exact, but their part of the total sound is uncertain.
      */
     public EnergyReading settled() {
         return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
@@ -61,7 +61,7 @@ public record EnergyReading(
         return Levels.ofRatio(energy(band));
     }
 
-    /** Sound pressure level of all bands together, dB. */
+    /** Total sound pressure level of all bands, dB. */
     public double totalLevel() {
         double energy = 0.0;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
@@ -70,7 +70,7 @@ public record EnergyReading(
         return Levels.ofRatio(energy);
     }
 
-    /** A-weighted sound pressure level of all bands together, dB. */
+    /** A-weighted total sound pressure level, dB. */
     public double aWeightedLevel() {
         return aWeighted(this::energy);
     }

@@ -23,11 +23,12 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
- * The energy model. Deterministic paths come from {@link ExactPaths}. The rest is found by tracing rays backward from
- * the sensor: they reach what the sensor can hear, however far away the source is, and by reciprocity the fraction of
- * their energy that reaches the source is the fraction that the source would have sent to the sensor. The first few
- * surfaces of a path from the source are also sampled from there, and both parts are connected: see
- * {@link Connections}. If the source alone is in an enclosed space, the two exchange their parts: see {@link Ends}.
+ * The tracer of the energy model. Deterministic paths are computed by {@link ExactPaths}. Other paths are found by
+ * tracing rays backward from the sensor: their efficiency does not depend on the distance of the source, and by
+ * reciprocity the fraction of their energy that reaches the source is the fraction that the source would have sent to
+ * the sensor. The first few surfaces of a path from the source are also sampled from there, and both parts are
+ * connected: see {@link Connections}. If the source alone is in an enclosed space, the two exchange their parts: see
+ * {@link Ends}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
  * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
@@ -74,7 +75,7 @@ public final class EnergyTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor where it is, m; just in front of a surface that it lies on
+     * @param sensor its position, m; just in front of a surface on which it lies
      * @param radius of the sphere around the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
@@ -96,11 +97,11 @@ public final class EnergyTracer {
     }
 
     /**
-     * One look.
+     * Takes one look.
      *
      * @param drone the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder receives every segment of every ray that counts, from where the ray began
+     * @param recorder receives every segment of every ray that counts, from the start of the ray
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.position()));
@@ -140,7 +141,7 @@ public final class EnergyTracer {
     }
 
     /**
-     * What would be heard in the free field, without obstructions and reflections: spreading and air alone. Exact.
+     * The reading in the free field, without obstructions and reflections: spreading and air alone. Exact.
      *
      * @param drone the drone's sound
      */

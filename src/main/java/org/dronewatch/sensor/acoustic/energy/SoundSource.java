@@ -6,7 +6,7 @@ import org.dronewatch.sensor.acoustic.tone.LineSpectrum;
 import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.Levels;
 
-/** The sound that a drone emits: where, how much in each band, and how that depends on the elevation. */
+/** The sound source of a drone: its position, sound power levels and directivity. */
 public final class SoundSource {
     private final Position position;
     private final double[] power;
@@ -17,9 +17,9 @@ public final class SoundSource {
     /**
      * A source.
      *
-     * @param position where it is, m
+     * @param position its position, m
      * @param powerLevels sound power level in each band, dB re 1 pW; minus infinity for silence
-     * @param directivity how much of it leaves at which elevation
+     * @param directivity dependence of the sound on elevation
      */
     public SoundSource(Position position, List<Double> powerLevels, Directivity directivity) {
         this.position = position;
@@ -41,7 +41,7 @@ public final class SoundSource {
         this.lines = lines;
     }
 
-    /** The same source with lines in its spectrum, which are part of its power. */
+    /** This source with tones in its spectrum, which are part of its power. */
     public SoundSource with(LineSpectrum spectrum) {
         return new SoundSource(position, spectrum, this);
     }
