@@ -16,8 +16,6 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.Ray;
-import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -34,10 +32,6 @@ import org.dronewatch.world.WorldSettings;
  * then, over a copy of it, the state at one time. Lines are hidden by surfaces in front of them. One picture at a time.
  */
 public final class SitePicture {
-    private static final int TRACK = 0xd62f1f;
-    private static final int WAY = 0x5a1a14;
-    private static final int PLUMB = 0x20262e;
-
     /** The protected zone. */
     static final Color ZONE = new Color(0xc0392b);
 
@@ -55,7 +49,7 @@ public final class SitePicture {
     private final World world;
     private final Flights flights;
     private final Protection protection;
-    private volatile Rayed rayed;
+    private final RayLayer rayLayer = new RayLayer();
 
     /** Pictures of one run of a scene. */
     public SitePicture(SceneSettings settings, Stage stage) {
@@ -195,17 +189,18 @@ public final class SitePicture {
         CameraObject camera = backdrop.camera();
         double pixel = style.scale() * camera.height() / backdrop.height();
         Canvas canvas = state.rays()
-                .map(rays -> withRays(backdrop, rays, style.filter(), pixel))
+                .map(rays -> rayLayer.over(backdrop, rays, style.filter(), pixel))
                 .orElse(backdrop.canvas())
                 .copy();
         painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
         LinePainter lines = new LinePainter(camera, cut, canvas);
+        StateLines stateLines = new StateLines(lines, pixel);
         if (style.outlines()) {
-            drawOutlines(lines, state, pixel);
-            drawZone(lines, pixel);
+            stateLines.outlines(state, colours, OUTLINE * interest().diagonal());
+            stateLines.zones(protection);
         }
         if (style.flights()) {
-            state.drones().forEach(drone -> drawFlight(lines, drone, pixel));
+            state.drones().forEach(drone -> stateLines.flight(drone, world));
         }
         BufferedImage image = picture(backdrop, canvas);
         Graphics2D g = image.createGraphics();
@@ -253,94 +248,6 @@ public final class SitePicture {
         g.drawImage(canvas.toImage(1), 0, 0, backdrop.width(), backdrop.height(), null);
         g.dispose();
         return image;
-    }
-
-    /** A backdrop with rays, kept until others are requested: rays stay as they are while time goes on. */
-    private record Rayed(Backdrop backdrop, RecordedRays rays, RayFilter filter, double pixel, Canvas canvas) {
-        boolean is(Backdrop other, RecordedRays otherRays, RayFilter otherFilter, double otherPixel) {
-            return backdrop == other && rays == otherRays && filter.equals(otherFilter) && pixel == otherPixel;
-        }
-    }
-
-    private Canvas withRays(Backdrop backdrop, RecordedRays rays, RayFilter filter, double pixel) {
-        Rayed known = rayed;
-        if (known == null || !known.is(backdrop, rays, filter, pixel)) {
-            Canvas canvas = backdrop.canvas().copy();
-            int most = backdrop.fineness().pieces;
-            drawRays(backdrop.camera(), backdrop.cut().orElse(null), canvas, rays, filter, pixel, most);
-            known = new Rayed(backdrop, rays, filter, pixel, canvas);
-            rayed = known;
-        }
-        return known.canvas();
-    }
-
-    /** The more rays there are, the paler each is drawn; those that are heard last, over the others. */
-    private static void drawRays(
-            CameraObject camera, Cut cut, Canvas canvas, RecordedRays rays, RayFilter filter, double pixel, int most) {
-        int[] shown = filter.pieces(rays, most);
-        double share = shown.length > 20_000 ? 0.35 : shown.length > 2_000 ? 0.55 : 0.85;
-        int bands = Math.min(canvas.height, Workers.available());
-        Workers.forEach(bands, band -> {
-            LinePainter lines = new LinePainter(camera, cut, canvas);
-            lines.keepTo(band * canvas.height / bands, (band + 1) * canvas.height / bands);
-            for (int pass = 0; pass < 2; pass++) {
-                for (int piece : shown) {
-                    boolean heard = rays.isHeard(piece);
-                    if (heard == (pass == 1)) {
-                        lines.line(
-                                rays.end(piece, 0),
-                                rays.end(piece, 1),
-                                rays.end(piece, 2),
-                                rays.end(piece, 3),
-                                rays.end(piece, 4),
-                                rays.end(piece, 5),
-                                (heard ? 1.6 : 1.0) * pixel,
-                                rays.scale().colour(rays.level(piece)),
-                                heard ? 0.95 : share);
-                    }
-                }
-            }
-        });
-    }
-
-    private void drawZone(LinePainter lines, double pixel) {
-        settings.alert().protect().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
-                .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
-        protection.areas().forEach(area -> new OutlinePainter(lines, 0.0)
-                .draw(area, 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
-    }
-
-    private void drawOutlines(LinePainter lines, SiteState state, double pixel) {
-        double length = OUTLINE * interest().diagonal();
-        for (SensorMark sensor : state.sensors()) {
-            boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
-            OutlinePainter painting = new OutlinePainter(lines, selected ? 3.0 * length : length);
-            int colour = colours.of(sensor.kind()).getRGB() & 0xffffff;
-            sensor.outline()
-                    .ifPresent(outline -> painting.draw(
-                            sensor.position(), outline, (selected ? 2.2 : 1.3) * pixel, colour, selected ? 0.95 : 0.6));
-        }
-    }
-
-    /**
-     * Where it has been as a line, where it will be as dashes, and a plumb line: how high it flies is else hard to see.
-     */
-    private void drawFlight(LinePainter lines, DroneMark drone, double pixel) {
-        Position at = drone.drone().origin();
-        world.closestHit(new Ray(at, new Position(0, 0, -1))).ifPresent(ground -> {
-            Position foot = new Position(at.x(), at.y(), at.z() - ground.distance());
-            lines.line(at, foot, 1.4 * pixel, PLUMB, 0.8);
-        });
-        List<Position> flown = drone.flown();
-        for (int i = 1; i < flown.size(); i++) {
-            lines.line(flown.get(i - 1), flown.get(i), 2.6 * pixel, TRACK, 0.9);
-        }
-        List<Position> toCome = drone.toCome();
-        for (int i = 1; i < toCome.size(); i++) {
-            if (i / 5 % 2 == 0) {
-                lines.line(toCome.get(i - 1), toCome.get(i), 2.0 * pixel, WAY, 0.75);
-            }
-        }
     }
 
     private void drawSymbols(Symbols symbols, SiteState state, SiteStyle style, List<Rectangle> furniture) {

@@ -9,11 +9,8 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JViewport;
@@ -23,7 +20,6 @@ import javax.swing.UIManager;
 import org.dronewatch.render.KindColours;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.DetectionIntervals;
-import org.dronewatch.run.DetectionIntervals.Interval;
 
 /**
  * A run from its start to its end: a row for each sensor, with its name on the left, a bar while it detects a drone, a
@@ -32,8 +28,13 @@ import org.dronewatch.run.DetectionIntervals.Interval;
  */
 final class TimeLine extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
-    private static final int MARGIN = 10;
-    private static final int GAP = 3;
+
+    /** Free space on all sides, and between names and rows, at normal size, pixels. */
+    static final int MARGIN = 10;
+
+    /** Free space above the rows, pixels. */
+    static final int GAP = 3;
+
     private static final int WANTED_WIDTH = 600;
     private static final int LOWEST = 64;
     private static final int HIGHEST = 230;
@@ -46,9 +47,6 @@ final class TimeLine extends JPanel implements Scrollable {
 
     /** Names take at most this fraction of the width. */
     private static final double NAMES = 0.25;
-
-    /** Labels of the axis are at least this far apart. */
-    private static final int TICKS = 80;
 
     private final transient Playback playback;
     private final transient List<DetectionEvent> events = new ArrayList<>();
@@ -173,7 +171,8 @@ final class TimeLine extends JPanel implements Scrollable {
         return Scaled.px(MARGIN) + Math.min(longest, (int) (NAMES * getWidth())) + Scaled.px(MARGIN);
     }
 
-    private int right() {
+    /** Where times end. */
+    int right() {
         return getWidth() - Scaled.px(MARGIN);
     }
 
@@ -214,12 +213,13 @@ final class TimeLine extends JPanel implements Scrollable {
         g.setColor(background());
         g.fillRect(0, 0, getWidth(), getHeight());
         if (run != null) {
-            paintRows(g);
+            TimeLinePainter painter = new TimeLinePainter(this, run, g);
+            painter.paintRows(sensors, colours, intervals, events);
             int axis = bottom() - axisHeight();
             g.setColor(background());
             g.fillRect(0, axis, getWidth(), axisHeight());
-            paintAxis(g, axis);
-            paintNow(g, axis);
+            painter.paintAxis(axis);
+            painter.paintNow(axis, playback.time());
         }
         g.dispose();
     }
@@ -233,99 +233,6 @@ final class TimeLine extends JPanel implements Scrollable {
         boolean scrolled = getParent() instanceof JViewport && !isPaintingForPrint();
         Rectangle visible = getVisibleRect();
         return scrolled && !visible.isEmpty() ? visible.y + visible.height : getHeight();
-    }
-
-    private void paintRows(Graphics2D g) {
-        double height = rowHeight();
-        double reached = xOf(run.reached());
-        g.setColor(shade(24));
-        g.fill(new Rectangle2D.Double(left(), GAP, reached - left(), height * sensors.size()));
-        for (int row = 0; row < sensors.size(); row++) {
-            String sensor = sensors.get(row);
-            Color colour =
-                    colours.of(run.info().settings().sensors().get(sensor).kind());
-            for (Interval held : intervals.ofSensor(sensor, run.reached())) {
-                bar(g, row, xOf(held.from()), xOf(held.to()), colour);
-            }
-            paintName(g, row, sensor);
-            paintMarks(g, row, sensor, colour);
-        }
-    }
-
-    private void paintName(Graphics2D g, int row, String sensor) {
-        String text = label(sensor);
-        FontMetrics metrics = g.getFontMetrics();
-        g.setColor(shade(220));
-        float x = left() - Scaled.px(MARGIN) / 2f - metrics.stringWidth(text);
-        g.drawString(text, x, (float) (yOf(row) + metrics.getAscent()));
-    }
-
-    private void bar(Graphics2D g, int row, double from, double to, Color colour) {
-        g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 130));
-        g.fill(new Rectangle2D.Double(from, yOf(row) + 1, Math.max(1.0, to - from), rowHeight() - 2));
-    }
-
-    private void paintMarks(Graphics2D g, int row, String sensor, Color colour) {
-        double top = yOf(row) + 0.5;
-        double bottom = top + rowHeight() - 1.0;
-        for (DetectionEvent event : events) {
-            if (!event.observation().sensor().equals(sensor)) {
-                continue;
-            }
-            double x = xOf(event.observation().arrival());
-            g.setColor(event.gained() ? colour : UIManager.getColor("Label.foreground"));
-            if (event.gained()) {
-                Path2D triangle = new Path2D.Double();
-                triangle.moveTo(x, top);
-                triangle.lineTo(x + Scaled.px(6), 0.5 * (top + bottom));
-                triangle.lineTo(x, bottom);
-                triangle.closePath();
-                g.fill(triangle);
-            } else {
-                // On whole pixels: a thin stroke between two is only half as dark.
-                g.fill(new Rectangle2D.Double(Math.round(x) - 1.0, top, 2, bottom - top));
-            }
-        }
-    }
-
-    private static Color shade(int alpha) {
-        Color ink = UIManager.getColor("Label.foreground");
-        return new Color(ink.getRed(), ink.getGreen(), ink.getBlue(), alpha);
-    }
-
-    private void paintAxis(Graphics2D g, int top) {
-        FontMetrics metrics = g.getFontMetrics();
-        double wanted = run.duration() * Scaled.px(TICKS) / Math.max(1, right() - left());
-        double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
-        double step = wanted <= power
-                ? power
-                : wanted <= 2 * power ? 2 * power : wanted <= 5 * power ? 5 * power : 10 * power;
-        g.setColor(shade(160));
-        for (int i = 0; i * step <= run.duration() * (1.0 + 1e-9); i++) {
-            double x = xOf(i * step);
-            g.fill(new Rectangle2D.Double(x - 0.5, top, 1, Scaled.px(4)));
-            String text = String.format(Locale.ROOT, step < 1.0 ? "%.2g s" : "%.0f s", i * step);
-            int left = (int)
-                    Math.max(0, Math.min(getWidth() - metrics.stringWidth(text), x - 0.5 * metrics.stringWidth(text)));
-            g.drawString(text, left, top + Scaled.px(4) + metrics.getAscent());
-        }
-    }
-
-    private void paintNow(Graphics2D g, int axis) {
-        double x = xOf(playback.time());
-        double size = Scaled.px(5);
-        double top = Math.max(0, axis - getVisibleRect().height);
-        g.setColor(
-                UIManager.getColor("Component.accentColor") == null
-                        ? new Color(0x2675bf)
-                        : UIManager.getColor("Component.accentColor"));
-        g.fill(new Rectangle2D.Double(x - 1, 0, 2, axis + 4.0));
-        Path2D head = new Path2D.Double();
-        head.moveTo(x - size, top);
-        head.lineTo(x + size, top);
-        head.lineTo(x, top + 1.4 * size);
-        head.closePath();
-        g.fill(head);
     }
 
     /** The whole name over a name, the event nearest to the pointer, else the sensor of the row and the time. */

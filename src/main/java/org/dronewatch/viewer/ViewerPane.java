@@ -4,11 +4,7 @@ import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.Action;
-import javax.swing.BorderFactory;
-import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JProgressBar;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
@@ -41,8 +37,7 @@ final class ViewerPane extends JPanel {
     private final LogPanel log = new LogPanel();
     private final ControlBar controls;
     private final Notice notice = new Notice();
-    private final JLabel status = new JLabel(" ");
-    private final JProgressBar progress = new JProgressBar(0, 1000);
+    private final StatusBar status = new StatusBar("Reading models and building trees ...");
     private final JTabbedPane tabs = new JTabbedPane();
     private final JSplitPane across;
     private final JSplitPane down;
@@ -67,16 +62,16 @@ final class ViewerPane extends JPanel {
         this.recording = recording;
         this.staging = new Latest("dronewatch-stage", threads, this::report);
         this.site = new SiteSection(threads, this::report);
-        this.cameras = new CameraPanel(threads, status::setText, this::select, this::report);
+        this.cameras = new CameraPanel(threads, status::write, this::select, this::report);
         this.rayPanel = new RayPanel(
                 threads, playback, filter -> world().setStyle(world().style().withFilter(filter)), this::report);
         this.controls = new ControlBar(
                 playback, actions, number -> show(recording.runs().get(number)));
         world().onSelection(this::select);
-        world().onHint(status::setText);
+        world().onHint(status::write);
         site.onFocus(() -> {
             if (selected == null) {
-                status.setText("First click on a sensor or a drone: Focus zooms in on the selection");
+                status.write("First click on a sensor or a drone: Focus zooms in on the selection");
             }
             site.focusOn(selected, playback.time());
         });
@@ -99,20 +94,10 @@ final class ViewerPane extends JPanel {
         top.add(notice, BorderLayout.SOUTH);
         JPanel bottom = new JPanel(new BorderLayout());
         bottom.add(timeLine.scrolling(), BorderLayout.CENTER);
-        bottom.add(statusBar(), BorderLayout.SOUTH);
+        bottom.add(status, BorderLayout.SOUTH);
         add(top, BorderLayout.NORTH);
         add(across, BorderLayout.CENTER);
         add(bottom, BorderLayout.SOUTH);
-        progress.setIndeterminate(true);
-        status.setText("Reading models and building trees ...");
-    }
-
-    private JComponent statusBar() {
-        JPanel bar = new JPanel(new BorderLayout());
-        bar.setBorder(BorderFactory.createEmptyBorder(Scaled.px(3), Scaled.px(10), Scaled.px(3), Scaled.px(10)));
-        bar.add(status, BorderLayout.CENTER);
-        bar.add(progress, BorderLayout.LINE_END);
-        return bar;
     }
 
     /** The views, for a menu. */
@@ -171,9 +156,7 @@ final class ViewerPane extends JPanel {
         log.update(run);
         cameras.mark(sensor -> viewed.readings(sensor, time), selected);
         boolean all = recording.isFinished();
-        progress.setVisible(!all);
-        progress.setIndeterminate(false);
-        progress.setValue((int) (1000.0 * run.reached() / run.duration()));
+        status.progress(run.reached() / run.duration(), all);
         if (!all) {
             // Detections up to the time shown may just have come.
             changed = true;
@@ -205,7 +188,7 @@ final class ViewerPane extends JPanel {
         shownTime = Double.NaN;
         changed = true;
         sinceTables = TABLES;
-        status.setText("Drag to turn, right-drag to move, wheel to zoom, double-click to centre on a point; "
+        status.write("Drag to turn, right-drag to move, wheel to zoom, double-click to centre on a point; "
                 + "Space plays and pauses; F1 lists all keys");
         if (first) {
             playback.play();
@@ -223,8 +206,7 @@ final class ViewerPane extends JPanel {
             notice.show(text);
             log.write(text);
             if (viewed == null) {
-                progress.setVisible(false);
-                status.setText("Failed to load the scene.");
+                status.end("Failed to load the scene.");
             }
         });
     }
@@ -234,7 +216,7 @@ final class ViewerPane extends JPanel {
         SwingUtilities.invokeLater(() -> {
             log.write(line);
             if (viewed == null) {
-                status.setText(line);
+                status.write(line);
             }
         });
     }

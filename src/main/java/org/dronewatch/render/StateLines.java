@@ -1,0 +1,76 @@
+package org.dronewatch.render;
+
+import java.util.List;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.Ray;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.world.World;
+
+/** Draws the lines of a site's state: fields of view, protected zones and flights. */
+final class StateLines {
+    private static final int TRACK = 0xd62f1f;
+    private static final int TO_COME = 0x5a1a14;
+    private static final int PLUMB = 0x20262e;
+
+    private final LinePainter lines;
+    private final double pixel;
+
+    /**
+     * Lines of one picture.
+     *
+     * @param pixel width of a pixel of the screen in those of the canvas
+     */
+    StateLines(LinePainter lines, double pixel) {
+        this.lines = lines;
+        this.pixel = pixel;
+    }
+
+    /** Protected zones. */
+    void zones(Protection protection) {
+        protection.zone().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
+                .draw(
+                        zone.centre(),
+                        new Outline.Ball(zone.radius()),
+                        1.6 * pixel,
+                        SitePicture.ZONE.getRGB() & 0xffffff,
+                        0.85));
+        protection.areas().forEach(area -> new OutlinePainter(lines, 0.0)
+                .draw(area, 1.6 * pixel, SitePicture.ZONE.getRGB() & 0xffffff, 0.85));
+    }
+
+    /**
+     * Fields of view.
+     *
+     * @param length up to which those of cameras are drawn, m
+     */
+    void outlines(SiteState state, KindColours colours, double length) {
+        for (SensorMark sensor : state.sensors()) {
+            boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
+            OutlinePainter painting = new OutlinePainter(lines, selected ? 3.0 * length : length);
+            int colour = colours.of(sensor.kind()).getRGB() & 0xffffff;
+            sensor.outline()
+                    .ifPresent(outline -> painting.draw(
+                            sensor.position(), outline, (selected ? 2.2 : 1.3) * pixel, colour, selected ? 0.95 : 0.6));
+        }
+    }
+
+    /** A drone's path: the past as a line, the future as dashes, and a plumb line, which shows its height. */
+    void flight(DroneMark drone, World world) {
+        Position at = drone.drone().origin();
+        world.closestHit(new Ray(at, new Position(0, 0, -1))).ifPresent(ground -> {
+            Position foot = new Position(at.x(), at.y(), at.z() - ground.distance());
+            lines.line(at, foot, 1.4 * pixel, PLUMB, 0.8);
+        });
+        List<Position> flown = drone.flown();
+        for (int i = 1; i < flown.size(); i++) {
+            lines.line(flown.get(i - 1), flown.get(i), 2.6 * pixel, TRACK, 0.9);
+        }
+        List<Position> toCome = drone.toCome();
+        for (int i = 1; i < toCome.size(); i++) {
+            if (i / 5 % 2 == 0) {
+                lines.line(toCome.get(i - 1), toCome.get(i), 2.0 * pixel, TO_COME, 0.75);
+            }
+        }
+    }
+}
