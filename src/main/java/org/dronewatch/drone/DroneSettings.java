@@ -54,8 +54,8 @@ import org.dronewatch.world.World;
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
  * @param emission model of its sound, given these settings and its flight: steady, or a kind from another jar
- * @param performance what it can fly: limits of its flight, as far as they are known; if empty, those that are typical
- *     of its airframe, and flights are not checked against them
+ * @param performance limits of its flight, as far as they are known; if empty, those typical of its airframe, and
+ *     flights are not checked against them
  * @param swarm number and formation of a swarm of such drones; a single drone if empty
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
@@ -279,7 +279,7 @@ public record DroneSettings(
         return SettingsForm.with(this, "label", other);
     }
 
-    /** What the drone can fly: the limits that are stated; the others are typical of its airframe and speed. */
+    /** The limits of the drone's flight: those that are stated; the others are typical of its airframe and speed. */
     public FlightLimits flightLimits() {
         FlightLimits typical = FlightLimits.typical(airframe, speed);
         return performance.map(stated -> stated.orTypical(typical)).orElse(typical);

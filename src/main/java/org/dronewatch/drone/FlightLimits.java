@@ -3,7 +3,7 @@ package org.dronewatch.drone;
 import org.dronewatch.flight.Airframe;
 
 /**
- * What a drone can fly: the limits within which a route must stay.
+ * The limits of a drone's flight, within which a route must stay.
  *
  * @param climb largest rate of climb under power, m/s
  * @param sink largest rate of descent under power, m/s
@@ -36,7 +36,7 @@ public record FlightLimits(
     private static final double WING_GLIDE = 10.0;
 
     /**
-     * Typical limits of a type of airframe. Rates of climb and descent are the defaults of PX4: 3 and 1.5 m/s for
+     * The typical limits of a type of airframe. Rates of climb and descent are the defaults of PX4: 3 and 1.5 m/s for
      * multirotors (MPC_Z_VEL_MAX_UP, MPC_Z_VEL_MAX_DN), 5 and 5 m/s for wings (FW_T_CLMB_MAX, FW_T_SINK_MAX). The
      * course turns at {@code g tan(bank) / speed}, where the bank is 45 degrees for multirotors and 50 degrees for
      * wings. The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10 and a

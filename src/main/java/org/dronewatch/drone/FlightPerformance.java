@@ -8,8 +8,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A drone's flight performance, as far as it is known; what is left out is {@linkplain FlightLimits#typical typical} of
- * its type of airframe. A flight that exceeds it gives a warning, but is flown as it is described.
+ * A drone's flight performance, as far as it is known; limits that are not stated are
+ * {@linkplain FlightLimits#typical typical} of its type of airframe. A flight that exceeds it gives a warning, but is
+ * flown as described.
  *
  * @param climb largest rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors and 5 m/s for wings
  * @param sink largest rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors and 5 m/s for
@@ -21,7 +22,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param endurance longest flight under power, above 0 to 604,800 s; typically 30 minutes for multirotors and an hour
  *     for wings
  * @param glideRatio horizontal distance covered with the motors off per metre of height lost, 0 to 100; 0 for a drone
- *     that cannot glide, as multirotors, typically 10 for wings
+ *     that cannot glide, such as a multirotor; typically 10 for wings
  * @param glideSpeed speed along the path while it glides, above 0 to 400 m/s; typically the cruise speed
  */
 public record FlightPerformance(
@@ -33,7 +34,7 @@ public record FlightPerformance(
         @In(value = Quantity.DURATION, above = 0, to = 604_800) Optional<Double> endurance,
         @In(value = Quantity.NUMBER, from = 0, to = 100) Optional<Double> glideRatio,
         @In(value = Quantity.SPEED, above = 0, to = 400) Optional<Double> glideSpeed) {
-    /** Nothing known: all limits are typical of the airframe. */
+    /** All limits are typical of the airframe. */
     @Defaults
     public static final FlightPerformance TYPICAL = new FlightPerformance(
             Optional.empty(),
@@ -69,7 +70,7 @@ public record FlightPerformance(
         return SettingsForm.with(this, "turnRate", Optional.of(radiansPerSecond));
     }
 
-    /** This performance of a drone that can hover, or that cannot. */
+    /** This performance with or without the ability to hover. */
     public FlightPerformance withHover(boolean able) {
         return SettingsForm.with(this, "hover", Optional.of(able));
     }
@@ -93,7 +94,7 @@ public record FlightPerformance(
         return SettingsForm.with(this, "glideSpeed", Optional.of(metresPerSecond));
     }
 
-    /** These limits, and those of a typical drone where nothing is stated. */
+    /** The stated limits, and typical ones where none is stated. */
     FlightLimits orTypical(FlightLimits typical) {
         return new FlightLimits(
                 climb.orElse(typical.climb()),

@@ -21,7 +21,7 @@ public final class SteeringClock {
                 .toList());
     }
 
-    /** From now on the calling thread runs the scene, and only it may steer. */
+    /** Makes the calling thread the one that runs the scene: only it may steer. */
     public void steerHere() {
         flights.forEach(SteeredFlight::steerHere);
     }

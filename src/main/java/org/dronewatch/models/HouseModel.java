@@ -24,7 +24,7 @@ public final class HouseModel {
     /** Height of the top of the plinth in the middle of the roof, metres. */
     public static final double PLINTH_METRES = 10.8;
 
-    /** How far the foundation reaches below the ground floor, metres. */
+    /** Depth of the foundation below the ground floor, metres. */
     public static final double FOUNDATION_METRES = 3;
 
     private static final int DECIMALS = 3;

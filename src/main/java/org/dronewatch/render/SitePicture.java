@@ -134,7 +134,7 @@ public final class SitePicture {
         return settings.world();
     }
 
-    /** What is protected, where it is on the site. */
+    /** The protected zones, placed on the site. */
     public Protection protection() {
         return protection;
     }
@@ -145,8 +145,8 @@ public final class SitePicture {
     }
 
     /**
-     * What has to be cut away to see sensors and drones from above at a time: all above them, when there is a roof over
-     * most of them.
+     * The cut that makes sensors and drones visible from above at a time: everything above them, if most of them are
+     * under a roof.
      */
     public Optional<Cut> openRoof(double time) {
         List<Drone> drones = stage.dronesAt(time);

@@ -22,8 +22,8 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 
 /**
- * Scores the alerts of one run: when each drone could first have been seen, when there was an alert, and how early
- * that was.
+ * Scores the alerts of one run: the time at which each drone could first have been seen, that of the alert, and the
+ * warning time.
  */
 public final class AlertWatch {
     /** A flight is approximated by this number of straight segments of equal duration. */
@@ -58,7 +58,7 @@ public final class AlertWatch {
     }
 
     /**
-     * Adds one instant of the run.
+     * Adds the looks of one time.
      *
      * @param stage the run's stage, which has just looked
      */
@@ -129,7 +129,7 @@ public final class AlertWatch {
     /**
      * The alerts of the run, one for each drone.
      *
-     * @param simulated how long the run was, s
+     * @param simulated duration of the run, s
      */
     public List<AlertResult> results(Stage stage, double simulated) {
         List<AlertResult> results = new ArrayList<>();

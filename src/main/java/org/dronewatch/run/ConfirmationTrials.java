@@ -19,7 +19,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 
-/** Tries other confirmations on the looks of a run, whose positioners do not know of it. */
+/** Applies other confirmations to the looks of a run, without any effect on it. */
 final class ConfirmationTrials {
     private static final List<Confirmation> USUAL =
             List.of(new Confirmation(1, 1), new Confirmation(2, 3), new Confirmation(3, 5), new Confirmation(5, 8));
@@ -49,7 +49,7 @@ final class ConfirmationTrials {
         return all;
     }
 
-    /** Adds the sensors' looks of one time; those at drones count. */
+    /** Adds the sensors' looks of one time, of which those at drones are used. */
     void add(List<ContactLook> looks) {
         if (!logs.isEmpty()) {
             List<ContactLook> atDrones = looks.stream()
@@ -59,7 +59,7 @@ final class ConfirmationTrials {
         }
     }
 
-    /** What came of them, for drones of these names. */
+    /** The results for drones of these names. */
     List<ConfirmationTrial> results(List<String> drones) {
         List<ConfirmationTrial> results = new ArrayList<>();
         logs.forEach((confirm, log) -> {

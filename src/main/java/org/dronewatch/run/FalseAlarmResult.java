@@ -30,7 +30,7 @@ public record FalseAlarmResult(
         trials = List.copyOf(trials);
     }
 
-    /** How many all sensors raised. */
+    /** The number of false alarms of all sensors. */
     public long count() {
         return counted.values().stream().mapToLong(Long::longValue).sum();
     }

@@ -21,7 +21,7 @@ import org.dronewatch.sensor.Observation;
  * @param events detections gained and lost, in order of time
  * @param pairs the result of each sensor with each drone, in the order of the scene
  * @param alerts the alert for each drone, with its lead time
- * @param falseAlarms what sensors reported that no drone caused
+ * @param falseAlarms reports of sensors that no drone caused
  */
 public record RunResult(
         int run,
@@ -38,7 +38,7 @@ public record RunResult(
         alerts = List.copyOf(alerts);
     }
 
-    /** For a run that was cancelled before it had a stage: nothing was simulated, nothing detected. */
+    /** The result of a run that was cancelled before it had a stage: nothing was simulated, nothing detected. */
     public static RunResult notBegun(RunInfo info) {
         List<PairResult> pairs = new DetectionLog(info.run(), info.settings(), event -> {}).pairs();
         return new RunResult(info.run(), info.settings(), 0.0, List.of(), pairs, List.of(), FalseAlarmResult.NONE);
@@ -58,7 +58,7 @@ public record RunResult(
         return falseAlertRate(settings.alert().confirm());
     }
 
-    /** The same with another confirmation. */
+    /** The expected number of false alerts per day with another confirmation. */
     public FalseAlertRate falseAlertRate(Confirmation confirm) {
         AlertSettings alert = settings.alert();
         AlertSettings changed =

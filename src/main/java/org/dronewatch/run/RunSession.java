@@ -10,8 +10,9 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
 /**
- * One run of a scene, look by look. The result depends on settings, seed and models only: not on who drives the run,
- * how fast, with how many threads, or who listens. For one thread; sensors look on the {@link Workers} of that thread.
+ * One run of a scene, look by look. The result only depends on settings, seed and models: not on the code that drives
+ * the run, its pace, the number of threads, or listeners. For one thread; sensors look on the {@link Workers} of that
+ * thread.
  *
  * <pre>{@code
  * try (RunSession session = new RunSession(settings, seed, models)) {
@@ -41,7 +42,7 @@ public final class RunSession implements AutoCloseable {
      *
      * @param settings of the run; their sweep is ignored
      * @param seed of all random numbers, instead of that of the settings
-     * @param models where models come from
+     * @param models source of the models
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
      */
     public RunSession(SceneSettings settings, long seed, ModelCache models) {
@@ -57,7 +58,7 @@ public final class RunSession implements AutoCloseable {
      *
      * @param info number and settings of the run
      * @param seed of all random numbers, instead of that of the settings
-     * @param models where models come from
+     * @param models source of the models
      * @param control when it ends, and how it is driven
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
      */
@@ -75,7 +76,7 @@ public final class RunSession implements AutoCloseable {
      *
      * @param settings of the run; their sweep is ignored
      * @param seed of all random numbers, instead of that of the settings
-     * @param models where models come from
+     * @param models source of the models
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
      */
     public static RunResult run(SceneSettings settings, long seed, ModelCache models) {

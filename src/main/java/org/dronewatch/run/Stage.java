@@ -36,9 +36,9 @@ import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A scene's settings made real: its world, its drones with their paths, its sensors with their next looks. Only
- * {@link #look} and {@link #steerHere} change it, and are for the thread that runs the scene; everything else may be
- * queried by any thread, during the run and after it.
+ * The stage of a run, created from its settings: the world, the drones with their paths, and the sensors with their
+ * next looks. Only {@link #look} and {@link #steerHere} change it, and are for the thread that runs the scene;
+ * everything else may be queried by any thread, during the run and after it.
  */
 public final class Stage {
     private final World world;
@@ -136,9 +136,7 @@ public final class Stage {
         clock.end();
     }
 
-    /**
-     * What was read of a real place, a line for each thing, with the attribution that a map asks for; none for models.
-     */
+    /** Notes on the data of a real place, one line each, with the attribution that a map requires; none for models. */
     public List<String> siteNotes() {
         return siteNotes;
     }
@@ -148,7 +146,7 @@ public final class Stage {
         return buildings;
     }
 
-    /** What is protected, where it is on the site. */
+    /** The protected zones, placed on the site. */
     public Protection protection() {
         return protection;
     }
@@ -178,7 +176,7 @@ public final class Stage {
     }
 
     /**
-     * Where a drone is at a time, m.
+     * The position of a drone at a time, m.
      *
      * @param time seconds since the start of the run
      * @throws IllegalArgumentException when there is no such drone
@@ -214,7 +212,7 @@ public final class Stage {
         return clock.known();
     }
 
-    /** From now on the calling thread runs the scene, and only it may steer the drones. */
+    /** Makes the calling thread the one that runs the scene: only it may steer the drones. */
     public void steerHere() {
         clock.steerHere();
     }
@@ -273,7 +271,7 @@ public final class Stage {
     }
 
     /**
-     * Lets every sensor draw its curves for each drone.
+     * Draws the curves of every sensor for each drone.
      *
      * @param time where the drones are, seconds since the start of the run
      * @param target receives each sensor's name with a curve

@@ -15,8 +15,8 @@ import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 
 /**
- * How far away does a microphone hear a small quadrotor? It stands on a hill; the drone comes from the north at 5 m/s.
- * The flight is repeated for five levels of background noise.
+ * How far away does a microphone hear a small quadrotor? The microphone is on a hill; the drone approaches from the
+ * north at 5 m/s. The flight is repeated for five levels of background noise.
  */
 public final class AcousticRange extends Scene {
     private static final Position MICROPHONE = new Position(0, 0, 144);

@@ -34,8 +34,8 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
  * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; a name in
  *     the table of surfaces needs no assignment
- * @param attribution the credit that the source of the elevations asks for, at most 300 characters; {@code check} and
- *     the report show it. Files of Copernicus, by their names, have theirs without it
+ * @param attribution credit required by the source of the elevations, at most 300 characters; {@code check} and the
+ *     report show it. Files of Copernicus, recognised by their names, have theirs without it
  */
 public record TerrainSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
@@ -163,7 +163,7 @@ public record TerrainSettings(
         return SettingsForm.with(this, "material", name);
     }
 
-    /** These settings with the credit that the source of the elevations asks for. */
+    /** These settings with the credit required by the source of the elevations. */
     public TerrainSettings withAttribution(String text) {
         return SettingsForm.with(this, "attribution", Optional.of(text));
     }

@@ -152,7 +152,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "falseAlarms", Optional.of(others));
     }
 
-    /** Column and row of the image. */
+    /** {@inheritDoc} Column and row of the image. */
     @Override
     default int dimensions() {
         return 2;
@@ -173,7 +173,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * From the left to the right edge of the image; not known of a camera on a positioner, steeply aimed, or rolled.
+     * {@inheritDoc} From the left to the right edge of the image; unknown for a camera on a positioner, aimed steeply,
+     * or rolled.
      */
     @Override
     default Optional<AzimuthSpan> falseBearings() {

@@ -10,15 +10,15 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
- * angles a and e from its centre, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1). An array
- * that steers its beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J.
+ * angles a and e from its centre, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1). An array that
+ * steers its beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J.
  * Mailloux, Phased Array Antenna Handbook).
  *
- * @param azimuthBeamwidth width of the beam at half power in azimuth, 0.01 to 360 degrees, rad
- * @param elevationBeamwidth width of the beam at half power in elevation, 0.01 to 180 degrees, rad
+ * @param azimuthBeamwidth half-power beamwidth in azimuth, 0.01 to 360 degrees, rad
+ * @param elevationBeamwidth half-power beamwidth in elevation, 0.01 to 180 degrees, rad
  * @param sideLobes level of the side lobes below that of the main lobe, 0 to 100 dB one way
- * @param steering in which angles the beam is steered to what it looks at; otherwise it stays on the axis of the radar
- * @param scanLoss exponent of the scan loss one way, 0 to 5; 0 for an antenna that is turned mechanically
+ * @param steering angles in which the beam is steered to its target; otherwise it stays on the axis of the radar
+ * @param scanLoss exponent of the scan loss one way, 0 to 5; 0 for an antenna that is rotated mechanically
  */
 public record BeamPattern(
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = 2 * Math.PI) double azimuthBeamwidth,
@@ -29,13 +29,13 @@ public record BeamPattern(
     /** Where an array does not radiate any more, its gain is not minus infinity either. */
     private static final double LEAST_COSINE = 1e-3;
 
-    /** In which angles a beam is steered. */
+    /** The angles in which a beam is steered. */
     public enum Steering {
-        /** In none: it stays on the axis. */
+        /** No steering: the beam stays on the axis. */
         NONE,
-        /** In azimuth: a fan beam that covers all elevations at once. */
+        /** Steering in azimuth: a fan beam that covers all elevations at once. */
         AZIMUTH,
-        /** In azimuth and elevation: a pencil beam. */
+        /** Steering in azimuth and elevation: a pencil beam. */
         BOTH
     }
 
@@ -73,8 +73,8 @@ public record BeamPattern(
     }
 
     /**
-     * The largest gain that so narrow a beam can have: {@code 4 pi / (A E)}, without losses and side lobes (Skolnik,
-     * Radar Handbook), dBi.
+     * The largest possible gain of a beam of these widths: {@code 4 pi / (A E)}, without losses and side lobes
+     * (Skolnik, Radar Handbook), dBi.
      */
     public double largestGain() {
         return AntennaPattern.largestGain(azimuthBeamwidth, elevationBeamwidth);

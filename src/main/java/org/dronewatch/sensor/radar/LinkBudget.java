@@ -156,7 +156,7 @@ public sealed interface LinkBudget {
 
         /**
          * {@inheritDoc} The range in the data sheet includes all processing: its target at its range has the ratio in
-         * each pulse that is required of so many pulses.
+         * each pulse that is required with that number of pulses.
          */
         @Override
         public DoubleBinaryOperator echo(double frequency, int pulses) {

@@ -276,8 +276,8 @@ public record RadarSettings(
     }
 
     /**
-     * The probability of a false alarm in one cell and one scan at which a rate is met: what {@code detection} or
-     * {@code falseAlarms} has to be set to.
+     * The probability of a false alarm in one cell and one scan that gives a rate, for {@code detection} or
+     * {@code falseAlarms}.
      *
      * @param perHour wanted number of false alarms an hour, above 0
      * @throws IllegalArgumentException when the number of cells is not known

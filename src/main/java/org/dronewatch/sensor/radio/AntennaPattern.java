@@ -8,12 +8,12 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The pattern of an antenna that points in one direction: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
- * angles a and e from its axis, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1).
+ * The pattern of a directional antenna: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a and e from
+ * its axis, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1).
  *
- * @param azimuthBeamwidth width of the beam at half power across, 0.01 to 360 degrees, rad
- * @param elevationBeamwidth width of the beam at half power from bottom to top, 0.01 to 180 degrees, rad
- * @param sideLobes level of the side lobes and of the back below that of the main lobe, 0 to 100 dB
+ * @param azimuthBeamwidth horizontal half-power beamwidth, 0.01 to 360 degrees, rad
+ * @param elevationBeamwidth vertical half-power beamwidth, 0.01 to 180 degrees, rad
+ * @param sideLobes level of the side lobes and of the back lobe below that of the main lobe, 0 to 100 dB
  */
 public record AntennaPattern(
         @In(value = Quantity.ANGLE, from = In.NARROWEST, to = 2 * Math.PI) double azimuthBeamwidth,
@@ -42,8 +42,8 @@ public record AntennaPattern(
     }
 
     /**
-     * The largest gain that so narrow a beam can have: {@code 4 pi / (A E)}, without losses and side lobes (Skolnik,
-     * Radar Handbook), dBi.
+     * The largest possible gain of a beam of these widths: {@code 4 pi / (A E)}, without losses and side lobes
+     * (Skolnik, Radar Handbook), dBi.
      *
      * @param azimuthBeamwidth rad
      * @param elevationBeamwidth rad
@@ -52,16 +52,16 @@ public record AntennaPattern(
         return 10.0 * Math.log10(4.0 * Math.PI / (azimuthBeamwidth * elevationBeamwidth));
     }
 
-    /** The largest gain that this antenna can have, dBi. */
+    /** The largest possible gain of this antenna, dBi. */
     public double largestGain() {
         return largestGain(azimuthBeamwidth, elevationBeamwidth);
     }
 
     /**
-     * How much weaker an antenna is off its axis, dB; 0 or more.
+     * The loss of an antenna off its axis, dB; 0 or more.
      *
-     * @param across angle from the axis across, in beam widths
-     * @param upwards angle from the axis upwards, in beam widths
+     * @param across horizontal angle from the axis, in beamwidths
+     * @param upwards vertical angle from the axis, in beamwidths
      * @param sideLobes level of the side lobes below that of the main lobe, dB
      */
     public static double loss(double across, double upwards, double sideLobes) {
@@ -69,10 +69,10 @@ public record AntennaPattern(
     }
 
     /**
-     * The gain in a direction relative to that on the axis, dB; 0 or less. The angles are those in the antenna's own
-     * frame, which is not rolled: its beam keeps its shape when it is tilted.
+     * The gain in a direction relative to that on the axis, dB; 0 or less. The angles are those in the antenna's frame,
+     * without roll: the shape of the beam does not depend on its tilt.
      *
-     * @param axis in which it points, of any length above 0
+     * @param axis direction of the axis, of any length above 0
      * @param seen the direction, of any length above 0
      */
     public double gain(Position axis, Position seen) {

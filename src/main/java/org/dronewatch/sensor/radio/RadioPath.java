@@ -8,9 +8,9 @@ import org.dronewatch.world.World;
 
 /**
  * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the
- * mesh. A wave is diffracted over an obstacle and past it on both sides, and the powers of the three paths add up
- * (ITU-R P.526-15, section 4.2, average loss of a screen of finite width). Where nothing blocks the line, edges that
- * come near it attenuate the wave, too. One per thread.
+ * mesh. A wave is diffracted over an obstacle and round it on both sides, and the powers of the three paths are added
+ * (ITU-R P.526-15, section 4.2, average loss of a screen of finite width). Edges near an unobstructed line also
+ * attenuate the wave. One per thread.
  */
 public final class RadioPath {
     private static final double LIGHT = 299_792_458.0;
@@ -34,7 +34,7 @@ public final class RadioPath {
     private final Section level;
     private int mainTriangle;
 
-    /** For paths in a site. */
+    /** Paths in a site. */
     public RadioPath(World world) {
         this.world = world;
         this.upright = new Section(world);
@@ -53,7 +53,7 @@ public final class RadioPath {
     }
 
     /**
-     * The diffraction loss between two positions, dB; infinite where no path leads round the obstacle, as into a closed
+     * The diffraction loss between two positions, dB; infinite if there is no path round the obstacle, as into a closed
      * room.
      *
      * @param from one antenna, m
@@ -133,7 +133,7 @@ public final class RadioPath {
         return across.times(1.0 / across.length());
     }
 
-    /** The model with the edge that obstructs most between two positions; empty where none comes near the line. */
+    /** The model with the edge of the greatest loss between two positions; empty if no edge is near the line. */
     public Optional<Obstacle> obstacle(Position from, Position to, double frequency) {
         obstacleLoss(from, to, frequency);
         return mainTriangle < 0 ? Optional.empty() : Optional.of(world.obstacle(mainTriangle));

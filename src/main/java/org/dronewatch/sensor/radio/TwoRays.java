@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.World;
 
 /**
- * The interference of the direct wave with the one that the ground of a site reflects. The reflecting surface is the
+ * The interference of the direct wave with the wave reflected by the ground of a site. The reflecting surface is the
  * line that fits best, along the path, the heights of the site within the first Fresnel zone about the point of
  * reflection; the deviations from it count as roughness. What comes near one of the two legs of the reflected path, or
  * stands in it, weakens the reflection by its diffraction loss, so that nothing jumps where an edge rises into a leg.
@@ -43,7 +43,7 @@ public final class TwoRays {
 
     private double other;
 
-    /** Over the ground of a site. */
+    /** Interference over the ground of a site. */
     public TwoRays(World world, ReflectingGround surface) {
         this.world = world;
         this.surface = surface;
@@ -52,7 +52,7 @@ public final class TwoRays {
     }
 
     /**
-     * How the field at one end differs from that in free space, dB, one way; 0 without a reflection.
+     * The field at one end relative to that in free space, dB, one way; 0 without a reflection.
      *
      * @param isWithinBeam whether the sensor's antenna looks in the direction of a vector
      */
@@ -62,7 +62,7 @@ public final class TwoRays {
     }
 
     /**
-     * How the field at one end differs from that in free space, dB, one way; 0 without a reflection.
+     * The field at one end relative to that in free space, dB, one way; 0 without a reflection.
      *
      * @param from the sensor, m
      * @param to the drone or the pilot, m

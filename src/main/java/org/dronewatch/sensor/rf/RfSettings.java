@@ -30,20 +30,20 @@ import org.dronewatch.world.World;
 /**
  * A radio receiver. Without a {@code beam} it is omnidirectional.
  *
- * @param position where its antenna is, m
+ * @param position of its antenna, m
  * @param rate looks per second, above 0, Hz
  * @param minFrequency lowest frequency that it receives, 1 MHz to 100 GHz, Hz
  * @param maxFrequency highest frequency that it receives, Hz
  * @param gain gain of its antenna, in all directions or on the axis of its beam, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter excess path loss from ground, plants and buildings that the site's models do not show, plus local
- *     noise, 0 to 100 dB
+ * @param clutter excess path loss by ground, plants and buildings that are not in the site's models, plus local noise,
+ *     0 to 100 dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
- * @param polarisation of the signals; it matters only where the ground reflects
+ * @param polarisation of the signals; it only affects reflection from the ground
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
- * @param clutterIncludesEdges whether {@code clutter} is an allowance for everything in the way, the edges of the
- *     site's models included: then the greater of the two losses counts, otherwise their sum
+ * @param clutterIncludesEdges whether {@code clutter} includes the loss at the edges of the site's models: then the
+ *     greater of the two losses counts, otherwise their sum
  * @param environment man-made noise of the surroundings; omit it for thermal noise alone
  * @param occupied bands in which others transmit now and then, by name; they must not overlap
  * @param attributes kinds of emission that it can know for a drone's
@@ -123,9 +123,9 @@ public record RfSettings(
     }
 
     /**
-     * A receiver of 400 MHz to 6 GHz, one look a second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
-     * clutter, threshold 6 dB, vertical polarisation, thermal noise alone; it knows the emissions of drones from those
-     * of phones.
+     * A receiver of 400 MHz to 6 GHz, one look per second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
+     * clutter, threshold 6 dB, vertical polarisation, thermal noise alone; it distinguishes the emissions of drones
+     * from those of phones.
      */
     @Defaults("position")
     public static RfSettings at(Position position) {
@@ -156,18 +156,18 @@ public record RfSettings(
         return SettingsForm.with(this, "position", other);
     }
 
-    /** These settings with an antenna whose beam points elsewhere; of no effect without a beam. */
+    /** These settings with another aim of the beam; of no effect without a beam. */
     @Override
     public RfSettings withAim(Aim other) {
         return SettingsForm.with(this, "aim", other);
     }
 
-    /** These settings with the pattern of an antenna that points somewhere. */
+    /** These settings with a directional antenna. */
     public RfSettings withBeam(AntennaPattern pattern) {
         return SettingsForm.with(this, "beam", Optional.of(pattern));
     }
 
-    /** These settings for other frequencies, Hz. */
+    /** These settings with other frequencies, Hz. */
     public RfSettings withFrequencies(double from, double to) {
         return SettingsForm.with(this, Map.of("minFrequency", from, "maxFrequency", to));
     }
@@ -177,19 +177,20 @@ public record RfSettings(
         return SettingsForm.with(this, "gain", dbi);
     }
 
-    /** These settings with another loss by the surroundings, dB. */
+    /** These settings with another excess path loss, dB. */
     public RfSettings withClutter(double decibels) {
         return SettingsForm.with(this, "clutter", decibels);
     }
 
     /**
-     * These settings with a clutter that includes the loss at the edges of the site's models, or comes on top of it.
+     * These settings with an excess path loss that includes the loss at the edges of the site's models, or is added to
+     * it.
      */
     public RfSettings withClutterIncludingEdges(boolean included) {
         return SettingsForm.with(this, "clutterIncludesEdges", included);
     }
 
-    /** These settings with a ground that reflects waves of a polarisation. */
+    /** These settings with reflecting ground, and a polarisation. */
     public RfSettings withGroundReflection(ReflectingGround ground, Polarisation other) {
         return SettingsForm.with(this, Map.of("groundReflection", Optional.of(ground), "polarisation", other));
     }
@@ -206,7 +207,7 @@ public record RfSettings(
         return SettingsForm.with(this, "occupied", more);
     }
 
-    /** These settings with other kinds of emission that it can know for a drone's. */
+    /** These settings with other types of emission that it can recognise as a drone's. */
     public RfSettings withAttributes(List<RadioLink.Emission> kinds) {
         return SettingsForm.with(this, "attributes", kinds);
     }
@@ -242,7 +243,7 @@ public record RfSettings(
 
     /**
      * Power of the noise at a frequency, dBm: {@code k 290 K B (fa + fr - 1)} with the external noise fa and the noise
-     * factor fr (ITU-R P.372); without an environment that of the receiver alone.
+     * factor fr (ITU-R P.372); without an environment, that of the receiver alone.
      *
      * @param frequency Hz
      */
@@ -288,7 +289,7 @@ public record RfSettings(
         return beam.isEmpty() ? 0.0 : beam.get().gain(aim.from(position), towards);
     }
 
-    /** Settings that contradict each other, or that change nothing. */
+    /** {@inheritDoc} About settings that conflict, or have no effect. */
     @Override
     public List<String> advice() {
         return RfAdvice.on(this);
@@ -299,7 +300,7 @@ public record RfSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** A signal that just passes the threshold. */
+    /** {@inheritDoc} A signal that just passes the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(threshold, threshold, Quantity.LEVEL.unit());

@@ -182,7 +182,7 @@ public record ThermalSettings(
         return SettingsForm.with(this, "pointTargets", Optional.of(rule));
     }
 
-    /** As stated; otherwise what noise causes among the point targets. */
+    /** {@inheritDoc} The stated rate; otherwise that of noise with point targets. */
     @Override
     public Optional<FalseAlarmRate> falseAlarmRate() {
         return falseAlarms.map(known -> known.rate(rate)).or(() -> pointTargets.map(rule -> rule.rate(pixels(), rate)));

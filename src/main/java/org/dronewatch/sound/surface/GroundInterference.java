@@ -16,8 +16,7 @@ import org.dronewatch.sound.OctaveBands;
  * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: the Rayleigh criterion
  *     gives the coherent fraction of the reflected wave, {@code exp(-2 (k s cos t)^2)}
  * @param turbulence of the air
- * @param leastSeparation how far apart the two paths are taken to be at least where turbulence makes them incoherent,
- *     m, 0 or more
+ * @param leastSeparation least distance of the two paths assumed for their coherence in turbulence, m, 0 or more
  */
 public record GroundInterference(
         GroundImpedance ground,
@@ -35,7 +34,7 @@ public record GroundInterference(
     /** Decades of an octave band (IEC 61260-1, base ten). */
     private static final double OCTAVE = 0.3;
 
-    /** With rays that bend down or not at all: then they are as far apart as their heights say. */
+    /** Interference with straight rays, or rays that bend down, whose distance follows from their heights. */
     public GroundInterference(
             GroundImpedance ground,
             double soundSpeed,

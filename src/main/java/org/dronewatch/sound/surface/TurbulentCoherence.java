@@ -15,7 +15,7 @@ package org.dronewatch.sound.surface;
  * @param scale correlation length L, m, above 0
  */
 public record TurbulentCoherence(double strength, double scale) {
-    /** Between calm and turbulent, near the ground. */
+    /** Moderate turbulence near the ground. */
     public static final TurbulentCoherence MODERATE = new TurbulentCoherence(5e-6, 1.1);
 
     /** Below it the difference of 1 and rho is taken from its series, without cancellation. */
@@ -50,7 +50,7 @@ public record TurbulentCoherence(double strength, double scale) {
     }
 
     /**
-     * How far direct and reflected path are apart over the point of reflection, m.
+     * The distance between direct and reflected path above the point of reflection, m.
      *
      * @param sourceHeight of the source above the ground, m, 0 or more
      * @param receiverHeight of the receiver above the ground, m, 0 or more

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
- * The leg of a ray since it left the sensor or the source or was scattered last: its specular reflections one after
- * another, and whether they are those of an image source. One per thread.
+ * The leg of a ray since it left the sensor or the source or was last scattered: its sequence of specular reflections,
+ * and whether that belongs to an image source. One per thread.
  */
 public final class SpecularLeg {
     private int[] walls = new int[16];
@@ -20,7 +20,7 @@ public final class SpecularLeg {
     private double fromY;
     private double fromZ;
 
-    /** A leg begins where a ray is. */
+    /** Begins a leg at a ray's origin. */
     public void begin(AcousticRay ray) {
         fromX = ray.originX;
         fromY = ray.originY;
@@ -55,7 +55,7 @@ public final class SpecularLeg {
         isThroughWalls = true;
     }
 
-    /** How far the ray has travelled, m. */
+    /** The distance that the ray has travelled, m. */
     public double length() {
         return length;
     }
@@ -65,7 +65,7 @@ public final class SpecularLeg {
         return order;
     }
 
-    /** Whether a path over the same walls leads to a point, and not only past it. Not known for rays through walls. */
+    /** Whether a path over the same walls leads to a point, and not only past it; unknown for rays through walls. */
     public boolean leadsTo(Position point, SpecularPath path, WallPlanes planes) {
         ImageSources backward = backward();
         double[] images = new double[3 * backward.count()];
@@ -87,7 +87,7 @@ public final class SpecularLeg {
         return isThroughWalls;
     }
 
-    /** Whether the ray has travelled straight, through air alone. */
+    /** Whether the ray has travelled in a straight line, through air alone. */
     public boolean isStraight() {
         return order == 0 && !isThroughWalls;
     }

@@ -5,10 +5,10 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
- * The ground that reflects sound between two points, as a plane. Within the first Fresnel zone around the point of
- * reflection, where waves of one wavelength add up, a plane or, where that fits better, a surface that is convex along
- * the path is fitted to the ground; the plane is tangent to it at the point of reflection. The ground is what lies
- * straight below the line between the points and, within the zone, beside it. One per thread.
+ * The plane that represents the ground in the reflection of sound between two points. A plane or, if that fits better,
+ * a surface that is convex along the path is fitted to the ground within the first Fresnel zone around the point of
+ * reflection; the result is the tangent plane at the point of reflection. The ground consists of the surfaces straight
+ * below the line between the points and, within the zone, beside it. One per thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */
@@ -63,7 +63,7 @@ public final class GroundPlane {
     private double halfWidth;
     private int material;
 
-    /** In a world. */
+    /** Ground planes in a world. */
     public GroundPlane(World world) {
         this.profile = new GroundProfile(world);
     }
@@ -74,9 +74,9 @@ public final class GroundPlane {
      * @param first a point, m
      * @param second another one, m
      * @param wavelength of the sound, which determines the size of the zone, m, above 0
-     * @param curvature of sound from one to the other, 1/m: arcs are straight lines over ground that is bent the other
-     *     way
-     * @return whether there is ground that reflects, seen from both points; this object then holds its figures
+     * @param curvature of sound from one to the other, 1/m: arcs are treated as straight lines over ground that is bent
+     *     in the opposite direction
+     * @return whether there is reflecting ground, visible from both points; its properties can then be queried
      */
     public boolean find(Position first, Position second, double wavelength, double curvature) {
         from = first;
@@ -99,11 +99,11 @@ public final class GroundPlane {
     }
 
     /**
-     * Looks for the highest surface on the line between two points; only {@link #material} is then that of it, and the
-     * heights over the ground those of the two points, and {@link #isBelow} may be asked.
+     * Finds the highest surface on the line between two points. Then only {@link #material}, the heights of the points
+     * above the ground, and {@link #isBelow} can be queried.
      *
-     * @param share how far along the line, 0 to 1
-     * @param wavelength of the sound, which determines how far beside the line the ground matters, m, above 0
+     * @param share position along the line, 0 to 1
+     * @param wavelength of the sound, which determines the width of the relevant ground beside the line, m, above 0
      * @return whether there is one
      */
     public boolean findHighest(Position first, Position second, double share, double wavelength) {
@@ -120,12 +120,12 @@ public final class GroundPlane {
         secondOverGround = second.z() - profile.z(profile.distance(), 0.0);
     }
 
-    /** Height of the first point over the ground straight below it, m; not a number where there is none. */
+    /** Height of the first point above the ground straight below it, m; not a number where there is none. */
     public double firstOverGround() {
         return firstOverGround;
     }
 
-    /** Height of the second point over the ground straight below it, m; not a number where there is none. */
+    /** Height of the second point above the ground straight below it, m; not a number where there is none. */
     public double secondOverGround() {
         return secondOverGround;
     }
@@ -300,7 +300,7 @@ public final class GroundPlane {
         return Math.hypot(Math.hypot(reflectionU - distance, reflectionV), to.z() - planeZ(reflectionU, reflectionV));
     }
 
-    /** Whether a point is part of the ground in the zone, so that its reflection is part of the plane's. */
+    /** Whether a point belongs to the ground in the zone, so that the plane's reflection includes its own. */
     public boolean covers(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);
