@@ -2,6 +2,8 @@ package org.dronewatch.docs;
 
 import com.sun.source.doctree.DocCommentTree;
 import com.sun.source.doctree.DocTree;
+import com.sun.source.doctree.LinkTree;
+import com.sun.source.doctree.LiteralTree;
 import com.sun.source.doctree.ParamTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
@@ -85,13 +87,24 @@ final class RecordTexts implements SettingTexts {
         }
     }
 
-    /** As plain text in one line: what stands in {@code code} and links keeps its words. */
+    /** As plain text in one line: code and links keep their words. */
     private static String text(List<? extends DocTree> trees) {
         return trees.stream()
-                .map(Object::toString)
+                .map(RecordTexts::words)
                 .collect(Collectors.joining())
-                .replaceAll("\\{@(?:code|link) (?:[\\w.]*#)?([^}]*)}", "$1")
                 .replaceAll("\\s+", " ")
                 .strip();
+    }
+
+    private static String words(DocTree tree) {
+        if (tree instanceof LiteralTree code) {
+            return code.getBody().getBody();
+        }
+        if (tree instanceof LinkTree link) {
+            return link.getLabel().isEmpty()
+                    ? link.getReference().getSignature().replaceFirst("^[\\w.]*#", "")
+                    : text(link.getLabel());
+        }
+        return tree.toString();
     }
 }
