@@ -21,14 +21,14 @@ import org.dronewatch.sensor.alarm.FalseAlarming;
  * for each contact, however long it lasts.
  *
  * <p>Let s be the probability that a false alarm begins in a given cell in a given look, K the number of cells, f the
- * looks per second, M of N the confirmation. False alarms of one look are confirmed {@code K f C(N-1, M-1) s^M
- * (1-s)^(N-M+1)} times a second: how often a look confirms what the look before did not. Those that last for L looks, M
- * or more, confirm themselves, {@code K f s (1-s)^(N+L-1)} times a second. If L is above one but below M, J = M / L of
- * them, rounded up, must begin in the same cell within N + L - 1 looks: {@code K f s P(Poisson(s' (N+L-1)) >= J-1)},
- * with s' = -ln(1-s), is an upper bound.
+ * looks per second, M of N the confirmation. False alarms of one look are confirmed
+ * {@code K f C(N-1, M-1) s^M (1-s)^(N-M+1)} times a second: the rate of looks that confirm one not confirmed by the
+ * look before. Those that last for L looks, M or more, confirm themselves, {@code K f s (1-s)^(N+L-1)} times a second.
+ * If L is above one but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1 looks:
+ * {@code K f s P(Poisson(s' (N+L-1)) >= J-1)}, with s' = -ln(1-s), is an upper bound.
  *
  * @param perDay expected number of false alerts per day by the sensors whose rates are known
- * @param isUpperBound whether there may be fewer
+ * @param isUpperBound whether the number is an upper bound
  * @param known names of the sensors whose rates are known
  * @param unknown names of the sensors whose rates are not known
  */

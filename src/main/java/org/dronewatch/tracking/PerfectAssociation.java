@@ -15,11 +15,11 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.alarm.FalseAlarmSource;
 
 /**
- * Knows which measurements belong together, because it reads the truth: all looks at one drone are one contact. It
- * takes the place of a tracker that does not exist yet, and bounds the performance that one could achieve. False
- * measurements of one sensor in the same cell, which {@link FalseAlarmSource#CELL} names, are one contact, too, as
- * long as they may confirm each other; without a cell each is a contact by itself. Contacts are numbered from 1 on in
- * the order in which they appear; the numbers say nothing about drones. One per run.
+ * A perfect association of measurements with contacts, which reads the truth: all looks at one drone are one contact.
+ * It replaces a tracker, which does not exist yet, and is an upper bound on the performance of one. False measurements
+ * of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as long as they may
+ * confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 on in the order in which
+ * they appear; the numbers carry no information about drones. One per run.
  */
 public class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();

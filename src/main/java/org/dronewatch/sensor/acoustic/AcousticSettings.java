@@ -40,10 +40,10 @@ import org.dronewatch.world.World;
  * @param rate looks per second, above 0, Hz
  * @param threshold level above the background that a sound must reach to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
- * @param array the microphones of an array; its gain takes the place of {@code arrayGain}, and in the energy model it
- *     measures directions, by which other sensors can be cued
- * @param propagation how sound propagates: {@code level-model}, {@code energy-model}, or a kind from another jar
- * @param drawRays whether the report and the viewer show its rays: those of the first detection, or of the start
+ * @param array the microphones of an array; its gain replaces {@code arrayGain}, and in the energy model it measures
+ *     directions, by which other sensors can be cued
+ * @param propagation model of sound propagation: {@code level-model}, {@code energy-model}, or a kind from another jar
+ * @param drawRays whether the report and the viewer show its rays: those at the first detection, or at the start
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
  */

@@ -1,18 +1,18 @@
 package org.dronewatch.sensor.alarm;
 
 /**
- * How often a sensor raises false alarms. They begin independently of each other, in every look and in every cell
- * alike: their number in a look is Poisson-distributed.
+ * The rate of a sensor's false alarms. They begin independently of each other, with the same probability in every look
+ * and in every cell: their number in a look is Poisson-distributed.
  *
- * @param perLook expected number that begin in one look, 0 or more; at most {@link #MOST_PER_LOOK}, those that last
- *     included, may be reported in each look
+ * @param perLook expected number that begin in one look, 0 or more; at most {@link #MOST_PER_LOOK}, including lasting
+ *     ones, may be reported in each look
  * @param cells number of cells of its field of view that the sensor, or its tracker, distinguishes, 1 or more: only
  *     false alarms in the same cell confirm each other
  * @param looks number of consecutive looks that one lasts, 1 or more: one for noise, more for a bird or an aircraft
  * @param rate looks per second, above 0, Hz
  */
 public record FalseAlarmRate(double perLook, long cells, int looks, double rate) {
-    /** More could not be told from each other, nor simulated. */
+    /** The maximum that can be distinguished and simulated. */
     public static final double MOST_PER_LOOK = 1000.0;
 
     private static final double HOUR = 3600.0;

@@ -17,16 +17,16 @@ import org.dronewatch.world.World;
 /**
  * The false alarms of one sensor during a run. Those that begin in a look are drawn from a stream that depends on the
  * seed, the sensor's name and the index of the look only, so that they neither depend on drones and other sensors nor
- * change what is drawn for them. One that lasts keeps its cell in the field of view. Looks come in their order; one
- * thread at a time.
+ * affect their random numbers. One that lasts keeps its cell in the field of view. Looks must be given in their order.
+ * One thread at a time.
  */
 public final class FalseAlarmSource {
     /** The purpose of the random numbers of false alarms. */
     public static final String PURPOSE = "false";
 
     /**
-     * The figure of a false alarm that names its cell: a number, from 0. False alarms of a sensor in the same cell
-     * are taken for one contact. Those of a sensor from another jar may have it, too.
+     * The name of the figure with the cell of a false alarm: a number, from 0. False alarms of a sensor in the same
+     * cell are one contact. Those of a sensor from another jar may have it, too.
      */
     public static final String CELL = "cell";
 

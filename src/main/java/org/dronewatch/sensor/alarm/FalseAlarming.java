@@ -16,8 +16,8 @@ public interface FalseAlarming {
     Optional<FalseAlarmRate> falseAlarmRate();
 
     /**
-     * By how many of the numbers the cells of false alarms differ, 0 to 3; 0 unless overridden, for a sensor that
-     * measures no direction.
+     * The number of these numbers by which the cells of false alarms differ, 0 to 3; 0 unless overridden, for a sensor
+     * that measures no direction.
      */
     default int dimensions() {
         return 0;

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How often a sensor mistakes something else for a drone, as stated by its manufacturer or counted in a trial.
+ * The rate at which a sensor mistakes other things for drones, as stated by its manufacturer or counted in a trial.
  *
  * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
  * @param cells number of cells of its field of view that the sensor distinguishes, 1 to 1e9: only false alarms in the
@@ -38,7 +38,7 @@ public record FalseAlarms(
         return new FalseAlarms(perHour, 1, 5.0);
     }
 
-    /** These false alarms in a different number of cells. */
+    /** These false alarms with another number of cells. */
     public FalseAlarms withCells(int number) {
         return SettingsForm.with(this, "cells", number);
     }

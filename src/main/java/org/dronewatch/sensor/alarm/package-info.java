@@ -1,2 +1,2 @@
-/** False alarms of sensors: their rates, their places, and their random draws in a run. */
+/** False alarms of sensors: their rates, their cells, and their random draws in a run. */
 package org.dronewatch.sensor.alarm;

@@ -9,14 +9,13 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How often noise passes a radar's threshold: the number of resolution cells of a scan times the
- * probability in one of them (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent from cell to
- * cell and from scan to scan.
+ * False alarms of a radar by noise: their number is that of the resolution cells in a scan times the probability in one
+ * of them (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent between cells and between scans.
  *
- * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it for that of {@code
- *     detection: chance} or else of a data sheet
- * @param cells number of resolution cells in a scan, 1 to 1e12; omit it with a hardware budget, for which they are
- *     counted: range cells times beams times Doppler cells
+ * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it to use that of
+ *     {@code detection: chance} or of a data sheet
+ * @param cells number of resolution cells in a scan, 1 to 1e12; omit it to compute it for a hardware budget: range
+ *     cells times beams times Doppler cells
  * @param gate number of cells within which detections of successive scans count as those of one target, 1 to 1e6
  */
 public record RadarFalseAlarms(

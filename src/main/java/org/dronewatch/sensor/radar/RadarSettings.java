@@ -54,7 +54,7 @@ import org.dronewatch.world.World;
  *     receiver; otherwise the visible fraction of a drone counts
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
- * @param notch a filter that rejects what stands still, in place of minSpeed; none by default
+ * @param notch a Doppler filter that rejects stationary echoes, in place of minSpeed; none by default
  * @param falseAlarms how often noise passes its threshold; unless set, the rate is unknown, and no false alarms are
  *     simulated
  */
@@ -292,7 +292,7 @@ public record RadarSettings(
         return falseAlarms.map(noise -> noise.rate(cells(), budget, detection, rate));
     }
 
-    /** Range, azimuth and elevation. */
+    /** {@inheritDoc} Range, azimuth and elevation. */
     @Override
     public int dimensions() {
         return 3;
@@ -303,7 +303,7 @@ public record RadarSettings(
         return Optional.of(new NoiseField(position, outline(), accuracy).at(u, v, w));
     }
 
-    /** The signal-to-noise ratio that noise alone seems to have. */
+    /** {@inheritDoc} The signal-to-noise ratio that noise alone appears to have. */
     @Override
     public Reading falseReading(World world, double excess) {
         return detection.noise(excess);

@@ -45,9 +45,9 @@ import org.dronewatch.world.World;
  * @param clutterIncludesEdges whether {@code clutter} includes the loss at the edges of the site's models: then the
  *     greater of the two losses counts, otherwise their sum
  * @param environment man-made noise of the surroundings; omit it for thermal noise alone
- * @param occupied bands in which others transmit now and then, by name; they must not overlap
- * @param attributes kinds of emission that it can know for a drone's
- * @param dwell how long it listens to a transmission in bursts; omit it for a receiver that hears every burst
+ * @param occupied bands in which others transmit intermittently, by name; they must not overlap
+ * @param attributes types of emission that it can recognise as a drone's
+ * @param dwell time for which it listens to a transmission in bursts; omit it for a receiver of all bursts
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
  * @param beam pattern of its antenna; omit it for an omnidirectional one
@@ -300,7 +300,7 @@ public record RfSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} A signal that just passes the threshold. */
+    /** {@inheritDoc} {@inheritDoc} A signal that just passes the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(threshold, threshold, Quantity.LEVEL.unit());
