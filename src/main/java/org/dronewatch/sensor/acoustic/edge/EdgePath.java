@@ -157,14 +157,14 @@ public final class EdgePath {
     }
 
     /**
-     * How many other paths there are that cannot be shortened either and are nearly as short, as round the side of a
-     * house over whose roof the shortest one leads.
+     * The number of other paths that cannot be shortened either and are nearly as short, such as the one round the side
+     * of a house if the shortest one leads over its roof.
      */
     public int others() {
         return minima;
     }
 
-    /** The edges of one of {@link #others}; the shortest path may be among them, with no detour then. */
+    /** The edges of one of {@link #others}; the shortest path may be among them, with an infinite detour. */
     public EdgeSequence other(int number) {
         return number == ofShortest ? NONE : ofMinima[number];
     }

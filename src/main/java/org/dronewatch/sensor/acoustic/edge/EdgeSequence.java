@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.acoustic.edge;
 
-/** The edges of one path round an obstacle, in their order: where they are, and by how much the path bends there. */
+/** The edges of one path round an obstacle, in their order, with their positions along the path and its bends. */
 public final class EdgeSequence {
     private double detour = Double.POSITIVE_INFINITY;
     private int edges;
@@ -48,12 +48,12 @@ public final class EdgeSequence {
         }
     }
 
-    /** How much longer the path is than the straight line, m; infinity if there is none. */
+    /** The length of the path minus that of the straight line, m; infinity if there is no path. */
     public double detour() {
         return detour;
     }
 
-    /** How many there are. */
+    /** The number of edges. */
     public int count() {
         return edges;
     }
@@ -63,17 +63,20 @@ public final class EdgeSequence {
         return along[edge];
     }
 
-    /** By how much the path bends at the edges up to one, that one included, rad. */
+    /** The angle by which the path bends at the edges up to one, that one included, rad. */
     public double turnUpTo(int edge) {
         return turned[edge];
     }
 
-    /** By how much the path bends at the edges from one on, that one included, rad. */
+    /** The angle by which the path bends at the edges from one on, that one included, rad. */
     public double turnFrom(int edge) {
         return turned[edges - 1] - (edge > 0 ? turned[edge - 1] : 0.0);
     }
 
-    /** By how much the outline of the obstacle bends at the sharpest of its edges, rad: pi for the end of a sheet. */
+    /**
+     * The angle by which the outline of the obstacle bends at the sharpest of its edges, rad: pi for the end of a
+     * sheet.
+     */
     public double bend() {
         return bend;
     }
