@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -15,11 +14,9 @@ import org.dronewatch.report.RunReport;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.labels.LabelPlan;
 import org.dronewatch.run.AlertResult;
-import org.dronewatch.run.FalseAlarmResult;
 import org.dronewatch.run.Pace;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunInfo;
-import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
@@ -151,7 +148,7 @@ final class RunCommand implements Callable<Integer> {
             progress.finish();
             print(result, spec.commandLine().getOut());
             printAlerts(result, spec.commandLine().getOut());
-            printFalseAlarms(result, spec.commandLine().getOut());
+            FalseAlarmLines.print(result, spec.commandLine().getOut());
             err.println("results in " + directory);
         }
     }
@@ -262,31 +259,6 @@ final class RunCommand implements Callable<Integer> {
                     alert.inTime().map(enough -> enough ? "yes" : "no").orElse("-"),
                     alert.sensors().isEmpty() ? "-" : String.join(", ", alert.sensors()));
         }
-    }
-
-    /** What the alert rule costs, where the scene has one of its own or something is known of false alarms. */
-    private static void printFalseAlarms(SceneResult result, PrintWriter target) {
-        for (RunResult run : result.runs()) {
-            FalseAlarmResult counted = run.falseAlarms();
-            boolean isUnknown = run.falseAlertRate().isUnknown();
-            if (counted.count() > 0 || !isUnknown || !run.settings().alert().equals(AlertSettings.DEFAULT)) {
-                String which = result.runs().size() == 1 ? "" : "run " + run.run() + ": ";
-                String why = isUnknown && counted.count() == 0 ? ", since no sensor states its 'falseAlarms'" : "";
-                String here = isUnknown && counted.count() == 0
-                        ? ""
-                        : "; in this run: " + counted.alertCount() + ", from false alarms: "
-                                + bySensor(counted.counted());
-                target.println(which + "false alerts: " + run.falseAlertRate().inWords() + why + here);
-            }
-        }
-    }
-
-    private static String bySensor(Map<String, Long> counted) {
-        return counted.isEmpty()
-                ? "none"
-                : counted.entrySet().stream()
-                        .map(one -> one.getKey() + " " + one.getValue())
-                        .collect(Collectors.joining(", "));
     }
 
     private static String text(OptionalDouble value) {

@@ -115,6 +115,20 @@ public record DroneSettings(
         spectrum.ifPresent(own -> Limits.check(
                 BandLevels.class, Arrays.stream(own.toArray()).boxed().toArray()));
         checkSound(sound, spectrum.isPresent());
+        if (label.role() == ThreatLabel.Role.BIRD) {
+            checkBird(radar, radio, Math.max(soundLevel, soundPowerLevel));
+        }
+    }
+
+    /** Since sensors do not know labels, what a bird does not have must not be there. */
+    private static void checkBird(RadarSignature radar, RadioLink radio, double loudest) {
+        if (radio.control() == RadioLink.Control.RADIO
+                || loudest > 0.0
+                || radar.rotorLevel().isPresent()) {
+            throw new IllegalArgumentException(
+                    "label.role bird: a bird has neither a transmitter nor motors nor rotors:"
+                            + " radio.control must be autonomous, soundLevel and soundPowerLevel 0, without radar.rotorLevel");
+        }
     }
 
     /**
@@ -164,6 +178,30 @@ public record DroneSettings(
                 Optional.empty(),
                 Optional.empty(),
                 ThreatLabel.DEFAULT);
+    }
+
+    /**
+     * A bird, which sensors may take for a drone: silent, without a transmitter; its temperature difference is assumed.
+     *
+     * @param speed in flight, m/s
+     * @param crossSection mean radar cross-section, m2
+     */
+    public static DroneSettings bird(
+            ModelSettings model, FlightPathSettings flight, double speed, double crossSection) {
+        RadarSignature radar = RadarSignature.DEFAULT
+                .withCrossSection(crossSection)
+                .withFluctuation(RadarSignature.Fluctuation.SWERLING_1);
+        Map<String, ?> silent = Map.of("soundLevel", 0.0, "soundPowerLevel", 0.0);
+        DroneSettings unlabelled = of(model, flight)
+                .withSpeed(speed)
+                .withRadar(radar)
+                .withRadio(RadioLink.DEFAULT.withControl(RadioLink.Control.AUTONOMOUS));
+        return SettingsForm.with(unlabelled, silent).withLabel(ThreatLabel.BIRD);
+    }
+
+    /** Whether it is a bird and no drone, for scoring. */
+    public boolean isBird() {
+        return label.role() == ThreatLabel.Role.BIRD;
     }
 
     /** These settings with another mesh. */

@@ -32,6 +32,10 @@ public record ThreatLabel(
     public static final ThreatLabel DEFAULT = new ThreatLabel(
             Role.ATTACK, Purpose.UNKNOWN, Platform.UNKNOWN, PowerSource.UNKNOWN, Optional.empty(), Optional.empty());
 
+    /** A bird, with nothing else known. */
+    public static final ThreatLabel BIRD = new ThreatLabel(
+            Role.BIRD, Purpose.UNKNOWN, Platform.UNKNOWN, PowerSource.UNKNOWN, Optional.empty(), Optional.empty());
+
     /** The role of a drone. */
     public enum Role {
         /** The threat that the site must detect. */
@@ -39,7 +43,9 @@ public record ThreatLabel(
         /** A decoy, which draws attention away from others. */
         DECOY,
         /** A harmless drone that passes by. */
-        BYSTANDER
+        BYSTANDER,
+        /** No drone but a bird: an alert for it is a false alert. */
+        BIRD
     }
 
     /** The intention of a drone's owner. */

@@ -16,10 +16,13 @@ final class DetectionTable {
         this.table = table;
     }
 
-    /** A sensor gains or loses a drone. */
+    /** A sensor gains or loses a drone; if it begins to detect a bird, that is a false alarm with its name. */
     void add(DetectionEvent event) {
         Observation observation = event.observation();
-        add(event.run(), event.gained() ? "gained" : "lost", observation, Numbers.text(observation.range()));
+        if (event.gained() || !observation.isBird()) {
+            String name = observation.isBird() ? "false" : event.gained() ? "gained" : "lost";
+            add(event.run(), name, observation, Numbers.text(observation.range()));
+        }
     }
 
     /** A false alarm has its own event, and no drone; one that lasts is a row when it begins. */

@@ -40,6 +40,16 @@ final class FalseAlarmsKey {
         node.put("alerts", counted.alertCount());
         ArrayNode times = node.putArray("alerts_s");
         counted.alerts().forEach(alert -> times.add(Numbers.rounded(alert.time())));
+        if (!run.settings().birds().isEmpty()) {
+            ArrayNode birds = node.putArray("birds");
+            counted.birds().forEach((bird, alert) -> {
+                ObjectNode one = birds.addObject();
+                one.put("bird", bird);
+                one.put("alert_s", Numbers.rounded(alert.time()));
+                ArrayNode raisedBy = one.putArray("sensors");
+                alert.sensors().forEach(raisedBy::add);
+            });
+        }
         ArrayNode sensors = node.putArray("sensors");
         run.settings().enabledSensors().forEach((id, sensor) -> {
             ObjectNode one = sensors.addObject();

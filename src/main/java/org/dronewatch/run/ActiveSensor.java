@@ -2,6 +2,8 @@ package org.dronewatch.run;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
@@ -69,7 +71,7 @@ final class ActiveSensor {
         if (settings.chance() == Chance.PER_ENCOUNTER) {
             encounters = Encounters.after(look, rate, observations);
         }
-        List<Observation> ofDrones = known(world, drones, observations);
+        List<Observation> ofDrones = birds(drones, known(world, drones, observations));
         return ofNothing.isEmpty()
                 ? ofDrones
                 : Stream.concat(ofDrones.stream(), ofNothing.stream()).toList();
@@ -80,6 +82,19 @@ final class ActiveSensor {
                 ? observations
                 : observations.stream()
                         .map(seen -> isKnown(world, seen, drones) ? seen : seen.asUnknown())
+                        .toList();
+    }
+
+    /** Marks what was observed of birds, for scoring. */
+    private static List<Observation> birds(List<Drone> drones, List<Observation> observations) {
+        Set<String> birds = drones.stream()
+                .filter(drone -> drone.settings().isBird())
+                .map(Drone::id)
+                .collect(Collectors.toSet());
+        return birds.isEmpty()
+                ? observations
+                : observations.stream()
+                        .map(seen -> birds.contains(seen.drone()) ? seen.asBird() : seen)
                         .toList();
     }
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
@@ -40,6 +41,8 @@ public final class AlertWatch {
     private final List<Alert> falseAlerts = new ArrayList<>();
     private final Map<String, Double> firstSights = new HashMap<>();
     private final Map<String, Position> placesAtAlert = new HashMap<>();
+    private final Map<String, Alert> birdAlerts = new LinkedHashMap<>();
+    private final Set<String> birds;
     private long falseAlertCount;
 
     /**
@@ -50,6 +53,7 @@ public final class AlertWatch {
     AlertWatch(int run, SceneSettings settings, Stage stage) {
         this.run = run;
         this.settings = settings;
+        this.birds = settings.birds();
         this.sightline = new Sightline(stage.world());
         this.protection = stage.protection();
         this.association = stage.association();
@@ -76,9 +80,18 @@ public final class AlertWatch {
         log.forget(association.ended());
     }
 
+    /** Counts a bird that a sensor begins to detect as a false alarm. */
+    void add(DetectionEvent event) {
+        if (event.gained() && event.observation().isBird()) {
+            falseAlarms.merge(event.observation().sensor(), 1L, Long::sum);
+        }
+    }
+
     /** Counts an alert for what is no drone. */
     private void count(Alert alert) {
-        if (!association.isComplete(alert.contact())) {
+        Optional<String> bird = association.droneOf(alert.contact()).filter(birds::contains);
+        bird.ifPresent(id -> birdAlerts.put(id, alert));
+        if (bird.isPresent() || !association.isComplete(alert.contact())) {
             falseAlertCount++;
             if (falseAlerts.size() < FalseAlarmResult.MOST_ALERTS) {
                 falseAlerts.add(alert);
@@ -122,19 +135,23 @@ public final class AlertWatch {
 
     /** What no drone caused. */
     FalseAlarmResult falseAlarms() {
-        List<String> drones = List.copyOf(settings.individualDrones().keySet());
-        return new FalseAlarmResult(falseAlarms, falseAlertCount, falseAlerts, trials.results(drones));
+        List<String> drones = settings.individualDrones().keySet().stream()
+                .filter(id -> !birds.contains(id))
+                .toList();
+        return new FalseAlarmResult(falseAlarms, falseAlertCount, falseAlerts, birdAlerts, trials.results(drones));
     }
 
     /**
-     * The alerts of the run, one for each drone.
+     * The alerts of the run, one for each drone, without birds.
      *
      * @param simulated duration of the run, s
      */
     public List<AlertResult> results(Stage stage, double simulated) {
         List<AlertResult> results = new ArrayList<>();
         for (Drone drone : stage.dronesAt(0.0)) {
-            results.add(result(drone, stage, simulated));
+            if (!drone.settings().isBird()) {
+                results.add(result(drone, stage, simulated));
+            }
         }
         return results;
     }

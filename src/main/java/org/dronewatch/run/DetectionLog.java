@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
@@ -15,15 +16,17 @@ public final class DetectionLog {
     private final Consumer<DetectionEvent> target;
     private final Map<List<String>, Pair> pairs = new LinkedHashMap<>();
     private final List<DetectionEvent> events = new ArrayList<>();
+    private final Set<String> birds;
 
     /**
      * A log of all pairs of a scene.
      *
-     * @param target receives each event at once
+     * @param target receives each event at once, those of birds as well
      */
     public DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
         this.run = run;
         this.target = target;
+        this.birds = settings.birds();
         settings.enabledSensors().forEach((sensor, sensorSettings) -> settings.individualDrones()
                 .keySet()
                 .forEach(drone -> pairs.put(List.of(sensor, drone), new Pair(sensor, sensorSettings.kind(), drone))));
@@ -51,7 +54,9 @@ public final class DetectionLog {
         if (detected != pair.detected) {
             pair.detected = detected;
             DetectionEvent event = new DetectionEvent(run, detected, observation);
-            events.add(event);
+            if (!observation.isBird()) {
+                events.add(event);
+            }
             target.accept(event);
         }
         if (detected) {
@@ -59,12 +64,17 @@ public final class DetectionLog {
         }
     }
 
+    /** The detections of drones gained and lost. */
     public List<DetectionEvent> events() {
         return List.copyOf(events);
     }
 
+    /** The result of each sensor with each drone. */
     public List<PairResult> pairs() {
-        return pairs.values().stream().map(pair -> pair.toResult(run)).toList();
+        return pairs.values().stream()
+                .filter(pair -> !birds.contains(pair.drone))
+                .map(pair -> pair.toResult(run))
+                .toList();
     }
 
     private static final class Pair {

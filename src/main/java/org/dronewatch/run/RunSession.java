@@ -66,9 +66,13 @@ public final class RunSession implements AutoCloseable {
         this.info = info;
         this.control = control;
         this.stage = new Stage(info.settings(), models, seed);
-        this.log = new DetectionLog(
-                info.run(), info.settings(), event -> listeners.forEach(listener -> listener.detectionChanged(event)));
+        this.log = new DetectionLog(info.run(), info.settings(), this::detectionChanged);
         this.alerts = new AlertWatch(info.run(), info.settings(), stage);
+    }
+
+    private void detectionChanged(DetectionEvent event) {
+        alerts.add(event);
+        listeners.forEach(listener -> listener.detectionChanged(event));
     }
 
     /**

@@ -171,6 +171,17 @@ public record SceneSettings(
         return SwarmExpansion.of(drones);
     }
 
+    /** The ids of those that are birds, and no drones. */
+    public Set<String> birds() {
+        Set<String> birds = new LinkedHashSet<>();
+        individualDrones().forEach((id, drone) -> {
+            if (drone.isBird()) {
+                birds.add(id);
+            }
+        });
+        return Collections.unmodifiableSet(birds);
+    }
+
     /** An empty site that runs for a minute. */
     @Defaults("world")
     public static SceneSettings of(WorldSettings world) {

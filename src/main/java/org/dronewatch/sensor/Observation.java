@@ -31,6 +31,9 @@ public record Observation(
      */
     public static final String UNKNOWN = "unknown";
 
+    /** The name of the figure, 1, for a look at a bird, which is no drone: for scoring. */
+    public static final String BIRD = "bird";
+
     /** Copies the figures, in their order. */
     public Observation {
         figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
@@ -134,9 +137,23 @@ public record Observation(
 
     /** This observation as one whose line of sight leaves the known ground. */
     public Observation asUnknown() {
+        return with(UNKNOWN);
+    }
+
+    private Observation with(String flag) {
         Map<String, Double> more = new LinkedHashMap<>(figures);
-        more.put(UNKNOWN, 1.0);
+        more.put(flag, 1.0);
         return withFigures(more);
+    }
+
+    /** This observation as one of a bird. */
+    public Observation asBird() {
+        return with(BIRD);
+    }
+
+    /** Whether it is one of a bird, which only scoring knows: a detection of it is a false alarm. */
+    public boolean isBird() {
+        return figures.containsKey(BIRD);
     }
 
     /** Whether the line of sight leaves the known ground. */

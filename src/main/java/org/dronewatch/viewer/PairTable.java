@@ -3,6 +3,7 @@ package org.dronewatch.viewer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.table.AbstractTableModel;
 
 /** Each sensor with each drone: whether it detects it, from how far, and its value against the threshold. */
@@ -20,13 +21,15 @@ final class PairTable extends AbstractTableModel {
         private final String sensor;
         private final String kind;
         private final String drone;
+        private final boolean isBird;
         private boolean detected;
         private Optional<PairReading> reading = Optional.empty();
 
-        Row(String sensor, String kind, String drone) {
+        Row(String sensor, String kind, String drone, boolean isBird) {
             this.sensor = sensor;
             this.kind = kind;
             this.drone = drone;
+            this.isBird = isBird;
         }
     }
 
@@ -35,10 +38,11 @@ final class PairTable extends AbstractTableModel {
         if (next != run) {
             run = next;
             rows.clear();
+            Set<String> birds = run.info().settings().birds();
             run.info().settings().enabledSensors().forEach((id, sensor) -> {
                 for (String drone : run.info().settings().individualDrones().keySet()) {
                     if (rows.size() < MOST) {
-                        rows.add(new Row(id, sensor.kind(), drone));
+                        rows.add(new Row(id, sensor.kind(), drone, birds.contains(drone)));
                     }
                 }
             });
@@ -87,7 +91,7 @@ final class PairTable extends AbstractTableModel {
         return switch (column) {
             case 0 -> row.sensor;
             case 1 -> row.kind;
-            case 2 -> row.drone;
+            case 2 -> row.isBird ? row.drone + " (bird)" : row.drone;
             case 3 -> row.detected ? "detects" : "-";
             case 4 -> row.reading.map(r -> Texts.value(r.range())).orElse("");
             case 5 -> row.reading.map(r -> Texts.measured(r.value(), r.unit())).orElse("");

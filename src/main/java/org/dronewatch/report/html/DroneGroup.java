@@ -22,8 +22,15 @@ record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabe
         members = List.copyOf(members);
     }
 
-    /** All groups of a scene, in the scene's order. */
+    /** All groups of drones of a scene, in the scene's order; without birds. */
     static List<DroneGroup> of(SceneSettings scene) {
+        return all(scene).stream()
+                .filter(group -> group.role() != ThreatLabel.Role.BIRD)
+                .toList();
+    }
+
+    /** All that flies in a scene, birds as well. */
+    static List<DroneGroup> all(SceneSettings scene) {
         List<DroneGroup> groups = new ArrayList<>();
         List<String> individuals = new ArrayList<>(scene.individualDrones().keySet());
         int next = 0;

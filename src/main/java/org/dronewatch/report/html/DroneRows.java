@@ -21,11 +21,12 @@ final class DroneRows {
     static String table(SceneSettings scene) {
         List<List<String>> rows = new ArrayList<>();
         Map<String, DroneSettings> individuals = scene.individualDrones();
-        for (DroneGroup group : DroneGroup.of(scene)) {
+        for (DroneGroup group : DroneGroup.all(scene)) {
             DroneSettings drone = individuals.get(group.members().get(0));
             rows.add(List.of(
                     group.isSwarm()
-                            ? group.name() + " (swarm of " + group.members().size() + ")"
+                            ? group.name() + " (" + (drone.isBird() ? "flock" : "swarm") + " of "
+                                    + group.members().size() + ")"
                             : group.name(),
                     drone.model().file(),
                     ReadableNumbers.number(drone.speed()) + " m/s",

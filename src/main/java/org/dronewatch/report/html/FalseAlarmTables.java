@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.Confirmation;
 import org.dronewatch.fusion.FalseAlertRate;
@@ -32,7 +33,7 @@ final class FalseAlarmTables {
     }
 
     String html() {
-        String price = Html.plain("p", "False alerts with this rule: " + rate.inWords() + "." + inThisRun());
+        String price = Html.plain("p", "False alerts with this rule: " + rate.inWords() + "." + inThisRun() + birds());
         if (rate.isUnknown()) {
             return price
                     + (counted.count() == 0
@@ -51,6 +52,15 @@ final class FalseAlarmTables {
                 : format(
                         " In this run: %s, %s.",
                         number(counted.count(), "false alarm"), number(counted.alertCount(), "false alert"));
+    }
+
+    /** Which of the false alerts were birds. */
+    private String birds() {
+        return counted.birds().entrySet().stream()
+                .map(one -> format(
+                        " The alert at %.1f s, raised by %s, was a bird: '%s'.",
+                        one.getValue().time(), String.join(", ", one.getValue().sensors()), one.getKey()))
+                .collect(Collectors.joining());
     }
 
     private static String number(long count, String what) {

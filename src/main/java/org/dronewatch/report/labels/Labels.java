@@ -58,6 +58,7 @@ public final class Labels implements AutoCloseable {
     private final List<LabelPart> open = new ArrayList<>();
 
     private boolean several;
+    private boolean hasBirds;
 
     /** Labels according to a plan. */
     public Labels(LabelPlan plan, Target target) {
@@ -70,6 +71,7 @@ public final class Labels implements AutoCloseable {
         closeParts();
         cameras.clear();
         several = run.runs() > 1;
+        hasBirds |= !run.settings().birds().isEmpty();
         for (String id : plan.cameras()) {
             cameras.add(new LabelledCamera(id, run.settings().sensors().get(id), stage, plan.samples()));
             String part = PICTURES + "/part-" + parts.size();
@@ -127,7 +129,7 @@ public final class Labels implements AutoCloseable {
         int height = camera.camera().height();
         Mask mask = Mask.of(hits, width, height);
         ObjectNode annotation = JsonNodeFactory.instance.objectNode();
-        annotation.put("category_id", 1);
+        annotation.put("category_id", drone.settings().isBird() ? 2 : 1);
         annotation
                 .putArray("bbox")
                 .add(mask.left())
@@ -161,7 +163,9 @@ public final class Labels implements AutoCloseable {
         info.put("description", "Drones in the pictures by the cameras of the scene '" + scene + "'");
         try (BufferedWriter coco = Files.newBufferedWriter(target.file(COCO), StandardCharsets.UTF_8)) {
             coco.write("{\n\"info\": " + MAPPER.writeValueAsString(info) + ",\n\"licenses\": [],\n");
-            coco.write("\"categories\": [{\"id\":1,\"name\":\"drone\",\"supercategory\":\"aircraft\"}],\n");
+            String birds = hasBirds ? ",{\"id\":2,\"name\":\"bird\",\"supercategory\":\"animal\"}" : "";
+            coco.write(
+                    "\"categories\": [{\"id\":1,\"name\":\"drone\",\"supercategory\":\"aircraft\"}" + birds + "],\n");
             coco.write("\"images\": [");
             long images = 0;
             for (LabelPart part : parts) {

@@ -341,8 +341,9 @@ public record RadarSettings(
     private String leavesOut() {
         String first = clutter.isPresent() ? "" : "clutter";
         String last = notch.isPresent() ? "" : "the micro-Doppler of rotors";
-        List<String> missing =
-                Stream.of(first, "birds", last).filter(one -> !one.isEmpty()).toList();
+        List<String> missing = Stream.of(first, "the wingbeats of birds", last)
+                .filter(one -> !one.isEmpty())
+                .toList();
         int count = missing.size();
         String all = count == 1
                 ? missing.get(0)

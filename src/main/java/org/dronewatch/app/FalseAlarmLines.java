@@ -1,0 +1,48 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.run.FalseAlarmResult;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.SceneResult;
+
+/** The lines about false alerts that a run prints. */
+final class FalseAlarmLines {
+    private FalseAlarmLines() {}
+
+    /** What the alert rule costs, where the scene has one of its own or something is known of false alarms. */
+    static void print(SceneResult result, PrintWriter target) {
+        for (RunResult run : result.runs()) {
+            FalseAlarmResult counted = run.falseAlarms();
+            boolean isUnknown = run.falseAlertRate().isUnknown();
+            if (counted.count() > 0 || !isUnknown || !run.settings().alert().equals(AlertSettings.DEFAULT)) {
+                String which = result.runs().size() == 1 ? "" : "run " + run.run() + ": ";
+                String why = isUnknown && counted.count() == 0 ? ", since no sensor states its 'falseAlarms'" : "";
+                String here = isUnknown && counted.count() == 0
+                        ? ""
+                        : "; in this run: " + counted.alertCount() + ", from false alarms: "
+                                + bySensor(counted.counted());
+                target.println(which + "false alerts: " + run.falseAlertRate().inWords() + why + here);
+                counted.birds()
+                        .forEach((bird, alert) -> target.printf(
+                                Locale.ROOT,
+                                "%sthe alert at %.2f s, raised by %s, was a bird: %s%n",
+                                which,
+                                alert.time(),
+                                String.join(", ", alert.sensors()),
+                                bird));
+            }
+        }
+    }
+
+    private static String bySensor(Map<String, Long> counted) {
+        return counted.isEmpty()
+                ? "none"
+                : counted.entrySet().stream()
+                        .map(one -> one.getKey() + " " + one.getValue())
+                        .collect(Collectors.joining(", "));
+    }
+}
