@@ -181,7 +181,8 @@ public record DroneSettings(
     }
 
     /**
-     * A bird, which sensors may take for a drone: silent, without a transmitter; its temperature difference is assumed.
+     * A bird, which sensors may mistake for a drone: silent, and without a transmitter; its temperature difference is
+     * assumed.
      *
      * @param speed in flight, m/s
      * @param crossSection mean radar cross-section, m2
@@ -199,7 +200,7 @@ public record DroneSettings(
         return SettingsForm.with(unlabelled, silent).withLabel(ThreatLabel.BIRD);
     }
 
-    /** Whether it is a bird and no drone, for scoring. */
+    /** Whether it is a bird instead of a drone, for scoring. */
     public boolean isBird() {
         return label.role() == ThreatLabel.Role.BIRD;
     }

@@ -44,7 +44,7 @@ public record ThreatLabel(
         DECOY,
         /** A harmless drone that passes by. */
         BYSTANDER,
-        /** No drone but a bird: an alert for it is a false alert. */
+        /** A bird, not a drone: an alert for it is a false alert. */
         BIRD
     }
 

@@ -7,15 +7,15 @@ import java.util.Map;
 import org.dronewatch.fusion.Alert;
 
 /**
- * The false alarms of one run, which no drone caused.
+ * The false alarms of one run.
  *
- * @param counted how many each sensor raised, by name; one that lasts counts once, and a bird each time that the sensor
- *     begins to detect it
- * @param alertCount how many false alerts followed from them by the scene's rule
- * @param alerts these alerts in order of time, the first {@link #MOST_ALERTS} of them at most
- * @param birds the alerts among them that were birds, by the bird's name
- * @param trials when each drone's alert would have been raised with other confirmations; none in a scene whose sensors
- *     state no rate of false alarms
+ * @param counted their number by name of the sensor; one that lasts counts once, and a bird each time the sensor begins
+ *     to detect it
+ * @param alertCount number of false alerts that they raised with the scene's rule
+ * @param alerts these alerts in order of time, at most the first {@link #MOST_ALERTS}
+ * @param birds the false alerts for birds, by name of the bird
+ * @param trials times of the drones' alerts with other confirmations; none in a scene whose sensors state no rate of
+ *     false alarms
  */
 public record FalseAlarmResult(
         Map<String, Long> counted,
@@ -23,7 +23,7 @@ public record FalseAlarmResult(
         List<Alert> alerts,
         Map<String, Alert> birds,
         List<ConfirmationTrial> trials) {
-    /** How many alerts are kept: more say no more than their number does. */
+    /** Maximum number of alerts that are kept. */
     public static final int MOST_ALERTS = 1000;
 
     /** That of a run in which no sensor looked. */

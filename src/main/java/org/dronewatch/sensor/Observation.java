@@ -31,7 +31,7 @@ public record Observation(
      */
     public static final String UNKNOWN = "unknown";
 
-    /** The name of the figure, 1, for a look at a bird, which is no drone: for scoring. */
+    /** The name of the figure, 1, for a look at a bird, for scoring. */
     public static final String BIRD = "bird";
 
     /** Copies the figures, in their order. */
@@ -151,7 +151,7 @@ public record Observation(
         return with(BIRD);
     }
 
-    /** Whether it is one of a bird, which only scoring knows: a detection of it is a false alarm. */
+    /** Whether it is a look at a bird, for scoring: its detection is a false alarm. */
     public boolean isBird() {
         return figures.containsKey(BIRD);
     }
