@@ -104,6 +104,11 @@ final class Arrival {
         return leg;
     }
 
+    /** Whether the ray has not been scattered yet. */
+    boolean isFromStart() {
+        return isFromStart;
+    }
+
     /** Whether what would arrive straight from the target is computed exactly, or was connected already. */
     boolean isExact() {
         if (!isFromStart) {

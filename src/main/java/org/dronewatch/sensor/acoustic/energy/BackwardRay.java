@@ -139,9 +139,18 @@ final class BackwardRay {
             return;
         }
         for (int band = 0; band < emitted.length; band++) {
-            emitted[band] = energy.byBand()[band] * ends.targetFactor(band, ofTarget.rise());
+            emitted[band] = energy.byBand()[band] * ends.targetFactor(band, ofTarget.rise()) * corrected(band);
         }
         ofTarget.count(ray, emitted, arrival.inverseDensityBefore());
+    }
+
+    /** A ray that has not been scattered counts for the path to the target itself, in what the start emits, too. */
+    private double corrected(int band) {
+        if (!ends.isFromSource() || !arrival.isFromStart()) {
+            return 1.0;
+        }
+        return ends.startFactor(band, ofTarget.riseFromBeginning())
+                / ends.startFactor(band, arrival.leg().riseFromBeginning());
     }
 
     private void recordFlight(double length) {

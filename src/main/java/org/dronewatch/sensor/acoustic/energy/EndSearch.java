@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
@@ -49,7 +50,11 @@ final class EndSearch {
     /** Where less than this fraction of rays leaves the site over their first surfaces, the space is enclosed. */
     private static final double OPEN = 0.1;
 
+    /** Where less than this fraction of them does, as in a courtyard, the space is sheltered. */
+    private static final double SHELTERED = 0.8;
+
     private static final int SAMPLES = 64;
+    private static final int SAMPLES_OF_SHELTER = 256;
     private static final int SCATTERINGS = 3;
 
     private final int maxOrder;
@@ -115,9 +120,8 @@ final class EndSearch {
         double guess = rough.scattered(drone, ofSensor.samples()) + rough.straight(drone, sensor);
         ImageSources fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
         Samples sentTo = samples.from(drone, SAMPLES, SCATTERINGS);
-        boolean isSourceEnclosed = sentTo.escaped() <= OPEN;
-        boolean isSensorEnclosed = ofSensor.samples().escaped() <= OPEN;
-        if (isSourceEnclosed && isSensorEnclosed) {
+        double escapedOfSensor = ofSensor.samples().escaped();
+        if (sentTo.escaped() <= OPEN && escapedOfSensor <= OPEN) {
             exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
             ImageSources none = ImageSources.NONE;
             return new Ends(source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false);
@@ -129,7 +133,7 @@ final class EndSearch {
                 .toArray();
         exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
         End ofSource = new End(drone, found, RAYS_OF_SOURCE, found.best(MOST_CANDIDATES, 0.0), sentTo);
-        return isSourceEnclosed
+        return sentTo.escaped() < Math.min(SHELTERED, escapedOfSensor)
                 ? between(source, true, ofSource, fromSource, ofSensor, fromSensor, exact, curvature)
                 : between(source, false, ofSensor, fromSensor, ofSource, fromSource, exact, curvature);
     }
@@ -149,6 +153,12 @@ final class EndSearch {
         // Sound that walls reflect from one end to the other returns over the same walls in reverse order.
         addAll(target.candidates(), near, far);
         addAll(start.candidates(), far, near);
+        if (start.samples().escaped() < SHELTERED) {
+            List<Position> shelter = samples.from(start.position(), SAMPLES_OF_SHELTER, SCATTERINGS).points().stream()
+                    .map(Sample::at)
+                    .toList();
+            addAll(search.towards(target.position(), shelter, maxOrder).best(MOST_CANDIDATES, 0.0), near, far);
+        }
         for (int[] fromSource : exact.wallSequences()) {
             int[] walls = isFromSource ? SpecularPaths.reversed(fromSource) : fromSource;
             exactly.add(walls, 0.0);

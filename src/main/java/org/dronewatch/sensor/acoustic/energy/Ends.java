@@ -7,8 +7,9 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 /**
  * The two ends of all paths of one look, and the image sources that join points near them to the rest of a path. Rays
  * are followed from one end, the start, until they are absorbed or leave the site; rays from the other end, the target,
- * only over their first few surfaces. The start is the sensor, unless the source alone is in an enclosed space: sound
- * takes every path both ways, and rays find the way out through a door far more often than the way in. Immutable.
+ * only over their first few surfaces. The start is the sensor, unless the source is in a more sheltered place, such as
+ * a room or a courtyard: sound takes every path both ways, and rays find the way out through a door far more often than
+ * the way in. Immutable.
  *
  * @param source the drone's sound
  * @param sensor where the microphone is, m

@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
  * tracing rays backward from the sensor: their efficiency does not depend on the distance of the source, and by
  * reciprocity the fraction of their energy that reaches the source is the fraction that the source would have sent to
  * the sensor. The first few surfaces of a path from the source are also sampled from there, and both parts are
- * connected: see {@link Connections}. If the source alone is in an enclosed space, the two exchange their parts: see
+ * connected: see {@link Connections}. If the source is in the more sheltered place, the two exchange their parts: see
  * {@link Ends}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches

@@ -58,6 +58,7 @@ final class ReceiverSphere {
     private double at;
     private double fraction;
     private double rise;
+    private double riseFromBeginning;
 
     /**
      * A sphere.
@@ -145,6 +146,7 @@ final class ReceiverSphere {
         at = entry + random.nextDouble() * (exit - entry);
         fraction = (exit - entry) / volume(reach);
         rise = -ray.directionZ;
+        riseFromBeginning = leg.riseFromBeginning();
         if (!isSeen(ray, at)) {
             return false;
         }
@@ -158,6 +160,7 @@ final class ReceiverSphere {
         double nearer = (leg.length() + at) / path.length();
         fraction *= nearer * nearer;
         rise = path.riseFromEnd();
+        riseFromBeginning = path.riseFromBeginning();
         return true;
     }
 
@@ -168,6 +171,11 @@ final class ReceiverSphere {
     /** Sine of the elevation at which a ray would leave the centre along the same path in reverse. */
     double rise() {
         return rise;
+    }
+
+    /** Sine of the elevation at which that path leaves the beginning of the ray's leg. */
+    double riseFromBeginning() {
+        return riseFromBeginning;
     }
 
     /**

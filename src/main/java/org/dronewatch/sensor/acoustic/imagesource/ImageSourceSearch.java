@@ -87,6 +87,29 @@ public final class ImageSourceSearch {
         return tree;
     }
 
+    /**
+     * The image sources of a point that rays towards some others find: those of walls that enclose these, and subtend
+     * too small a solid angle for rays that are spread over all directions.
+     *
+     * @param from the point, m
+     * @param to the others, m
+     * @param maxOrder maximum number of walls of an image source
+     */
+    public ImageSourceCandidates towards(Position from, List<Position> to, int maxOrder) {
+        ImageSourceCandidates tree = new ImageSourceCandidates();
+        for (Position point : to) {
+            Position direction = point.minus(from);
+            double length = direction.length();
+            if (length > 0.0) {
+                ray.directionX = direction.x() / length;
+                ray.directionY = direction.y() / length;
+                ray.directionZ = direction.z() / length;
+                follow(tree, from, maxOrder, new ArrayList<>());
+            }
+        }
+        return tree;
+    }
+
     /** Gives the ray one of several directions about another one, evenly spread over a disc (a sunflower's seeds). */
     private void turn(double[] about, double radius, int number) {
         double[] across = Math.abs(about[2]) < 0.9

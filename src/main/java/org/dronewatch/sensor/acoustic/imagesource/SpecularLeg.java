@@ -19,12 +19,14 @@ public final class SpecularLeg {
     private double fromX;
     private double fromY;
     private double fromZ;
+    private double riseFromBeginning;
 
     /** Begins a leg at a ray's origin. */
     public void begin(AcousticRay ray) {
         fromX = ray.originX;
         fromY = ray.originY;
         fromZ = ray.originZ;
+        riseFromBeginning = ray.directionZ;
         length = 0.0;
         key = 0L;
         reverse = 0L;
@@ -53,6 +55,11 @@ public final class SpecularLeg {
     /** Records a wall through which the ray passed. */
     public void passThrough() {
         isThroughWalls = true;
+    }
+
+    /** Sine of the elevation at which the ray left the leg's beginning. */
+    public double riseFromBeginning() {
+        return riseFromBeginning;
     }
 
     /** The distance that the ray has travelled, m. */
