@@ -44,7 +44,7 @@ final class CheckCommand implements Callable<Integer> {
                         "%s is valid: %s, %s, %s, %s of %s s%n",
                         scene.name(),
                         site(first.world()),
-                        counted(first.individualDrones().size(), "drone"),
+                        drones(first),
                         sensors(first),
                         counted(runs.size(), "run"),
                         first.run().duration());
@@ -70,6 +70,12 @@ final class CheckCommand implements Callable<Integer> {
     private static String sensors(SceneSettings run) {
         int off = run.disabled().size();
         return counted(run.sensors().size(), "sensor") + (off == 0 ? "" : " (" + off + " switched off)");
+    }
+
+    private static String drones(SceneSettings scene) {
+        int birds = scene.birds().size();
+        String drones = counted(scene.individualDrones().size() - birds, "drone");
+        return birds == 0 ? drones : drones + ", " + counted(birds, "bird");
     }
 
     private static String counted(int count, String noun) {
