@@ -121,7 +121,7 @@ class SensorKindsTest {
 
     @Test
     void capabilitiesOfTheKindsOfTheLibrary() {
-        assertThat(having(Aimed.class)).containsExactly("camera", "radar", "thermal");
+        assertThat(having(Aimed.class)).containsExactly("camera", "radar", "rf", "thermal");
         assertThat(having(Mounted.class)).containsExactly("camera", "thermal");
         assertThat(having(Outlined.class)).containsExactly("camera", "acoustic", "radar", "thermal");
         assertThat(having(Imaging.class)).containsExactly("camera", "thermal");

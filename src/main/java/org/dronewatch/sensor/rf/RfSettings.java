@@ -104,6 +104,7 @@ public record RfSettings(
                 falseAlarms,
                 beam,
                 aim);
+        aim.from(position);
         falseAlarms.ifPresent(known -> known.rate(rate));
         occupied = Collections.unmodifiableMap(new LinkedHashMap<>(occupied));
         attributes = List.copyOf(attributes);
