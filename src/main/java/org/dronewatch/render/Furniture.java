@@ -88,11 +88,10 @@ final class Furniture {
             texts.add("protected");
             marks.add(SitePicture.ZONE);
         }
-        texts.add(
-                state.drones().size() == 1
-                        ? "drone"
-                        : "drones: " + state.drones().size());
-        marks.add(Symbols.DRONE);
+        for (String flying : flying(state.drones())) {
+            texts.add(flying);
+            marks.add(Symbols.DRONE);
+        }
         String time = String.format(Locale.ROOT, "%s, %.2f s", view, state.time());
         g.setFont(font(Font.BOLD, 15));
         int w = g.getFontMetrics().stringWidth(state.title());
@@ -234,5 +233,20 @@ final class Furniture {
     /** A position as text, such as (12.0, 8.5, 143.2) m. */
     static String text(Position position) {
         return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z());
+    }
+
+    /** How many drones and, where there are some, how many birds fly. */
+    static List<String> flying(List<DroneMark> marks) {
+        long birds =
+                marks.stream().filter(mark -> mark.drone().settings().isBird()).count();
+        long drones = marks.size() - birds;
+        List<String> texts = new ArrayList<>();
+        if (drones > 0 || birds == 0) {
+            texts.add(drones == 1 ? "drone" : "drones: " + drones);
+        }
+        if (birds > 0) {
+            texts.add(birds == 1 ? "bird" : "birds: " + birds);
+        }
+        return texts;
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -43,11 +44,15 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What is saved is read again as it was, and runs as it did. */
 class SavedSceneTest {
+    /** The project's scenes and their files: a scene is saved beside its models. */
+    @TempDir
+    private static Path copies;
+
     @TempDir
     private Path directory;
 
     private SceneRunner saved(SceneRunner runner, SceneSettings settings) throws IOException {
-        Path file = directory.resolve("saved.yaml");
+        Path file = copies.resolve("saved.yaml");
         return new SceneRunner(new SceneFile(Files.writeString(file, runner.text(settings, file))));
     }
 
@@ -55,11 +60,14 @@ class SavedSceneTest {
         List<Scene> scenes = new ArrayList<>();
         PackagedScene.all().forEach(scene -> scenes.add(scene.factory().get()));
         try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-            files.filter(file -> file.toString().endsWith(".yaml"))
-                    // That is no scene but an entry of a catalogue, which one of the scenes uses.
-                    .filter(file -> !file.endsWith("roof-camera.yaml"))
-                    .sorted()
-                    .forEach(file -> scenes.add(new SceneFile(file)));
+            for (Path file : files.sorted().toList()) {
+                Path copy = Files.copy(
+                        file, copies.resolve(file.getFileName().toString()), StandardCopyOption.REPLACE_EXISTING);
+                // That is no scene but an entry of a catalogue, which one of the scenes uses.
+                if (file.toString().endsWith(".yaml") && !file.endsWith("roof-camera.yaml")) {
+                    scenes.add(new SceneFile(copy));
+                }
+            }
         }
         scenes.add(new GateWatch());
         scenes.add(new Odd());

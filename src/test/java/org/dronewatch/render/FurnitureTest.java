@@ -1,0 +1,41 @@
+package org.dronewatch.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings.Hover;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.sensor.camera.Shapes;
+import org.junit.jupiter.api.Test;
+
+class FurnitureTest {
+    private static final Position HERE = new Position(0, 0, 50);
+    private static final ModelSettings MODEL = ModelSettings.of("none.obj");
+    private static final KDTree BALL = KDTree.of(Shapes.sphere(0.2, 1));
+
+    private static List<DroneMark> marks(int drones, int birds) {
+        DroneSettings drone = DroneSettings.of(MODEL, Hover.at(HERE));
+        DroneSettings bird = DroneSettings.bird(MODEL, Hover.at(HERE), 12.0, 0.005);
+        List<DroneMark> marks = new ArrayList<>();
+        for (int i = 0; i < drones + birds; i++) {
+            Drone flying = (i < drones ? drone : bird).create("d" + i, BALL);
+            marks.add(new DroneMark(flying, List.of(), List.of(), false));
+        }
+        return marks;
+    }
+
+    @Test
+    void theLegendCountsBirdsApartFromDrones() {
+        assertThat(Furniture.flying(marks(1, 0))).containsExactly("drone");
+        assertThat(Furniture.flying(marks(3, 0))).containsExactly("drones: 3");
+        assertThat(Furniture.flying(marks(2, 1))).containsExactly("drones: 2", "bird");
+        assertThat(Furniture.flying(marks(1, 12))).containsExactly("drone", "birds: 12");
+        assertThat(Furniture.flying(marks(0, 4))).containsExactly("birds: 4");
+        assertThat(Furniture.flying(marks(0, 0))).containsExactly("drones: 0");
+    }
+}
