@@ -230,7 +230,7 @@ class CommandLineTest extends CommandLines {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .containsOnlyOnce("warning: --rays ")
-                .contains("rays.obj: the file contains no rays: the scene has no drone, or no acoustic sensor"
+                .contains("rays.obj: the file contains no rays, since the scene has no drone, or no acoustic sensor"
                         + " that is switched on")
                 .doesNotContain("pieces");
     }

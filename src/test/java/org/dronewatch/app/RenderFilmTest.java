@@ -99,7 +99,7 @@ class RenderFilmTest extends CuedCamera {
                 "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: must be at most 36000",
                 "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a film of 5000 x 100 pixels:"
                         + " each side must",
-                "--view top --rays --out DIR/a.mp4            | --rays: rays belong to a single moment",
+                "--view top --rays --out DIR/a.mp4            | --rays: rays are traced for a single time",
                 "--view top --out png                         | must end in .png, .pfm or .mp4",
                 "--view top --out DIR/a.avi                   | must end in .png, .pfm or .mp4",
                 "--camera cued --out DIR/none/a.mp4           | no directory",
