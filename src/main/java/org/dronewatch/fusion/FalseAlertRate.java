@@ -27,12 +27,19 @@ import org.dronewatch.sensor.alarm.FalseAlarming;
  * If L is above one but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1 looks:
  * {@code K f s P(Poisson(s' (N+L-1)) >= J-1)}, with s' = -ln(1-s), is an upper bound.
  *
+ * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
+ * since the old ones never end. The rate is then the greatest that the formula has: at {@code s = M / (N+1)} for false
+ * alarms of one look, at {@code s = 1 / (N+L)} for those that confirm themselves. Such a sensor is in false alarm more
+ * than half of the time.
+ *
  * @param perDay expected number of false alerts per day by the sensors whose rates are known
  * @param isUpperBound whether the number is an upper bound
  * @param known names of the sensors whose rates are known
  * @param unknown names of the sensors whose rates are not known
+ * @param merging names of the sensors whose false alarms are so frequent that they merge
  */
-public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> known, List<String> unknown) {
+public record FalseAlertRate(
+        double perDay, boolean isUpperBound, List<String> known, List<String> unknown, List<String> merging) {
     /**
      * The maximum expected number of confirmed false alarms that a rule for several sensors may have to remember at a
      * time.
@@ -45,6 +52,7 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
     public FalseAlertRate {
         known = List.copyOf(known);
         unknown = List.copyOf(unknown);
+        merging = List.copyOf(merging);
     }
 
     /** The rate with an alert rule and a scene's sensors. */
@@ -62,7 +70,9 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
         } else {
             perSecond = all.stream().mapToDouble(Confirmed::perSecond).sum();
         }
-        return new FalseAlertRate(DAY * perSecond, isBound, List.copyOf(known.keySet()), unknown);
+        List<String> merging =
+                known.keySet().stream().filter(id -> known.get(id).isMerging()).toList();
+        return new FalseAlertRate(DAY * perSecond, isBound, List.copyOf(known.keySet()), unknown, merging);
     }
 
     /**
@@ -91,16 +101,18 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
     }
 
     /**
-     * {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown}.
+     * {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown};
+     * {@code 2000 per day, a in false alarm most of the time}.
      */
     public String inWords() {
         if (isUnknown()) {
             return "unknown";
         }
         String number = (isUpperBound ? "at most " : "") + brief(perDay) + " per day";
-        return unknown.isEmpty()
+        String from = unknown.isEmpty()
                 ? number
                 : number + " from " + String.join(", ", known) + "; unknown from " + String.join(", ", unknown);
+        return merging.isEmpty() ? from : from + ", " + String.join(", ", merging) + " in false alarm most of the time";
     }
 
     /** A rate or a number as text: at least two digits, without many zeros. */
@@ -125,26 +137,45 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
      * @param duration for how long one is confirmed, from the first to the last look, s
      * @param lookRate looks per second, Hz
      * @param bearings where they lie, if that is known
+     * @param isMerging whether they are so frequent that they merge
      */
     record Confirmed(
-            double perSecond, boolean isUpperBound, double duration, double lookRate, Optional<AzimuthSpan> bearings) {
+            double perSecond,
+            boolean isUpperBound,
+            double duration,
+            double lookRate,
+            Optional<AzimuthSpan> bearings,
+            boolean isMerging) {
+        /** The probability that a Poisson variable of a greater mean is below any number asked for is nil. */
+        private static final double CERTAIN = 700.0;
 
         static Confirmed of(Confirmation confirm, FalseAlarmRate rate, Optional<AzimuthSpan> bearings) {
-            double s = rate.probability();
             double perLook = rate.cells() * rate.rate();
             int hits = confirm.hits();
             int looks = confirm.looks();
             int lasting = rate.looks();
             if (lasting == 1) {
+                double most = hits / (looks + 1.0);
+                double s = Math.min(most, rate.probability());
                 double onset = confirm.onset(s);
                 double confirmed = onset > 0.0 ? confirm.probability(s) / onset - 1.0 : 0.0;
-                return new Confirmed(perLook * onset, false, confirmed / rate.rate(), rate.rate(), bearings);
+                return new Confirmed(
+                        perLook * onset,
+                        false,
+                        confirmed / rate.rate(),
+                        rate.rate(),
+                        bearings,
+                        rate.probability() > most);
             }
             if (lasting >= hits) {
+                double most = 1.0 / (looks + lasting);
+                double s = Math.min(most, rate.probability());
                 double alone = perLook * s * Math.pow(1.0 - s, looks + lasting - 1.0);
                 double confirmed = lasting + looks - 2.0 * hits;
-                return new Confirmed(alone, false, confirmed / rate.rate(), rate.rate(), bearings);
+                return new Confirmed(
+                        alone, false, confirmed / rate.rate(), rate.rate(), bearings, rate.probability() > most);
             }
+            double s = rate.probability();
             int needed = (hits + lasting - 1) / lasting;
             double others = rate.perPlace() * (looks + lasting - 1.0);
             return new Confirmed(
@@ -152,11 +183,15 @@ public record FalseAlertRate(double perDay, boolean isUpperBound, List<String> k
                     true,
                     (looks + lasting - 1.0) / rate.rate(),
                     rate.rate(),
-                    bearings);
+                    bearings,
+                    false);
         }
 
         /** The probability that a Poisson variable reaches a number. */
         private static double atLeast(int number, double mean) {
+            if (mean > CERTAIN) {
+                return 1.0;
+            }
             double term = Math.exp(-mean);
             for (int k = 1; k <= number; k++) {
                 term *= mean / k;

@@ -87,6 +87,8 @@ final class FalseAlarmsKey {
         }
         ArrayNode unknown = node.putArray("unknown");
         rate.unknown().forEach(unknown::add);
+        ArrayNode merging = node.putArray("merging");
+        rate.merging().forEach(merging::add);
     }
 
     private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor) {

@@ -158,6 +158,31 @@ class FalseAlertsTest {
         assertThat(counted).isLessThan((int) (most + 3.5 * Math.sqrt(most))).isGreaterThan((int) (0.5 * most));
     }
 
+    /** A worse sensor must not look better: where false alarms merge, the rate stays at the formula's greatest value. */
+    @Test
+    void moreFalseAlarmsNeverCostFewerAlerts() {
+        for (int[] rule : new int[][] {{1, 1}, {2, 3}, {3, 5}}) {
+            for (double lasting : new double[] {0.0, 1.5, 4.0, 10.0}) {
+                double before = 0.0;
+                for (double perHour = 1.0; perHour <= 3e6; perHour *= 3.0) {
+                    FalseAlertRate rate = FalseAlertRate.of(
+                            confirmed(rule[0], rule[1]), Map.of("radio", radio(new FalseAlarms(perHour, 1, lasting))));
+                    assertThat(rate.perDay())
+                            .as("%d of %d, %s s, %s an hour", rule[0], rule[1], lasting, perHour)
+                            .isGreaterThanOrEqualTo(before);
+                    before = rate.perDay();
+                }
+            }
+        }
+        FalseAlertRate merged =
+                FalseAlertRate.of(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(36_000, 1, 10))));
+        assertThat(merged.merging()).containsExactly("radio");
+        assertThat(merged.inWords()).isEqualTo("2192 per day, radio in false alarm most of the time");
+        assertThat(FalseAlertRate.of(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(100, 1, 10))))
+                        .merging())
+                .isEmpty();
+    }
+
     /** Two sensors without bearings, 5 seconds: 2 a b T, and those in the same second. */
     @Test
     void twoThatMeasureNoBearing() {
