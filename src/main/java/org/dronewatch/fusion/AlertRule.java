@@ -87,7 +87,7 @@ public sealed interface AlertRule {
      * fixed threshold is 0 or 1.
      *
      * @param probability the combined probability that raises the alert, above 0 and at most 1
-     * @param within how long a look counts, 0 to 3600 s
+     * @param within how long a look remains valid, 0 to 3600 s
      */
     record UnionOfProbabilities(
             @In(value = Quantity.RATIO, above = 0, to = 1) double probability,
@@ -98,7 +98,7 @@ public sealed interface AlertRule {
             Limits.check(UnionOfProbabilities.class, probability, within);
         }
 
-        /** A rule in which looks count for 2 seconds. */
+        /** A rule in which looks remain valid for 2 seconds. */
         @Defaults("probability")
         public static UnionOfProbabilities of(double probability) {
             return new UnionOfProbabilities(probability, 2.0);

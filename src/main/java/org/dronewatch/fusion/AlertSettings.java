@@ -13,7 +13,7 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * The conditions of an alert, the protected zones, and the time that the response takes.
  *
- * @param rule for when the sensors' looks raise an alert
+ * @param rule rule that determines when the sensors' looks raise an alert
  * @param confirm number of detections required of a sensor before it counts
  * @param protect the zone that must not be reached; omit it for none
  * @param zones areas that must not be reached either, by name; the first that a drone enters counts

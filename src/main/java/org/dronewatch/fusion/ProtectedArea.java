@@ -13,7 +13,7 @@ import org.dronewatch.world.GroundPoint;
  * An area that must not be reached, between two heights above the ground: a polygon, or a circle. Its floor is measured
  * from the lowest ground below the area and its top from the highest, so that the area is complete on a slope.
  *
- * @param area the corners of a polygon in either direction, 3 to 1000; omit it for a circle
+ * @param area the corners of a polygon, in either winding order, 3 to 1000; omit it for a circle
  * @param centre the centre of a circle
  * @param radius the radius of a circle, above 0 and at most 100 km, m
  * @param floor height of its floor above the ground, 0 to 100 km, m; down to the ground unless set

@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
  * The search for a drone along the line of a cue that has a direction but no range. The positioner looks along that
  * line from near to far, stop by stop, and first where the size of the drone in the other sensor's image suggests.
  *
- * @param minRange the line is searched from this distance to either sensor on, 1 m to 10 km, m
+ * @param minRange points of the line that are closer than this to either sensor are not searched, 1 m to 10 km, m
  * @param minSize square root of the visible area of the smallest drone, 0.01 to 100 m, m
  * @param maxSize square root of the visible area of the largest drone; not below that of the smallest, 0.01 to 100 m, m
  * @param dwell how long the positioner stays at each stop, 0 to 60 s; at least one and a half intervals between its

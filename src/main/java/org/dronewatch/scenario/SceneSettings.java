@@ -33,7 +33,7 @@ import org.dronewatch.world.WorldSettings;
  * @param disabled ids of the sensors that are switched off
  * @param alert when an alert is raised, and what is to be protected
  * @param prices what the sensors cost
- * @param run duration and seed; no sensor may look more than 100,000,000 times in a run
+ * @param run duration and seed; a sensor may take at most 100,000,000 looks in a run
  * @param sweep a setting that changes from run to run; omit it for a single run
  */
 public record SceneSettings(

@@ -35,7 +35,8 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; a name in
  *     the table of surfaces needs no assignment
  * @param attribution credit required by the source of the elevations, at most 300 characters; {@code check} and the
- *     report show it. Files of Copernicus, recognised by their names, have theirs without it
+ *     report show it. For Copernicus files, recognised by their names, the credit is added automatically if this is
+ *     omitted
  */
 public record TerrainSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,

@@ -36,7 +36,7 @@ import org.dronewatch.world.World;
  * @param projection position of its axis in the image, and its planes
  * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: determines the blur by diffraction; omit
  *     it for a lens without diffraction
- * @param wavelength wavelength of the light that it sees, 100 nm to 30 um; it determines the blur by lens and air, m
+ * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur by lens and air, m
  * @param rate frames per second, above 0, Hz
  * @param detection detection function: how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount

@@ -31,7 +31,7 @@ import org.dronewatch.world.Light;
  * The dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable contrast.
  *
  * @param task the task that the image must support
- * @param probability probability from which on the task counts as performed, above 0 and below 1; not used with
+ * @param probability probability at and above which the task counts as accomplished, above 0 and below 1; not used with
  *     {@code byChance}
  * @param byChance whether chance decides instead: once per encounter, whether the observer can perform the task at all;
  *     a capable observer then needs time to find the drone
@@ -86,7 +86,7 @@ public record TargetTask(
         return SettingsForm.with(this, "task", other);
     }
 
-    /** These settings with another probability from which on the task counts as performed. */
+    /** These settings with another probability at and above which the task counts as accomplished. */
     public TargetTask withProbability(double least) {
         return SettingsForm.with(this, "probability", least);
     }

@@ -159,7 +159,7 @@ final class RadarEcho {
         return settings.beam().map(beam -> beam.gain(axis, target, target)).orElse(0.0);
     }
 
-    /** What the edges of the site take of the wave, both ways, dB; 0 where the visible fraction counts instead. */
+    /** What the edges of the site take of the wave, both ways, dB; 0 where the visible fraction is used instead. */
     private double edgeLoss(Drone drone) {
         return edges.map(path -> 2.0 * path.obstacleLoss(drone.origin(), settings.position(), settings.frequency()))
                 .orElse(0.0);

@@ -51,7 +51,7 @@ import org.dronewatch.world.World;
  *     vertical
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
  * @param diffraction whether the wave is diffracted round the edges of the site, in both directions, as for a radio
- *     receiver; otherwise the visible fraction of a drone counts
+ *     receiver; otherwise the echo is scaled by the visible fraction of the drone
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a Doppler filter that rejects stationary echoes, in place of minSpeed; none by default
@@ -276,10 +276,10 @@ public record RadarSettings(
     }
 
     /**
-     * The probability of a false alarm in one cell and one scan that gives a rate, for {@code detection} or
+     * The false-alarm probability per cell and scan that yields a given rate, for {@code detection} or
      * {@code falseAlarms}.
      *
-     * @param perHour wanted number of false alarms an hour, above 0
+     * @param perHour desired number of false alarms per hour, above 0
      * @throws IllegalArgumentException when the number of cells is not known
      */
     public double falseAlarmProbability(double perHour) {

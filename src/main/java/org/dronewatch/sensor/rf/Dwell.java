@@ -12,7 +12,7 @@ import org.dronewatch.setting.SettingsForm;
  * its bandwidth.
  *
  * @param time duration of one dwell, 1e-6 to 1000 s
- * @param overlap duration of a burst that must fall into a dwell for it to be received, 0 to 1000 s
+ * @param overlap time by which a burst must overlap a dwell to be received, 0 to 1000 s
  * @param count number of dwells of a look on the transmitter's channels, at independent times, 1 to 10,000
  */
 public record Dwell(

@@ -28,8 +28,8 @@ import org.dronewatch.setting.SettingsForm;
  * threshold.
  *
  * @param falseAlarmsPerHour accepted false alarms by noise per hour, 1e-6 to 1e9, which the camera also raises in a run
- *     unless {@code falseAlarms} states those of all causes. The threshold is never below the one at which their number
- *     is greatest
+ *     unless {@code falseAlarms} gives the rate for all causes. Of the thresholds that cause this number, the highest
+ *     is used; if none does, the one that causes the most
  * @param hits M, number of the last N frames that must mark a spot, 1 to 50
  * @param frames N, number of the last frames considered, from hits to 50
  * @param gate g, number of pixels in which the spot is searched for in the next frame, 1 to 10,000: 9 for a drone that

@@ -38,8 +38,7 @@ import org.dronewatch.world.World;
  * @param projection position of its axis in the image, and its planes
  * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: determines the blur by diffraction; omit
  *     it for a lens without diffraction
- * @param wavelength wavelength of the thermal radiation that it sees, 100 nm to 30 um; it determines the blur by lens
- *     and air, m
+ * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur by lens and air, m
  * @param rate frames per second, above 0, Hz
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather of the scene, 1e-6 to 1
@@ -47,12 +46,12 @@ import org.dronewatch.world.World;
  * @param exposure integration time of a frame, or time constant of an uncooled detector: motion blur in this time
  *     reduces the resolution, but not the signal of point targets, 0 to 1 s
  * @param task the task that the image must support
- * @param probability probability from which on the task counts as performed, above 0 and below 1; not used with
+ * @param probability probability at and above which the task counts as accomplished, above 0 and below 1; not used with
  *     {@code byChance}
  * @param byChance whether chance decides instead: once per encounter, whether the observer can perform the task at all;
  *     a capable observer then needs time to find the drone; with {@code pointTargets}, the noise of each frame decides
- * @param pointTargets detection by a program of drones that are too small for an observer; omit it for an observer, who
- *     must see a shape. It replaces the task, which must be detection
+ * @param pointTargets detection, by a program, of drones that are too small for an observer; omit it for the observer
+ *     model, which needs a resolved shape. It replaces the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
  * @param falseAlarms how often it mistakes something else for a drone, whatever the cause; unless set, only
  *     pointTargets raises false alarms, those caused by noise, and otherwise the rate is unknown, and none are
