@@ -25,14 +25,15 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Says what the alert rule of a scene costs in false alerts. */
+/** Prints how many false alerts the alert rule of a scene lets through. */
 @Command(
         name = "alarms",
         mixinStandardHelpOptions = true,
         description =
-                "Prints the false-alarm rate of each sensor of a scene, and the false alerts per day that result from the"
-                        + " scene's alert rule, with its own and with other confirmations. Nothing is run. With --sensor"
-                        + " and --per-hour, prints the probability that gives a radar a wanted number of false alarms.",
+                "Prints the false-alarm rate of each sensor in a scene, and the false alerts per day that result from the"
+                        + " scene's alert rule, for its own confirmation and for others. The scene is not run. With"
+                        + " --sensor and --per-hour, prints the false-alarm probability that yields the desired number"
+                        + " of false alarms for a radar.",
         footer = {
             "",
             "Examples:",
@@ -67,7 +68,7 @@ final class AlarmsCommand implements Callable<Integer> {
     @Option(
             names = "--per-hour",
             paramLabel = "N",
-            description = "Wanted number of false alarms per hour, above 0 and at most 1e7.")
+            description = "Desired number of false alarms per hour, above 0 and at most 1e7.")
     private Double perHour;
 
     @Spec
@@ -147,7 +148,7 @@ final class AlarmsCommand implements Callable<Integer> {
         }
         if (!(named instanceof RadarSettings radar)) {
             throw new InputException(given + "is of kind " + named.kind()
-                    + ", whose rate is stated, not computed: only a radar has a probability of false alarm");
+                    + ", whose rate is set, not computed: only a radar has a false-alarm probability");
         }
         try {
             String setting = radar.detection() instanceof RadarDetection.Chance

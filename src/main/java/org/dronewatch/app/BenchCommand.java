@@ -106,7 +106,9 @@ final class BenchCommand implements Callable<Integer> {
                 threads >= 1 && threads <= Workers.MAX_THREADS,
                 "--threads " + threads + ": must be 1 to " + Workers.MAX_THREADS);
         require(hits == null || rays != null, "--hits needs --rays: hits are written only for the rays of a file");
-        require(width == null || rays != null, "--width needs --rays: it states how the rays of a file form a picture");
+        require(
+                width == null || rays != null,
+                "--width needs --rays: it specifies how the rays of a file form a picture");
         require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
     }
 

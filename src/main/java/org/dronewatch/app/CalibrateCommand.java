@@ -125,7 +125,7 @@ final class CalibrateCommand implements Callable<Integer> {
                     .getErr()
                     .println(
                             "warning: world.noiseSources is left out, as are the models through which their sound passes:"
-                                    + " only world.backgroundNoise counts");
+                                    + " only world.backgroundNoise is used");
         }
     }
 

@@ -20,7 +20,7 @@ final class FalseAlarmLines {
             boolean isUnknown = run.falseAlertRate().isUnknown();
             if (counted.count() > 0 || !isUnknown || !run.settings().alert().equals(AlertSettings.DEFAULT)) {
                 String which = result.runs().size() == 1 ? "" : "run " + run.run() + ": ";
-                String why = isUnknown && counted.count() == 0 ? ", since no sensor states its 'falseAlarms'" : "";
+                String why = isUnknown && counted.count() == 0 ? ", since no sensor sets 'falseAlarms'" : "";
                 String here = isUnknown && counted.count() == 0
                         ? ""
                         : "; in this run: " + counted.alertCount() + ", from false alarms: "

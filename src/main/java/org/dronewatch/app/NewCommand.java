@@ -92,7 +92,7 @@ final class NewCommand implements Callable<Integer> {
         double metres = metres();
         Path target = target();
         if (terrain.isEmpty() && buildings == null) {
-            throw new InputException("needs --terrain, --buildings or both, of which the site is made");
+            throw new InputException("needs --terrain, --buildings or both, from which the site is built");
         }
         List<Path> files = files();
         NewScene scene = new NewScene(

@@ -120,7 +120,7 @@ record NewScene(
         line(
                 text,
                 "    # Radar cross-section: 0.0524 m2 on average, log-normal (3GPP TR 38.901). large-uav has 0.26 m2; crossSection"
-                        + " states your own.");
+                        + " sets your own value.");
         line(text, "    radar: {droneClass: small-uav}");
         covered.ifPresentOrElse(
                 way -> {

@@ -26,7 +26,7 @@ record TerrainAdvice(SceneSettings settings, Ground ground) {
             if (isBeyond(at)) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "sensor '%s' at (%.1f, %.1f) m has no terrain below it: nothing is known of what hides drones there",
+                        "sensor '%s' at (%.1f, %.1f) m has no terrain below it: it is unknown whether anything hides drones there",
                         id,
                         at.x(),
                         at.y()));
@@ -46,7 +46,7 @@ record TerrainAdvice(SceneSettings settings, Ground ground) {
             if (isBeyond(at)) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "drone '%s' has no terrain below it at %.1f s, at (%.1f, %.1f) m: nothing is known of what hides it there",
+                        "drone '%s' has no terrain below it at %.1f s, at (%.1f, %.1f) m: it is unknown whether anything hides it there",
                         id,
                         time,
                         at.x(),

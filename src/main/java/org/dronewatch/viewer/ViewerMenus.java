@@ -214,7 +214,7 @@ final class ViewerMenus {
         menu.addSeparator();
         menu.add(toggle(
                 "Cameras in colour",
-                "Shows photographs by the cameras, or distances in shades of blue",
+                "Switches between colour pictures from the cameras and distances in shades of blue",
                 'C',
                 false,
                 shown -> pane.cameras().showColour(shown)));

@@ -74,7 +74,7 @@ class AlarmsCommandTest {
         assertError("--per-hour 0.0: must be above 0 and at most 1e7", "--sensor", "radar", "--per-hour", "0");
         assertError("--sensor nobody: no such sensor", "--sensor", "nobody", "--per-hour", "1");
         assertError(
-                "--sensor camera: is of kind camera, whose rate is stated, not computed",
+                "--sensor camera: is of kind camera, whose rate is set, not computed",
                 "--sensor",
                 "camera",
                 "--per-hour",

@@ -299,7 +299,7 @@ class CalibrateCommandTest {
         assertThat(microphone.complaints())
                 .contains(
                         "warning: world.noiseSources is left out, as are the models through which their sound passes: only"
-                                + " world.backgroundNoise counts");
+                                + " world.backgroundNoise is used");
         assertThat(calibrate("camera", "120 m").err()).doesNotContain("world.noiseSources is left out");
     }
 

@@ -43,7 +43,9 @@ final class AlertTable {
             }
         }
         return Html.table(head(), rows)
-                + (members.isEmpty() ? "" : Html.fold("Each drone of the swarms", Html.table(head(), members), false));
+                + (members.isEmpty()
+                        ? ""
+                        : Html.fold("Individual drones of the swarms", Html.table(head(), members), false));
     }
 
     private List<String> head() {

@@ -101,7 +101,7 @@ final class DetectionTables {
         String rest = shown.size() == members.size()
                 ? ""
                 : Html.plain("p", members.size() - shown.size() + " more rows are not shown.");
-        return Html.fold("Each drone of the swarms", Html.table(HEAD, shown) + rest, false);
+        return Html.fold("Individual drones of the swarms", Html.table(HEAD, shown) + rest, false);
     }
 
     private List<String> ofDrone(PairResult pair, String label) {

@@ -156,7 +156,7 @@ final class Reasons {
 
     private static String inWords(BestLook look) {
         return look.isUnfound()
-                ? format(" (could have been found from %.0f m inwards, but the search took too long)", look.range())
+                ? format(" (could have been found at ranges up to %.0f m, but the search took too long)", look.range())
                 : format(
                         " (best %s at %.0f m, threshold %s)",
                         ReadableNumbers.measured(look.value(), look.unit()),

@@ -222,7 +222,7 @@ final class SettingTables {
         FalseAlertRate rate = result.runs().get(0).falseAlertRate();
         String rest = rate.unknown().isEmpty() ? "" : " The other sensors raise none, since their rates are unknown.";
         return rate.isUnknown()
-                ? "False alarms are not modelled: no sensor states how often it raises them."
+                ? "False alarms are not modelled: no sensor's false-alarm rate is known."
                 : "False alarms occur at the stated rates, independently of weather, light and site." + rest;
     }
 

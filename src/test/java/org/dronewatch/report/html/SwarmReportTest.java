@@ -48,7 +48,7 @@ class SwarmReportTest {
         assertThat(texts(document, "td").stream().filter("x (25 drones, decoy)"::equals))
                 .as("alert, detections and misses")
                 .hasSize(3);
-        assertThat(texts(document, "summary")).contains("Each drone of the swarms");
+        assertThat(texts(document, "summary")).contains("Individual drones of the swarms");
         assertThat(texts(document, "td")).contains("x-1", "x-25");
         assertThat(texts(document, "p")).contains("None of the 25 drones of swarm 'x' is detected.");
     }

@@ -46,6 +46,6 @@ class UnfoundDroneTest {
         Reasons reasons = new Reasons(runner.settings(), looks.stage(), looks.pointings(), 2.9);
         assertThat(reasons.of("eye", List.of("intruder"), Optional.of(best)))
                 .contains(String.format(
-                        "could have been found from %.0f m inwards, but the search took too long", best.range()));
+                        "could have been found at ranges up to %.0f m, but the search took too long", best.range()));
     }
 }
