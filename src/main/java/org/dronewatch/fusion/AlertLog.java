@@ -11,8 +11,8 @@ import org.dronewatch.tracking.ContactLook;
 
 /**
  * A log of the alerts of one run: applies the alert rule to the looks at contacts, in order of time, and records the
- * first alert for each contact. Loose contacts belong to one sensor alone, and cannot be associated with those of other
- * sensors. For a rule that requires several sensors, loose contacts that agree in time and bearing count together.
+ * first alert for each contact. A loose contact belongs to one sensor alone: it is not associated with the contacts of
+ * other sensors. A rule that requires several sensors therefore combines loose contacts that agree in time and bearing.
  */
 public final class AlertLog {
     private final AlertSettings settings;
@@ -21,7 +21,7 @@ public final class AlertLog {
     private final Map<Integer, Alert> alerts = new LinkedHashMap<>();
     private final Optional<LooseContacts> loose;
 
-    /** A log of a run at its start, in which no contact is loose. */
+    /** A log of a run at its start, without loose contacts: all sensors share the contacts. */
     public AlertLog(AlertSettings settings) {
         this(settings, contact -> false);
     }
@@ -29,7 +29,7 @@ public final class AlertLog {
     /**
      * A log of a run at its start.
      *
-     * @param isLoose whether the contact of a number is loose
+     * @param isLoose whether the contact with a given number is loose
      */
     public AlertLog(AlertSettings settings, IntPredicate isLoose) {
         this.settings = settings;

@@ -1,4 +1,5 @@
 /**
- * Alert rules: they combine the looks of several sensors to one decision, when there is an alert, and by which sensors.
+ * Alert rules: they combine the looks of several sensors into one decision, whether there is an alert and which sensors
+ * raise it.
  */
 package org.dronewatch.fusion;

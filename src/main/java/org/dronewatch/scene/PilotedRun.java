@@ -42,9 +42,9 @@ public final class PilotedRun {
     }
 
     /**
-     * Schedules an action later in the run, before sensors look at that time. An action due after the end of the run is
-     * dropped, so an action may keep rescheduling itself; the runner warns if a pilot schedules such an action when it
-     * begins.
+     * Schedules an action later in the run, before the sensors take their looks at that time. An action due after the
+     * end of the run is dropped, so an action may keep rescheduling itself; the runner warns if a pilot schedules such
+     * an action when it begins.
      *
      * @param seconds from now, 0 or more
      * @throws InputException when negative or not a number, or the action is null

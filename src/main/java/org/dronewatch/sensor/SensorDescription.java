@@ -23,8 +23,8 @@ public record SensorDescription(
     }
 
     /**
-     * The description of a sensor whose weak drones are {@code too weak}, and whose model leaves out nothing worth
-     * stating.
+     * The description of a sensor for which a drone with insufficient signal is reported as {@code too weak}, and whose
+     * model leaves out nothing worth mentioning.
      */
     public static SensorDescription measuring(String measures) {
         return new SensorDescription(measures, "too weak", List.of(), Map.of());

@@ -88,7 +88,10 @@ public record AcousticSettings(
         }
     }
 
-    /** A microphone of 0.5 m radius that takes ten looks per second and detects sound 15 dB above the background. */
+    /**
+     * A microphone that receives rays within 0.5 m, takes ten looks per second, and detects sound 15 dB above the
+     * background.
+     */
     @Defaults("position")
     public static AcousticSettings at(Position position) {
         return new AcousticSettings(
@@ -178,7 +181,7 @@ public record AcousticSettings(
                 : Optional.empty();
     }
 
-    /** A sound that just passes the threshold over the site's background. */
+    /** A sound that just reaches the threshold above the site's background. */
     @Override
     public Reading falseReading(World world, double excess) {
         double least = detectionLevel(world.backgroundNoise().level());

@@ -122,8 +122,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * The number of a drone's pixels from which on its positioner follows it although it is not detected; infinite on a
-     * fixed mount.
+     * The number of pixels on a drone at and above which the positioner follows it even if it is not detected; infinite
+     * on a fixed mount.
      */
     default double lockPixels() {
         return positioner().map(PositionerSettings::lockPixels).orElse(Double.POSITIVE_INFINITY);
@@ -158,7 +158,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return 2;
     }
 
-    /** All pixels are equally likely, and one of them is all that a false alarm covers. */
+    /** All pixels are equally likely, and a false alarm covers one pixel. */
     @Override
     default Optional<Sighting> falseSighting(double u, double v, double w) {
         int column = (int) Math.min(width() - 1.0, u * width());

@@ -9,11 +9,11 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The shortest path round the obstacles between two points, over any number of edges: the shortest convex path in the
- * plane through both points in which it is shortest. {@value #PLANES} planes are tried, more if no path is found, and
- * the best ones are rotated until the path cannot be shortened. For a single straight edge this is the globally
- * shortest path; over several it is the path of the standards, which treat propagation in separate planes. A path
- * through an opening that none of the planes intersects is not found.
+ * The shortest path round the obstacles between two points, over any number of edges: the shortest convex path within
+ * any one plane through both points. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
+ * rotated until the path cannot be shortened. For a single straight edge this is the globally shortest path; over
+ * several it is the path of the standards, which treat propagation in separate planes. A path through an opening that
+ * none of the planes intersects is not found.
  *
  * <p>Short detours are searched first, so that only obstacles near the straight line are examined if that suffices.
  * Exchanging the points gives the same path. One per thread.
@@ -80,7 +80,8 @@ public final class EdgePath {
     }
 
     /**
-     * Searches for the shortest path round the obstacles between two points that do not see each other, in still air.
+     * Searches for the shortest path round the obstacles between two points that are not mutually visible, in still
+     * air.
      *
      * @return whether one was found
      */
