@@ -145,7 +145,7 @@ public record Calibration(
             return yes;
         }
 
-        /** The greatest range of a threshold from which on it detects, m; NaN when there is none. */
+        /** The greatest range at which a drone is detected with a threshold, m; NaN when there is none. */
         private double greatest(double threshold) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));
             DoublePredicate detects = range -> look.at(range) >= probability;
@@ -156,8 +156,8 @@ public record Calibration(
         }
 
         /**
-         * The greatest range of a count from which on it is reached for the length of a look's flight, or down to
-         * {@link #NEAREST}, searched for from far away inwards, m; NaN when there is none.
+         * The greatest range inside which a pixel count stays reached for the distance flown between two looks, or down
+         * to {@link #NEAREST}, searched for from far away inwards, m; NaN when there is none.
          */
         private double greatestByCount(double threshold, double about) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));

@@ -32,7 +32,7 @@ public record RadarSignature(
     private static final double USUAL_AREA = 0.01;
 
     /**
-     * What data sheets like to state: 0.01 m2, steady, the same for all aspects. That is less than the mean of each of
+     * The value usual in data sheets: 0.01 m2, steady, the same for all aspects. That is less than the mean of each of
      * five drones from Phantom 3 to Matrice 600, -8.1 to -19.1 dBsm at 24 GHz (IEICE Communications Express 9, 2020),
      * and the echo of a real drone fluctuates, as that of a {@link DroneClass} does.
      */

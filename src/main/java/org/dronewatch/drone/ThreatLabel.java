@@ -84,7 +84,7 @@ public record ThreatLabel(
         HYBRID
     }
 
-    /** A source of power: section 2.1.3 of the thesis. */
+    /** A power source, as classified in section 2.1.3 of the thesis. */
     public enum PowerSource {
         /** Not known. */
         UNKNOWN,

@@ -11,7 +11,7 @@ public interface SceneListener {
      */
     default void runStarted(RunInfo run, Stage stage) {}
 
-    /** Sensors have looked. */
+    /** The sensors that are due at this time have taken their looks. */
     default void observed(Frame frame) {}
 
     /** A run has ended, completely or early. */

@@ -5,8 +5,8 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**
- * A sensor: it looks at drones in a world, and returns observations. It may keep scratch memory and caches, so it is
- * used by one thread at a time; its observations depend only on its settings and its arguments.
+ * A sensor: it observes the drones in a world, one look at a time. It may keep scratch memory and caches, so it is used
+ * by one thread at a time; its observations depend only on its settings and its arguments.
  */
 public interface Sensor {
 

@@ -12,10 +12,10 @@ import org.dronewatch.kdtree.RayTracer;
  * they were just in front of it. Surfaces met farther away count. So a sensor within the margin of a wall sees on both
  * sides of it, and one farther behind the wall sees nothing in front of it. The margin is a length, not a fraction of
  * the segment, since neither the position of a sensor nor the rounding of coordinates depends on the range: whether a
- * sensor on a wall is blind does not depend on the range either. Points closer together than twice the margin always
- * see each other.
+ * sensor on a wall is blind does not depend on the range either. Points closer together than twice the margin are
+ * always mutually visible.
  *
- * <p>Whether two points of one oblique face see each other depends on the rounding of their coordinates;
+ * <p>Whether two points of one oblique face are mutually visible depends on the rounding of their coordinates;
  * {@link Clearance} moves points off their surfaces where that matters.
  *
  * <p>The methods that take primitives do not allocate. Keeps scratch memory: one thread at a time.
@@ -75,12 +75,12 @@ public final class Visibility {
         return world;
     }
 
-    /** Whether two points, m, see each other. */
+    /** Whether two points, m, are mutually visible. */
     public boolean isFree(Position from, Position to) {
         return isFree(from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
     }
 
-    /** Whether two points, m, see each other. */
+    /** Whether two points, m, are mutually visible. */
     public boolean isFree(double fromX, double fromY, double fromZ, double toX, double toY, double toZ) {
         return isFreeAlong(fromX, fromY, fromZ, toX - fromX, toY - fromY, toZ - fromZ, 1.0);
     }
@@ -98,7 +98,7 @@ public final class Visibility {
         return !tracer.isOccluded(fromX, fromY, fromZ, alongX, alongY, alongZ, room, end - room);
     }
 
-    /** The first obstacle from one point to another; empty if they see each other. */
+    /** The first obstacle from one point to another; empty if they are mutually visible. */
     public Optional<Obstacle> obstacle(Position from, Position to) {
         Position along = to.minus(from);
         boolean hidden = findFirstAlong(from.x(), from.y(), from.z(), along.x(), along.y(), along.z(), 1.0);

@@ -138,7 +138,7 @@ public final class World {
                 models);
     }
 
-    /** This world in another light. */
+    /** This world with other light settings. */
     public World withLight(Light other) {
         return new World(this, rain, other, noiseSources, known, models);
     }
@@ -232,7 +232,7 @@ public final class World {
 
     /**
      * Whether an obstacle lies between two points. A surface within {@link Visibility#MARGIN} of either end hides
-     * nothing, so that points on surfaces see each other. For convenience: for many segments, use one
+     * nothing, so that points on surfaces are mutually visible. For convenience: for many segments, use one
      * {@link Visibility}.
      */
     public boolean isOccluded(Point3d from, Point3d to) {

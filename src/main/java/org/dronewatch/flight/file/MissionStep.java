@@ -5,10 +5,10 @@ import org.dronewatch.geo.EarthPoint;
 
 /** What one item of a mission makes the drone do. */
 sealed interface MissionStep {
-    /** Where in the file it stands, for messages. */
+    /** Where it is in the file, for messages. */
     String where();
 
-    /** What a height counts from. */
+    /** The level from which a height is measured. */
     enum Frame {
         /** Sea level. */
         SEA,

@@ -93,8 +93,8 @@ final class EdgeLoss {
     }
 
     /**
-     * Looks for edges that the line between two points that see each other passes closely. Of several, that counts
-     * which takes most.
+     * Looks for edges close to the line between two mutually visible points. Of several, the one with the greatest loss
+     * counts.
      *
      * @param curvature of sound from the source to the sensor, 1/m
      */

@@ -333,7 +333,7 @@ public final class GroundPlane {
         return heightOfSecond;
     }
 
-    /** Length of the path over the reflection, m. */
+    /** Length of the path via the reflection point, m. */
     public double length() {
         return lengthBefore() + lengthAfter();
     }
