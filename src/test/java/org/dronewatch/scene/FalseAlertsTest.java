@@ -158,13 +158,13 @@ class FalseAlertsTest {
         assertThat(counted).isLessThan((int) (most + 3.5 * Math.sqrt(most))).isGreaterThan((int) (0.5 * most));
     }
 
-    /** A worse sensor must not look better: where false alarms merge, the rate stays at the formula's greatest value. */
+    /** A worse sensor must not look better: where false alarms merge, the rate stays at its greatest value. */
     @Test
     void moreFalseAlarmsNeverCostFewerAlerts() {
         for (int[] rule : new int[][] {{1, 1}, {2, 3}, {3, 5}}) {
             for (double lasting : new double[] {0.0, 1.5, 4.0, 10.0}) {
                 double before = 0.0;
-                for (double perHour = 1.0; perHour <= 3e6; perHour *= 3.0) {
+                for (double perHour = 1.0; perHour <= 3e5; perHour *= 3.0) {
                     FalseAlertRate rate = FalseAlertRate.of(
                             confirmed(rule[0], rule[1]), Map.of("radio", radio(new FalseAlarms(perHour, 1, lasting))));
                     assertThat(rate.perDay())

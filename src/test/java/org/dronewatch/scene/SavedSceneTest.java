@@ -52,7 +52,11 @@ class SavedSceneTest {
     private Path directory;
 
     private SceneRunner saved(SceneRunner runner, SceneSettings settings) throws IOException {
-        Path file = copies.resolve("saved.yaml");
+        return saved(runner, settings, directory);
+    }
+
+    private static SceneRunner saved(SceneRunner runner, SceneSettings settings, Path folder) throws IOException {
+        Path file = folder.resolve("saved.yaml");
         return new SceneRunner(new SceneFile(Files.writeString(file, runner.text(settings, file))));
     }
 
@@ -81,12 +85,12 @@ class SavedSceneTest {
         SceneRunner runner = new SceneRunner(scene);
         SceneSettings settings = runner.settings();
 
-        assertThat(saved(runner, settings).settings()).isEqualTo(settings);
+        assertThat(saved(runner, settings, copies).settings()).isEqualTo(settings);
         List<SceneSettings> runs = runner.settingsOfRuns();
-        assertThat(saved(runner, settings).settingsOfRuns()).isEqualTo(runs);
+        assertThat(saved(runner, settings, copies).settingsOfRuns()).isEqualTo(runs);
         SceneSettings last = runs.get(runs.size() - 1);
-        assertThat(saved(runner, last).settings()).isEqualTo(last);
-        assertThat(saved(runner, last).settingsOfRuns()).containsExactly(last);
+        assertThat(saved(runner, last, copies).settings()).isEqualTo(last);
+        assertThat(saved(runner, last, copies).settingsOfRuns()).containsExactly(last);
     }
 
     /** Numbers without a short decimal form, a sensor that is off, prices, a positioner, names that need quotes. */

@@ -26,6 +26,15 @@ final class EndSearch {
     private static final int RAYS_OF_SENSOR = 4000;
     private static final int RAYS_OF_SOURCE = 1000;
 
+    /** Rays of the source for a sheltered sensor: sound that comes in through a door comes over few image sources. */
+    private static final int RAYS_OF_SOURCE_TO_SHELTER = 4000;
+
+    /**
+     * Image sources are chosen as for this number of rays at most: with more, fewer would be worth joining, and what
+     * comes over the others through a door is too faint in the wide spheres in which passing rays are counted.
+     */
+    private static final int MOST_RAYS = 8000;
+
     /** Maximum number of image sources for which purely specular paths are searched. */
     private static final int MOST_PURE = 8000;
 
@@ -73,7 +82,7 @@ final class EndSearch {
     EndSearch(
             EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
         this.maxOrder = model.imageSourceOrder();
-        this.ofOneRay = 1.0 / (model.rays() * Math.PI * radius * radius);
+        this.ofOneRay = 1.0 / (Math.min(model.rays(), MOST_RAYS) * Math.PI * radius * radius);
         this.sensor = sensor;
         this.planes = planes;
         this.search = new ImageSourceSearch(world, planes, surfaces);
@@ -126,13 +135,14 @@ final class EndSearch {
             ImageSources none = ImageSources.NONE;
             return new Ends(source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false);
         }
-        ImageSourceCandidates found = search.from(drone, RAYS_OF_SOURCE, maxOrder);
+        int rays = escapedOfSensor < SHELTERED ? RAYS_OF_SOURCE_TO_SHELTER : RAYS_OF_SOURCE;
+        ImageSourceCandidates found = search.from(drone, rays, maxOrder);
         ImageSources fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
         int[] extra = IntStream.concat(Arrays.stream(wallsOfSensor), Arrays.stream(found.firstWalls(MOST_EXTRA)))
                 .distinct()
                 .toArray();
         exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
-        End ofSource = new End(drone, found, RAYS_OF_SOURCE, found.best(MOST_CANDIDATES, 0.0), sentTo);
+        End ofSource = new End(drone, found, rays, found.best(MOST_CANDIDATES, 0.0), sentTo);
         return sentTo.escaped() < Math.min(SHELTERED, escapedOfSensor)
                 ? between(source, true, ofSource, fromSource, ofSensor, fromSensor, exact, curvature)
                 : between(source, false, ofSensor, fromSensor, ofSource, fromSource, exact, curvature);

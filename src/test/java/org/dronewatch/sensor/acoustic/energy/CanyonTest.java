@@ -78,8 +78,7 @@ class CanyonTest {
     /**
      * As a scene with default settings: the drone is never heard, and looks are within their stated errors. The 27.4
      * dB(A) over mirrors, the scattered 22.9 of an independent simulation and 14.3 round edges are 28.87 dB(A)
-     * together. (That simulation, another one than above, followed 10^9 rays with the scattering of 0.15 of these
-     * surfaces and found 28.6 dB(A) of mirrored and scattered sound, standard error 0.03.)
+     * together. (That simulation followed 10^9 rays with the scattering of 0.15 of these surfaces.)
      */
     @Test
     void asASceneItIsNeverHeard() {
