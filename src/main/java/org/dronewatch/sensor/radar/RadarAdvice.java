@@ -33,18 +33,15 @@ final class RadarAdvice {
     }
 
     private static Optional<String> scan(RadarSettings radar, Hardware hardware) {
-        // One wide antenna may serve several narrow beams of the other at once.
-        double gain = Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
-        long beams = ScanTime.beams(radar.azimuthWidth(), radar.elevationWidth(), gain);
+        long beams = (long) radar.cells().beams(hardware);
         double scan = beams * hardware.integrationTime();
         if (scan * radar.rate() <= 1.0 + 1e-9) {
             return Optional.empty();
         }
         return Optional.of(String.format(
-                "an antenna of %s dBi needs at least %d beams for %s x %s deg: at an integrationTime of %s s each, a scan"
-                        + " takes %s s, not %s s; lower the rate to %s Hz, or the integrationTime to %s s",
-                rounded(gain),
-                beams,
+                "%s for %s x %s deg: at an integrationTime of %s s each, a scan takes %s s, not %s s; lower the rate to"
+                        + " %s Hz, or the integrationTime to %s s",
+                need(radar, hardware, beams),
                 rounded(Math.toDegrees(radar.azimuthWidth())),
                 rounded(Math.toDegrees(radar.elevationWidth())),
                 rounded(hardware.integrationTime()),
@@ -52,6 +49,19 @@ final class RadarAdvice {
                 rounded(1.0 / radar.rate()),
                 rounded(1.0 / scan),
                 rounded(1.0 / (radar.rate() * beams))));
+    }
+
+    private static String need(RadarSettings radar, Hardware hardware, long beams) {
+        return radar.beam()
+                .map(one -> String.format(
+                        "a beam of %s x %s deg needs %d position%s",
+                        rounded(Math.toDegrees(one.azimuthBeamwidth())),
+                        rounded(Math.toDegrees(one.elevationBeamwidth())),
+                        beams,
+                        beams == 1 ? "" : "s"))
+                .orElseGet(() -> String.format(
+                        "an antenna of %s dBi needs at least %d beams",
+                        rounded(ResolutionCells.narrowerGain(hardware)), beams));
     }
 
     /** Three digits, rounded down, so that what is advised is enough. */

@@ -136,8 +136,8 @@ public record RadarSettings(
         }
     }
 
-    /** With a notch all speeds count, however slow. */
-    private ResolutionCells cells() {
+    /** The cells of a scan. With a notch all speeds count, however slow. */
+    ResolutionCells cells() {
         double slowest = notch.isPresent() ? 0.0 : minSpeed;
         return new ResolutionCells(
                 azimuthWidth, elevationWidth, minRange, maxRange, slowest, maxSpeed, frequency, beam);

@@ -12,6 +12,7 @@ import java.util.Optional;
  * @param minSpeed least radial speed, m/s
  * @param maxSpeed greatest radial speed, m/s
  * @param frequency carrier, Hz
+ * @param beam its shape; without one the gain of the antenna gives the number of beams
  */
 record ResolutionCells(
         double azimuthWidth,
@@ -37,8 +38,7 @@ record ResolutionCells(
     /** Positions of the beam in a scan: as many as fill the field of view. */
     double beams(LinkBudget.Hardware hardware) {
         if (beam.isEmpty()) {
-            double narrower = Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
-            return ScanTime.beams(azimuthWidth, elevationWidth, narrower);
+            return ScanTime.beams(azimuthWidth, elevationWidth, narrowerGain(hardware));
         }
         BeamPattern shape = beam.get();
         double across = whole(azimuthWidth / shape.azimuthBeamwidth());
@@ -48,6 +48,11 @@ record ResolutionCells(
             case AZIMUTH -> across;
             case BOTH -> across * upwards;
         };
+    }
+
+    /** That of the narrower antenna, dBi: the wide one may serve several narrow beams of the other at once. */
+    static double narrowerGain(LinkBudget.Hardware hardware) {
+        return Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
     }
 
     /** Cells of {@code lambda / 2T} each between the least and the greatest radial speed, approaching and receding. */

@@ -128,6 +128,28 @@ class BeamPatternTest {
         return look(radar, world, drone, 0).figures().get("ground_reflection_db");
     }
 
+    /** 1 x 1 deg over 180 x 20 deg: 3600 beams, 72 s at 20 ms; the gain of 20 dBi alone would need 9 of them. */
+    @Test
+    void aScanTakesAsLongAsItsBeamsAreMany() {
+        RadarSettings wide = RADAR.withFieldOfView(rad(180), rad(20)).withBudget(new Hardware(4, 20, 0.02, 10e6, 5, 6));
+        RadarSettings pencil = wide.withBeam(BeamPattern.of(rad(1), rad(1)));
+        assertThat(wide.advice()).isEmpty();
+        assertThat(pencil.advice())
+                .containsExactly("a beam of 1 x 1 deg needs 3600 positions for 180 x 20 deg: at an integrationTime of"
+                        + " 0.02 s each, a scan takes 72 s, not 1 s; lower the rate to 0.0138 Hz, or the"
+                        + " integrationTime to 0.000277 s");
+        assertThat(pencil.withRate(0.0138).advice()).isEmpty();
+        assertThat(pencil.withBeam(BeamPattern.of(rad(1), rad(20)).withSteering(Steering.AZIMUTH))
+                        .advice())
+                .hasSize(1)
+                .allMatch(text -> text.startsWith("a beam of 1 x 20 deg needs 180 positions for 180 x 20 deg"));
+        RadarSettings staring =
+                pencil.withBeam(BeamPattern.of(rad(180), rad(20)).withSteering(Steering.NONE));
+        assertThat(staring.advice()).noneMatch(text -> text.contains("scan"));
+        assertThat(staring.withRate(100).advice())
+                .anyMatch(text -> text.startsWith("a beam of 180 x 20 deg needs 1 position for 180 x 20 deg"));
+    }
+
     @Test
     void aFanMeasuresNoElevation() {
         RadarSettings fan = RADAR.withAim(new Aim.Direction(0, rad(4)))
