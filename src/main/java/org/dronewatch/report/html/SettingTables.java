@@ -221,9 +221,15 @@ final class SettingTables {
     private String falseAlarms() {
         FalseAlertRate rate = result.runs().get(0).falseAlertRate();
         String rest = rate.unknown().isEmpty() ? "" : " The other sensors raise none, since their rates are unknown.";
-        return rate.isUnknown()
-                ? "False alarms are not modelled: no sensor's false-alarm rate is known."
-                : "False alarms occur at the stated rates, independently of weather, light and site." + rest;
+        boolean hasBirds =
+                result.runs().stream().anyMatch(run -> !run.settings().birds().isEmpty());
+        String ofBirds = hasBirds ? " Birds that sensors detect are false alarms, too." : "";
+        if (!rate.isUnknown()) {
+            return "False alarms occur at the stated rates, independently of weather, light and site." + rest + ofBirds;
+        }
+        return hasBirds
+                ? "Birds that sensors detect are the only false alarms: no sensor's false-alarm rate is known."
+                : "False alarms are not modelled: no sensor's false-alarm rate is known.";
     }
 
     /** The limitations of the model, for the kinds of sensors in the scene. */

@@ -338,17 +338,19 @@ public record RadarSettings(
                 .withLeavesOut(leavesOut());
     }
 
-    private String leavesOut() {
-        String first = clutter.isPresent() ? "" : "clutter";
-        String last = notch.isPresent() ? "" : "the micro-Doppler of rotors";
-        List<String> missing = Stream.of(first, "the wingbeats of birds", last)
-                .filter(one -> !one.isEmpty())
-                .toList();
-        int count = missing.size();
-        String all = count == 1
-                ? missing.get(0)
-                : String.join(", ", missing.subList(0, count - 1)) + " and " + missing.get(count - 1);
-        return "For radars, " + all + " are not modelled.";
+    /** A sentence for each effect, so that radars with different settings do not contradict each other. */
+    private String[] leavesOut() {
+        return Stream.of(
+                        clutter.isPresent()
+                                ? ""
+                                : "For radars without 'clutter', no echoes of the ground or of rain compete with those of"
+                                        + " drones.",
+                        notch.isPresent()
+                                ? ""
+                                : "For radars without a 'notch', the micro-Doppler of rotors is not modelled.",
+                        "The wingbeats of birds do not change the echoes that radars receive.")
+                .filter(sentence -> !sentence.isEmpty())
+                .toArray(String[]::new);
     }
 
     @Override

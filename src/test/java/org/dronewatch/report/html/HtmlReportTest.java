@@ -85,6 +85,34 @@ class HtmlReportTest {
                         text.contains("always too small or too faint (best") && text.contains(", threshold 50 %)"));
     }
 
+    /** What is left out depends on the settings of each radar, and birds are false alarms. */
+    @Test
+    void theLimitationsAreThoseOfTheScene() throws IOException {
+        String noBirds = "False alarms are not modelled: no sensor's false-alarm rate is known.";
+        String noClutter =
+                "For radars without 'clutter', no echoes of the ground or of rain compete with those of drones.";
+        assertThat(limitations("birds"))
+                .contains("Birds that sensors detect are the only false alarms: no sensor states how often it raises"
+                        + " others.")
+                .contains(noClutter)
+                .doesNotContain(noBirds);
+        assertThat(limitations("meadow")).contains(noBirds).doesNotContain(noClutter);
+        assertThat(limitations("false-alarms"))
+                .anyMatch(text -> text.startsWith("False alarms occur at the stated rates"))
+                .noneMatch(text -> text.contains("too."));
+    }
+
+    private static List<String> limitations(String scene) throws IOException {
+        SceneRunner runner =
+                new SceneRunner(new SceneFile(Path.of("scenes", scene + ".yaml"))).set("run.duration", "2 s");
+        Looks looks = new Looks();
+        SceneResult result = runner.listener(looks).run();
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        new HtmlReport(result, looks, run -> new RunView(runner.stage(run.settings()), List.of()), List.of(), Map.of())
+                .write(page);
+        return texts(parsed(page.toString(StandardCharsets.UTF_8)), "li");
+    }
+
     @Test
     void aRadarThatIsTooSlowIsToldFromOneThatIsTooWeak() throws IOException {
         Path file = directory.resolve("slow.yaml");
