@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -83,6 +84,22 @@ final class RangePlot {
         return chart;
     }
 
+    /** What the plot shows, and whether a threshold is drawn. */
+    String caption() {
+        long without = curves.stream()
+                .flatMap(curve -> curve.thresholds().values().stream())
+                .filter(OptionalDouble::isEmpty)
+                .count();
+        String kind = settings(firstRun()).sensors().get(sensor).kind();
+        String note = ", with the detection threshold.";
+        if (thresholds.isEmpty()) {
+            note = ". No threshold is drawn, since it differs from look to look.";
+        } else if (without > 0) {
+            note = ", with the detection threshold where it is the same in all looks.";
+        }
+        return "Values measured by '" + sensor + "' (" + kind + ") versus the drone's range" + note;
+    }
+
     /** A decibel axis does not start at zero: it spans multiples of ten that include the thresholds. */
     private void showDecibels(XYChart chart) {
         double least = thresholds.keySet().stream()
@@ -104,11 +121,15 @@ final class RangePlot {
 
     private String valueAxis() {
         RangeCurve any = curves.get(0);
-        int run = any.thresholds().keySet().iterator().next();
-        String measured = settings(run).sensors().get(sensor).description().measures();
+        String measured =
+                settings(firstRun()).sensors().get(sensor).description().measures();
         String what = any.unit().isEmpty() ? measured : measured + " [" + any.unit() + "]";
         boolean cut = curves.stream().anyMatch(RangeCurve::isCut);
         return cut ? what + ", clipped at " + Quantity.NUMBER.inBrief(any.top()) : what;
+    }
+
+    private int firstRun() {
+        return curves.get(0).thresholds().keySet().iterator().next();
     }
 
     /** The plotting library rejects duplicate series names. */

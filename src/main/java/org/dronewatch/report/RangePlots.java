@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.sensor.Observation;
@@ -37,10 +37,13 @@ final class RangePlots {
     /**
      * Writes a plot for each sensor.
      *
-     * @param files where the plot of a sensor's name goes
+     * @param files where the plot of a sensor's name goes that has a caption
      */
-    void write(SceneResult result, Function<String, Path> files) {
-        sensors.keySet().forEach(sensor -> Charts.write(plot(result, sensor).chart(), files.apply(sensor)));
+    void write(SceneResult result, BiFunction<String, String, Path> files) {
+        sensors.keySet().forEach(sensor -> {
+            RangePlot plot = plot(result, sensor);
+            Charts.write(plot.chart(), files.apply(sensor, plot.caption()));
+        });
     }
 
     /** The plot of a sensor that has measured something. */

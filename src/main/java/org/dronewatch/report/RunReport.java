@@ -30,7 +30,6 @@ import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.SensorSettings;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -203,7 +202,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         JsonFile.write(directory.file("provenance.json"), ProvenanceFile.of(provenance, result));
         SweepPlot.of(scene, result)
                 .ifPresent(plot -> plot.write(plotFile("range-over-" + plot.fileName(), plot.caption())));
-        rangePlots.write(result, name -> plotFile(SiteReport.VALUES + name, valueCaption(result, name)));
+        rangePlots.write(result, (name, caption) -> plotFile(SiteReport.VALUES + name, caption));
         List<String> obsolete = new ArrayList<>();
         Optional<Stage> site = site(result);
         if (site.isPresent()) {
@@ -238,12 +237,6 @@ public final class RunReport implements SceneListener, AutoCloseable {
         map.get().writeGeoJson(directory.file(SiteMap.GEO_JSON));
         map.get().writeKml(directory.file(SiteMap.KML));
         return List.of();
-    }
-
-    private static String valueCaption(SceneResult result, String sensor) {
-        SensorSettings<?> settings = result.runs().get(0).settings().sensors().get(sensor);
-        return "Values measured by '" + sensor + "' (" + settings.kind()
-                + ") versus the drone's range, with the detection threshold.";
     }
 
     private Path plotFile(String name, String caption) {

@@ -30,13 +30,17 @@ class RangePlotsTest {
     }
 
     private static XYChart chart(String scene, String sensor, Map<String, String> overrides) {
+        return plot(scene, sensor, overrides).chart();
+    }
+
+    private static RangePlot plot(String scene, String sensor, Map<String, String> overrides) {
         RangePlots plots = new RangePlots();
         SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes", scene + ".yaml")))
                 .threads(1)
                 .onFrame(plots::add);
         overrides.forEach(runner::set);
         SceneResult result = runner.run();
-        return plots.plot(result, sensor).chart();
+        return plots.plot(result, sensor);
     }
 
     private static List<String> names(XYChart chart) {
@@ -133,6 +137,21 @@ class RangePlotsTest {
         XYChart chart = chart("hill-radar", "radar");
         assertThat(names(chart)).containsExactly("quadrotor", "threshold 17.96 dB");
         assertThat(chart.getYAxisTitle()).isEqualTo("signal-to-noise ratio [dB]");
+    }
+
+    /** Behind clutter it is not the noise alone that an echo competes with, and by chance no one threshold applies. */
+    @Test
+    void axisAndCaptionTellWhatIsDrawn() {
+        RangePlot byChance = plot("meadow", "radar", Map.of("run.duration", "30 s"));
+        XYChart chart = byChance.chart();
+        assertThat(chart.getYAxisTitle()).isEqualTo("signal-to-clutter-plus-noise ratio [dB]");
+        assertThat(names(chart)).containsExactly("intruder");
+        assertThat(byChance.caption())
+                .isEqualTo("Values measured by 'radar' (radar) versus the drone's range. No threshold is drawn,"
+                        + " since it differs from look to look.");
+        assertThat(plot("hill-radar", "radar", Map.of()).caption())
+                .isEqualTo(
+                        "Values measured by 'radar' (radar) versus the drone's range, with the detection threshold.");
     }
 
     /** Whatever the catalogue puts in the place of the camera, the axis tells what it measures. */

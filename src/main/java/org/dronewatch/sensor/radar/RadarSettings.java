@@ -333,7 +333,8 @@ public record RadarSettings(
 
     @Override
     public SensorDescription description() {
-        return SensorDescription.measuring("signal-to-noise ratio")
+        return SensorDescription.measuring(
+                        clutter.isPresent() ? "signal-to-clutter-plus-noise ratio" : "signal-to-noise ratio")
                 .withWeakness("echo too weak")
                 .withLeavesOut(leavesOut());
     }
