@@ -92,8 +92,8 @@ class HtmlReportTest {
         String noClutter =
                 "For radars without 'clutter', no echoes of the ground or of rain compete with those of drones.";
         assertThat(limitations("birds"))
-                .contains("Birds that sensors detect are the only false alarms: no sensor states how often it raises"
-                        + " others.")
+                .contains("Birds that sensors detect are the only false alarms: no sensor's false-alarm rate"
+                        + " is known.")
                 .contains(noClutter)
                 .doesNotContain(noBirds);
         assertThat(limitations("meadow")).contains(noBirds).doesNotContain(noClutter);
