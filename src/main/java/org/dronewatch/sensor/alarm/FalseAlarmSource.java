@@ -95,12 +95,12 @@ public final class FalseAlarmSource {
 
     /** A Poisson-distributed number, by adding up probabilities until they exceed a uniform one. */
     static int poisson(double mean, RandomGenerator random) {
+        int pieces = Math.max(0, (int) Math.ceil(mean / LARGEST_MEAN) - 1);
         int count = 0;
-        double left = mean;
-        for (; left > LARGEST_MEAN; left -= LARGEST_MEAN) {
+        for (int i = 0; i < pieces; i++) {
             count += small(LARGEST_MEAN, random);
         }
-        return count + small(left, random);
+        return count + small(mean - pieces * LARGEST_MEAN, random);
     }
 
     private static int small(double mean, RandomGenerator random) {
