@@ -25,7 +25,7 @@ public record HeatSignature(
         Limits.check(HeatSignature.class, excess, coolingTime);
     }
 
-    /** This signature, warmer or colder, K. */
+    /** This signature with another temperature excess, K. */
     public HeatSignature withExcess(double kelvins) {
         return SettingsForm.with(this, "excess", kelvins);
     }

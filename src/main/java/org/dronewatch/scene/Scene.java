@@ -104,8 +104,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * The range at which a sensor is first expected to detect according to a simple analytic model, m; plotted for
-     * comparison with the sweep results. Empty unless overridden.
+     * The range at which, by a simple analytic model, a sensor should first detect the drone, m; plotted for comparison
+     * with the results of a sweep. Empty unless overridden.
      *
      * @param settings settings of one run
      * @param sensor name of the sensor

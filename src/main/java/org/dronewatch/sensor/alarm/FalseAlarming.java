@@ -16,8 +16,8 @@ public interface FalseAlarming {
     Optional<FalseAlarmRate> falseAlarmRate();
 
     /**
-     * The number of these numbers by which the cells of false alarms differ, 0 to 3; 0 unless overridden, for a sensor
-     * that measures no direction.
+     * How many of three random numbers, 0 to 1 each, determine the cell of a false alarm, 0 to 3; 0 unless overridden,
+     * for a sensor that measures no direction.
      */
     default int dimensions() {
         return 0;
