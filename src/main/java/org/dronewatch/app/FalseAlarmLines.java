@@ -13,7 +13,7 @@ import org.dronewatch.run.SceneResult;
 final class FalseAlarmLines {
     private FalseAlarmLines() {}
 
-    /** What the alert rule costs, where the scene has one of its own or something is known of false alarms. */
+    /** The rate of false alerts, if the scene states an alert rule or the false-alarm rate of a sensor. */
     static void print(SceneResult result, PrintWriter target) {
         for (RunResult run : result.runs()) {
             FalseAlarmResult counted = run.falseAlarms();

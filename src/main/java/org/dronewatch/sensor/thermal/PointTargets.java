@@ -117,7 +117,7 @@ public record PointTargets(
 
     /**
      * The rate of false alarms that noise causes. Each is taken to last as long as its marks can keep it confirmed,
-     * N - M + 1 frames, and to be told apart from others outside its gate.
+     * N - M + 1 frames, and to be distinct from others outside its gate.
      *
      * @param pixels number of pixels of the image
      * @param rate frames per second, Hz
