@@ -124,24 +124,6 @@ class AirAndBackgroundTest {
                 .isCloseTo(left, within(1e-5));
     }
 
-    private record BackgroundWitness(List<DroneView> views) implements DetectionFunction {
-        @Override
-        public double value(DroneView view) {
-            views.add(view);
-            return view.pixels();
-        }
-
-        @Override
-        public double threshold() {
-            return 12;
-        }
-
-        @Override
-        public String unit() {
-            return "px";
-        }
-    }
-
     private static DroneView look(World world, Position camera, Position drone) {
         List<DroneView> views = new ArrayList<>();
         CameraSettings settings = CameraSettings.at(camera)
@@ -149,7 +131,7 @@ class AirAndBackgroundTest {
                 .withResolution(400, 300)
                 .withAperture(0.03)
                 .withWavelength(850e-9)
-                .withDetection(new BackgroundWitness(views));
+                .withDetection(new ViewRecorder(views));
         TriangleMesh box = Shapes.box(new Position(-0.3, -0.3, -0.3), new Position(0.3, 0.3, 0.3));
         Drone flying = new Drone(
                         "drone",

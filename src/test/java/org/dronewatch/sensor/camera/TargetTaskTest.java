@@ -159,25 +159,6 @@ class TargetTaskTest {
         assertThat(interval[1]).isCloseTo(high, within(5.1e-5));
     }
 
-    /** Remembers what it was shown. */
-    private record Witness(List<DroneView> views) implements DetectionFunction {
-        @Override
-        public double value(DroneView view) {
-            views.add(view);
-            return view.pixels();
-        }
-
-        @Override
-        public double threshold() {
-            return 12;
-        }
-
-        @Override
-        public String unit() {
-            return "px";
-        }
-    }
-
     private static DroneView look(World world, Position drone, Position velocity) {
         return look(world, drone, velocity, Optional.empty());
     }
@@ -187,7 +168,7 @@ class TargetTaskTest {
         CameraSettings settings = CameraSettings.at(new Position(0, 0, 2))
                 .withLookAt(new Position(0, 10, 2))
                 .withResolution(400, 300)
-                .withDetection(new Witness(views));
+                .withDetection(new ViewRecorder(views));
         TriangleMesh box = Shapes.box(new Position(-0.3, -0.3, -0.3), new Position(0.3, 0.3, 0.3));
         Drone flying = new Drone(
                         "drone",
