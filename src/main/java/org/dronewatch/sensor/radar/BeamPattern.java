@@ -10,9 +10,10 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
- * angles a and e from its centre, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1). An array that
- * steers its beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J.
- * Mailloux, Phased Array Antenna Handbook).
+ * angles a and e from its centre, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1). The angles are
+ * those in the frame of the beam, as for the antenna of a radio receiver: its shape does not depend on its elevation.
+ * An array that steers its beam away from its axis by the angle s has less gain, by the factor
+ * {@code cos(s)^scanLoss} (R. J. Mailloux, Phased Array Antenna Handbook).
  *
  * @param azimuthBeamwidth half-power beamwidth in azimuth, 0.01 to 360 degrees, rad
  * @param elevationBeamwidth half-power beamwidth in elevation, 0.01 to 180 degrees, rad
@@ -88,13 +89,23 @@ public record BeamPattern(
      * @param seen the direction
      */
     double gain(Direction axis, Direction target, Direction seen) {
-        double azimuth = steering == Steering.NONE ? axis.azimuth() : target.azimuth();
-        double elevation = steering == Steering.BOTH ? target.elevation() : axis.elevation();
-        double aside = Math.IEEEremainder(seen.azimuth() - azimuth, 2.0 * Math.PI) / azimuthBeamwidth;
-        double above = (seen.elevation() - elevation) / elevationBeamwidth;
-        double cosine = Math.cos(elevation) * Math.cos(axis.elevation()) * Math.cos(azimuth - axis.azimuth())
-                + Math.sin(elevation) * Math.sin(axis.elevation());
-        return 10.0 * scanLoss * Math.log10(Math.min(1.0, Math.max(LEAST_COSINE, cosine)))
-                - AntennaPattern.loss(aside, above, sideLobes);
+        Direction centre = new Direction(
+                steering == Steering.NONE ? axis.azimuth() : target.azimuth(),
+                steering == Steering.BOTH ? target.elevation() : axis.elevation());
+        return scanGain(axis, centre) - loss(centre, seen);
+    }
+
+    private double scanGain(Direction axis, Direction centre) {
+        double cosine =
+                Math.cos(centre.elevation()) * Math.cos(axis.elevation()) * Math.cos(centre.azimuth() - axis.azimuth())
+                        + Math.sin(centre.elevation()) * Math.sin(axis.elevation());
+        return 10.0 * scanLoss * Math.log10(Math.min(1.0, Math.max(LEAST_COSINE, cosine)));
+    }
+
+    private double loss(Direction centre, Direction seen) {
+        // Exactly 0 where the beam is steered to what is seen; unit vectors would leave 1e-30 dB.
+        return seen.equals(centre)
+                ? 0.0
+                : AntennaPattern.loss(centre.unit(), seen.unit(), azimuthBeamwidth, elevationBeamwidth, sideLobes);
     }
 }

@@ -58,24 +58,27 @@ public record AntennaPattern(
     }
 
     /**
-     * The loss of an antenna off its axis, dB; 0 or more.
-     *
-     * @param across horizontal angle from the axis, in beamwidths
-     * @param upwards vertical angle from the axis, in beamwidths
-     * @param sideLobes level of the side lobes below that of the main lobe, dB
-     */
-    public static double loss(double across, double upwards, double sideLobes) {
-        return Math.min(sideLobes, HALF_POWER * (across * across + upwards * upwards));
-    }
-
-    /**
-     * The gain in a direction relative to that on the axis, dB; 0 or less. The angles are those in the antenna's frame,
-     * without roll: the shape of the beam does not depend on its tilt.
+     * The gain of this antenna in a direction relative to that on the axis, dB; 0 or less.
      *
      * @param axis direction of the axis, of any length above 0
      * @param seen the direction, of any length above 0
      */
     public double gain(Position axis, Position seen) {
+        return -loss(axis, seen, azimuthBeamwidth, elevationBeamwidth, sideLobes);
+    }
+
+    /**
+     * The loss of an antenna off its axis, dB; 0 or more. The angles are those in the antenna's frame, without roll:
+     * the shape of the beam does not depend on its tilt.
+     *
+     * @param axis direction of the axis, of any length above 0
+     * @param seen the direction, of any length above 0
+     * @param azimuthBeamwidth rad
+     * @param elevationBeamwidth rad
+     * @param sideLobes level of the side lobes below that of the main lobe, dB
+     */
+    public static double loss(
+            Position axis, Position seen, double azimuthBeamwidth, double elevationBeamwidth, double sideLobes) {
         double level = Math.hypot(axis.x(), axis.y());
         double length = axis.length();
         // Straight up or down, north stands for the azimuth, as in Aim.Direction.
@@ -87,6 +90,6 @@ public record AntennaPattern(
         double above = (seen.z() * level - ahead * axis.z()) / length;
         double across = Math.atan2(right, forward) / azimuthBeamwidth;
         double upwards = Math.atan2(above, Math.hypot(right, forward)) / elevationBeamwidth;
-        return -loss(across, upwards, sideLobes);
+        return Math.min(sideLobes, HALF_POWER * (across * across + upwards * upwards));
     }
 }

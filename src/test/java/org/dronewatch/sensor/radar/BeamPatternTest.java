@@ -7,6 +7,7 @@ import static org.dronewatch.sensor.Walls.cube;
 import static org.dronewatch.sensor.Walls.look;
 import static org.dronewatch.sensor.Walls.open;
 
+import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -17,6 +18,7 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.radar.BeamPattern.Steering;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
+import org.dronewatch.sensor.radio.AntennaPattern;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
@@ -27,6 +29,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class BeamPatternTest {
     private static final Direction NORTH = new Direction(0, 0);
     private static final BeamPattern BEAM = BeamPattern.of(rad(3), rad(10));
+    private static final long SEED = 20_261_125;
     private static final Hardware BUDGET = new Hardware(4, 25, 0.02, 10e6, 5, 6);
     private static final RadarSettings RADAR =
             RadarSettings.at(new Position(0, 0, 0), BUDGET).withFieldOfView(rad(178), rad(40));
@@ -52,6 +55,40 @@ class BeamPatternTest {
         BeamPattern fixed = BEAM.withSteering(Steering.NONE).withSideLobes(25);
         Direction there = new Direction(rad(azimuth), rad(elevation));
         assertThat(fixed.gain(NORTH, there, there)).isCloseTo(gain, within(1e-9));
+    }
+
+    /**
+     * Across the zenith: a beam at 80 deg of elevation, and a drone behind it at 80 deg, are 20 deg apart, half of the
+     * width, though their azimuths differ by 180 deg.
+     */
+    @Test
+    void nearTheZenithAzimuthsAreShort() {
+        BeamPattern round = BeamPattern.of(rad(40), rad(40)).withSteering(Steering.NONE);
+        Direction axis = new Direction(rad(30), rad(80));
+        Direction behind = new Direction(rad(210), rad(80));
+        assertThat(round.gain(axis, behind, behind)).isCloseTo(-3.0, within(1e-9));
+        BeamPattern fan = round.withSteering(Steering.AZIMUTH).withScanLoss(0);
+        assertThat(fan.gain(axis, behind, axis)).isCloseTo(-3.0, within(1e-9));
+        Direction up = new Direction(0, 0.5 * Math.PI);
+        for (int azimuth = 0; azimuth < 360; azimuth += 90) {
+            Direction seen = new Direction(rad(azimuth), rad(70));
+            assertThat(round.gain(up, seen, seen)).as("%d", azimuth).isCloseTo(-3.0, within(1e-9));
+        }
+    }
+
+    /** A beam that stays has the pattern of a radio receiver's antenna with the same aim and the same widths. */
+    @Test
+    void radarsAndRadioReceiversShareThePattern() {
+        BeamPattern beam = BeamPattern.of(rad(50), rad(25)).withSteering(Steering.NONE);
+        AntennaPattern antenna = AntennaPattern.of(rad(50), rad(25));
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = 0; i < 1000; i++) {
+            Direction axis = new Direction(random.nextDouble(-4, 4), random.nextDouble(-1.57, 1.57));
+            Direction seen = axis.turned(random.nextDouble(-0.5, 0.5), random.nextDouble(-0.3, 0.3));
+            assertThat(beam.gain(axis, seen, seen))
+                    .as("seed %d, pair %d", SEED, i)
+                    .isCloseTo(antenna.gain(axis.unit(), seen.unit()), within(1e-9));
+        }
     }
 
     /** {@code cos(60 deg)^1.5}: -4.515 dB one way, 0.595 of the range. */
