@@ -3,8 +3,6 @@ package org.dronewatch.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -21,7 +19,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.FloorScene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.LookId;
@@ -34,9 +32,7 @@ import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Everything but scoring is the same whatever the truth beside the measurements says, as long as association can read
@@ -44,14 +40,6 @@ import org.junit.jupiter.api.io.TempDir;
  */
 class HiddenTruthTest {
     private static final Position MAST = new Position(0, 0, 30);
-
-    @TempDir
-    private Path directory;
-
-    @BeforeEach
-    void aFloor() throws Exception {
-        Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
-    }
 
     /** What becomes of a sensor's observations after each look. */
     @FunctionalInterface
@@ -134,7 +122,7 @@ class HiddenTruthTest {
         }
     }
 
-    private final class Site extends Scene {
+    private static final class Site extends FloorScene {
         private static final long serialVersionUID = 1L;
 
         private final transient Disguise disguise;
@@ -144,13 +132,8 @@ class HiddenTruthTest {
         }
 
         @Override
-        public Path directory() {
-            return directory;
-        }
-
-        @Override
         protected void build() {
-            loadWorld(load("floor.obj"));
+            loadFloor();
             fly("near", new Position(-40, 90, 50), new Position(-10, 20, 40));
             fly("far", new Position(60, 160, 60), new Position(20, 40, 45));
             RadarSettings radar = RadarSettings.at(MAST, LinkBudget.DataSheet.of(150, 0.01))
@@ -203,7 +186,10 @@ class HiddenTruthTest {
     private Outputs unscored(Disguise disguise, PerfectAssociation association) {
         SceneSettings settings = new Site(disguise).describe();
         Stage stage = new Stage(
-                settings, new ModelCache(directory, note -> {}), settings.run().seed(), association);
+                settings,
+                new ModelCache(FloorScene.MODELS, note -> {}),
+                settings.run().seed(),
+                association);
         List<String> measured = new ArrayList<>();
         List<String> pointed = new ArrayList<>();
         LookTimes times = new LookTimes();

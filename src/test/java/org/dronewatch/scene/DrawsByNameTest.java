@@ -2,8 +2,6 @@ package org.dronewatch.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,23 +18,13 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** What is drawn depends on names: a neighbour, its place in the file and other drones change nothing. */
 class DrawsByNameTest {
     private static final Position PLACE = new Position(0, 0, 30);
 
-    @TempDir
-    private Path directory;
-
-    @BeforeEach
-    void aFloor() throws Exception {
-        Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
-    }
-
-    private final class Site extends Scene {
+    private static final class Site extends FloorScene {
         private static final long serialVersionUID = 1L;
 
         private final transient Map<String, SensorSettings<?>> sensors;
@@ -50,13 +38,8 @@ class DrawsByNameTest {
         }
 
         @Override
-        public Path directory() {
-            return directory;
-        }
-
-        @Override
         protected void build() {
-            loadWorld(load("floor.obj"));
+            loadFloor();
             for (String drone : drones) {
                 double east = drone.equals("drone") ? 0 : 50 + 10 * drones.indexOf(drone);
                 FlightPathSettings path = FlightPathSettings.Hover.at(new Position(east, 300, 60));

@@ -24,7 +24,6 @@ import org.dronewatch.sensor.radar.RadarFalseAlarms;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.sensor.thermal.ThermalSettings;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -35,12 +34,7 @@ class FalseAlarmsApartTest {
     @TempDir
     private Path directory;
 
-    @BeforeEach
-    void aFloor() throws IOException {
-        Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
-    }
-
-    private final class Site extends Scene {
+    private static final class Site extends FloorScene {
         private static final long serialVersionUID = 1L;
 
         private final boolean nervous;
@@ -50,13 +44,8 @@ class FalseAlarmsApartTest {
         }
 
         @Override
-        public Path directory() {
-            return directory;
-        }
-
-        @Override
         protected void build() {
-            loadWorld(load("floor.obj"));
+            loadFloor();
             Position start = new Position(0, 400, 60);
             DroneSettings drone = DroneSettings.of(
                             loadPackaged("quadrotor.obj"), new FlightPathSettings.Approach(start, PLACE))

@@ -5,9 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.dronewatch.fusion.AlertRule;
@@ -25,9 +22,7 @@ import org.dronewatch.sensor.radar.RadarFalseAlarms;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.setting.InputException;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** False alarms and false alerts counted in runs without drones, against the closed forms. */
 class FalseAlertsTest {
@@ -35,15 +30,7 @@ class FalseAlertsTest {
     private static final Position PLACE = new Position(0, 0, 30);
     private static final double DAY = 86_400.0;
 
-    @TempDir
-    private Path directory;
-
-    @BeforeEach
-    void aFloor() throws IOException {
-        Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
-    }
-
-    private final class Nobody extends Scene {
+    private static final class Nobody extends FloorScene {
         private static final long serialVersionUID = 1L;
 
         private final transient AlertSettings alert;
@@ -57,13 +44,8 @@ class FalseAlertsTest {
         }
 
         @Override
-        public Path directory() {
-            return directory;
-        }
-
-        @Override
         protected void build() {
-            loadWorld(load("floor.obj"));
+            loadFloor();
             sensors.forEach(this::add);
             setAlert(alert);
             setRun(RunSettings.DEFAULT.withDuration(duration));

@@ -30,7 +30,6 @@ import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.world.World;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -41,11 +40,6 @@ class FalseMeasurementsTest {
 
     @TempDir
     private Path directory;
-
-    @BeforeEach
-    void aFloor() throws Exception {
-        Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
-    }
 
     /**
      * At look 0 nothing at all, then one false alarm a look, from look 3 on the drone twice, once below the threshold.
@@ -92,17 +86,12 @@ class FalseMeasurementsTest {
         }
     }
 
-    private final class Site extends Scene {
+    private static final class Site extends FloorScene {
         private static final long serialVersionUID = 1L;
 
         @Override
-        public Path directory() {
-            return directory;
-        }
-
-        @Override
         protected void build() {
-            loadWorld(load("floor.obj"));
+            loadFloor();
             add(
                     "drone",
                     DroneSettings.of(

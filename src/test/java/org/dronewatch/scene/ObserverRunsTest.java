@@ -2,9 +2,7 @@ package org.dronewatch.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
@@ -23,9 +21,8 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.thermal.ThermalSettings;
-import org.junit.jupiter.api.BeforeEach;
+import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -38,20 +35,8 @@ class ObserverRunsTest {
     private static final double MIDDLE = 150.0;
     private static final int DRAWS = 64;
 
-    @TempDir
-    private Path directory;
-
-    @BeforeEach
-    void models() throws IOException {
-        Files.writeString(directory.resolve("floor.obj"), "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nf 4 3 2 1\n");
-        // 0.28 m x 0.25 m, facing north and south.
-        Files.writeString(
-                directory.resolve("plate.obj"),
-                "v -.14 -.125 0\nv .14 -.125 0\nv .14 .125 0\nv -.14 .125 0\nf 1 2 3 4\n");
-    }
-
     /** Many drones of one path: a thermal camera sees each of them as if it were alone. */
-    private final class Approaching extends Scene {
+    private static final class Approaching extends FloorScene {
         private static final long serialVersionUID = 1L;
 
         private final double rate;
@@ -61,13 +46,8 @@ class ObserverRunsTest {
         }
 
         @Override
-        public Path directory() {
-            return directory;
-        }
-
-        @Override
         protected void build() {
-            loadWorld(load("floor.obj"));
+            loadFloor();
             DroneSettings drone = DroneSettings.of(
                             load("plate.obj"), new Approach(new Position(0, START, 30), new Position(0, END, 30)))
                     .withSpeed(SPEED)
@@ -77,7 +57,14 @@ class ObserverRunsTest {
             }
             add(
                     "heat",
-                    ThermalSettings.at(new Position(0, 0, 30)).withChance(true).withRate(rate));
+                    // The middle of the default image, so that it is drawn quickly: as many pixels on the drone.
+                    SettingsForm.with(
+                                    ThermalSettings.at(new Position(0, 0, 30))
+                                            .withHorizontalFov(
+                                                    2.0 * Math.atan(Math.tan(0.5 * Math.toRadians(24)) / 16.0)),
+                                    Map.of("width", 40, "height", 32))
+                            .withChance(true)
+                            .withRate(rate));
             setRun(RunSettings.DEFAULT.withDuration((START - END) / SPEED));
         }
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
@@ -193,35 +194,46 @@ class DiffractionTest {
                 world(Sites.box(-FAR, 0, -FAR, FAR, 8, 10)),
                 world(Sites.wall(1, 0, -FAR, FAR, -FAR, 0)));
         for (World site : sites) {
-            for (int band : new int[] {0, BAND_1000, 7}) {
-                double before = Double.NaN;
-                boolean hidden = false;
-                boolean free = false;
-                double reach = method == Diffraction.ISO9613 ? 0.1 : 0.05;
-                for (int i = -400; i <= 400; i++) {
-                    // Past the top or the side; the roof of the block is level with the microphone, so that both its
-                    // edges
-                    // are reached together.
-                    double x = site == sites.get(2) ? 0.001 * i : 0.3;
-                    double z = site == sites.get(2) ? 3 : 10 + 0.001 * i;
-                    Position source = new Position(x, -12, z);
-                    Position sensor = new Position(site == sites.get(2) ? 0 : 0.3, 12, site == sites.get(2) ? 3 : 10);
-                    double level = level(method, site, source, sensor, band) - inTheOpen(source.distance(sensor), band);
-                    assertThat(Math.abs(level - (i == -400 ? level : before)))
-                            .as("site %d, band %d, step %d", sites.indexOf(site), band, i)
+            int[] bands = {0, BAND_1000, 7};
+            double[] before = null;
+            boolean[] hidden = new boolean[bands.length];
+            boolean[] free = new boolean[bands.length];
+            for (int i = -400; i <= 400; i++) {
+                // Past the top or the side; the roof of the block is level with the microphone, so that both its edges
+                // are reached together.
+                boolean isPastTheSide = site == sites.get(2);
+                Position source =
+                        new Position(isPastTheSide ? 0.001 * i : 0.3, -12, isPastTheSide ? 3 : 10 + 0.001 * i);
+                Position sensor = new Position(isPastTheSide ? 0 : 0.3, 12, isPastTheSide ? 3 : 10);
+                double[] levels = overTheOpen(method, site, source, sensor, bands);
+                for (int b = 0; b < bands.length; b++) {
+                    assertThat(Math.abs(levels[b] - (before == null ? levels : before)[b]))
+                            .as("site %d, band %d, step %d", sites.indexOf(site), bands[b], i)
                             .isLessThan(0.1);
-                    before = level;
-                    hidden |= level < -4.78;
-                    free |= level > -0.001;
+                    hidden[b] |= levels[b] < -4.78;
+                    free[b] |= levels[b] > -0.001;
                     if (i == 0) {
-                        assertThat(level).isCloseTo(-10 * Math.log10(3), within(0.02));
+                        assertThat(levels[b]).isCloseTo(-10 * Math.log10(3), within(0.02));
                     }
                 }
-                double detour = 2 * Math.hypot(12, 0.2) - 24;
-                assertThat(hidden).isTrue();
-                assertThat(free).isEqualTo(site != sites.get(1) && detour > reach * wavelength(band));
+                before = levels;
+            }
+            double reach = method == Diffraction.ISO9613 ? 0.1 : 0.05;
+            double detour = 2 * Math.hypot(12, 0.2) - 24;
+            for (int b = 0; b < bands.length; b++) {
+                assertThat(hidden[b]).isTrue();
+                assertThat(free[b]).isEqualTo(site != sites.get(1) && detour > reach * wavelength(bands[b]));
             }
         }
+    }
+
+    /** Levels relative to those in the open, dB. */
+    private static double[] overTheOpen(
+            Diffraction method, World site, Position source, Position sensor, int... bands) {
+        EnergyReading reading = Sites.read(FEW.withDiffraction(method), site, Sites.broadband(source), sensor, 1);
+        return Arrays.stream(bands)
+                .mapToDouble(band -> directOrRound(reading, band) - inTheOpen(source.distance(sensor), band))
+                .toArray();
     }
 
     /** The path just begins to touch the second edge of a block, and then bends at both. */
@@ -425,6 +437,10 @@ class DiffractionTest {
 
     private static double level(Diffraction method, World world, Position source, Position sensor, int band) {
         EnergyReading reading = Sites.read(FEW.withDiffraction(method), world, Sites.sound(source, band), sensor, 1);
+        return directOrRound(reading, band);
+    }
+
+    private static double directOrRound(EnergyReading reading, int band) {
         return Levels.ofRatio(reading.direct().get(band) + reading.diffracted().get(band));
     }
 
