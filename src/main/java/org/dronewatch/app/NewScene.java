@@ -159,12 +159,12 @@ record NewScene(
         line(text, "    position: %s", place(first, MAST - 2.0));
         line(text, "    aim: %s", aim);
         line(text, "    detection: {kind: target-task, task: recognition}");
-        line(text, "    positioner: {use: viper, cues: [radar], zoom: {cued: 8 deg, tracked: 2.2 deg}}");
+        line(text, "    positioner: {use: viper, cues: [radar], hold: 6 s, zoom: {cued: 8 deg, tracked: 2.2 deg}}");
         line(text, "  thermal:");
         line(text, "    use: cooled-thermal-camera");
         line(text, "    position: %s", place(second, MAST));
         line(text, "    aim: %s", aim);
-        line(text, "    positioner: {use: viper, cues: [radar]}");
+        line(text, "    positioner: {use: viper, cues: [radar], hold: 6 s}");
         line(text, "  microphone: {use: droneshield-v2, position: %s, rate: 2 Hz}", place(second, 2.0));
         line(text, "");
         line(text, "alert:");

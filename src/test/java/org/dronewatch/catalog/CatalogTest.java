@@ -183,7 +183,8 @@ class CatalogTest {
         assertThat(radar.rate()).isEqualTo(2.0);
         assertThat(radar.aim()).isEqualTo(new Aim.Direction(1, 0));
         assertThat(radar.maxRange()).isEqualTo(10_000.0);
-        assertThat(radar.budget()).isEqualTo(LinkBudget.DataSheet.of(8000, 0.01));
+        assertThat(radar.budget())
+                .isEqualTo(LinkBudget.DataSheet.of(8000, 0.01).withGain(37.5).withIntegrationTime(0.02));
     }
 
     @Test

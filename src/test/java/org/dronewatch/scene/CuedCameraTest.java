@@ -103,7 +103,7 @@ class CuedCameraTest {
                 drones:
                   decoy:
                     model: packaged:quadrotor.obj
-                    flight: {kind: orbit, centre: [-60, 500, 200], radius: 150}
+                    flight: {kind: orbit, centre: [-60, 500, 170], radius: 150}
                     speed: 12 m/s
                     label: {role: decoy}
                 """;
@@ -166,7 +166,7 @@ class CuedCameraTest {
         assertThat(notes)
                 .contains(
                         "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', which cues it,"
-                                + " looks every 1.8 s: the positioner will drop the drone in between",
+                                + " looks every 5.0 s: the positioner will drop the drone in between",
                         "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its positioner"
                                 + " tilts only from -50.0 to 60.0 degrees");
     }

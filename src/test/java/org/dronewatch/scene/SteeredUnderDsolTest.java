@@ -218,7 +218,7 @@ class SteeredUnderDsolTest {
                   camera: {kind: camera, position: [-40, -40, 160], rate: 7 Hz, aim: {lookAt: [-60, 40, 172]}}
                   ear: {kind: acoustic, position: [40, 0, 150], rate: 4 Hz, propagation: {kind: energy-model, rays: 100}}
                   far-ear: {kind: acoustic, position: [-300, 200, 160], rate: 1 Hz, propagation: {kind: energy-model, rays: 100}}
-                  radar: {use: blighter-a400, position: [100, 100, 165], aim: {azimuth: 315 deg}}
+                  radar: {use: blighter-a400, rate: 1 Hz, position: [100, 100, 165], aim: {azimuth: 315 deg}}
                 """
                         .formatted(flight));
         DevsSimulator<Double> simulator = new DevsSimulator<>("chase");

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.DoubleBinaryOperator;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.setting.Check;
@@ -38,6 +39,12 @@ public sealed interface LinkBudget {
      * @param pulses number of pulses of a look that are integrated non-coherently, 1 to 1000
      */
     DoubleBinaryOperator echo(double frequency, int pulses);
+
+    /** Gain of the narrower of its antennas, dBi, which determines the number of beams; empty if it is not stated. */
+    OptionalDouble narrowerGain();
+
+    /** For how long each beam dwells on its position, s; empty if it is not stated. */
+    OptionalDouble dwell();
 
     /** The radial speed above which an echo leaves its range cell during integration, m/s; infinity if unknown. */
     default double migrationSpeed() {
@@ -117,6 +124,17 @@ public sealed interface LinkBudget {
             return SettingsForm.with(this, "receiveGain", Optional.of(decibels));
         }
 
+        /** {@inheritDoc} The wide one may serve several narrow beams of the other at once. */
+        @Override
+        public OptionalDouble narrowerGain() {
+            return OptionalDouble.of(Math.min(gain, receiveGain.orElse(gain)));
+        }
+
+        @Override
+        public OptionalDouble dwell() {
+            return OptionalDouble.of(integrationTime);
+        }
+
         @Override
         public double migrationSpeed() {
             return LIGHT / (2.0 * sweepBandwidth * integrationTime);
@@ -132,17 +150,29 @@ public sealed interface LinkBudget {
      * @param probability probability of detection, 0.1 to 0.99
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation fluctuation of that target
+     * @param gain gain of its antenna, -20 to 80 dBi; with integrationTime, it only serves to check that the radar has
+     *     time for its scan, since the range already includes it
+     * @param integrationTime coherent integration time in each position of the beam, 1e-9 to 10 s, for the same check
      */
     record DataSheet(
             @In(value = Quantity.LENGTH, from = 0.1, to = 1e6) double range,
             @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,
             @In(value = Quantity.RATIO, from = 0.1, to = 0.99) double probability,
             @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,
-            Fluctuation fluctuation)
+            Fluctuation fluctuation,
+            @Minor @In(value = Quantity.LEVEL, from = -20, to = 80) Optional<Double> gain,
+            @Minor @In(value = Quantity.DURATION, from = 1e-9, to = 10) Optional<Double> integrationTime)
             implements LinkBudget {
         /** Checks the limits. */
         public DataSheet {
-            Limits.check(DataSheet.class, range, crossSection, probability, falseAlarm, fluctuation);
+            Limits.check(
+                    DataSheet.class, range, crossSection, probability, falseAlarm, fluctuation, gain, integrationTime);
+        }
+
+        /** A data sheet that states neither gain nor integration time. */
+        public DataSheet(
+                double range, double crossSection, double probability, double falseAlarm, Fluctuation fluctuation) {
+            this(range, crossSection, probability, falseAlarm, fluctuation, Optional.empty(), Optional.empty());
         }
 
         /**
@@ -152,6 +182,26 @@ public sealed interface LinkBudget {
         @Defaults({"range", "crossSection"})
         public static DataSheet of(double range, double crossSection) {
             return new DataSheet(range, crossSection, 0.9, 1e-6, Fluctuation.STEADY);
+        }
+
+        /** This data sheet with the gain of the antenna, dBi. */
+        public DataSheet withGain(double decibels) {
+            return SettingsForm.with(this, "gain", Optional.of(decibels));
+        }
+
+        /** This data sheet with the coherent integration time in each position of the beam, s. */
+        public DataSheet withIntegrationTime(double seconds) {
+            return SettingsForm.with(this, "integrationTime", Optional.of(seconds));
+        }
+
+        @Override
+        public OptionalDouble narrowerGain() {
+            return gain.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+        }
+
+        @Override
+        public OptionalDouble dwell() {
+            return integrationTime.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
         }
 
         /**

@@ -323,8 +323,8 @@ public record RadarSettings(
     }
 
     /**
-     * {@inheritDoc} About a gain that the beam cannot have, and a scan that is too fast for the beams of a hardware
-     * budget.
+     * {@inheritDoc} About a gain that the beam cannot have, and a scan that is too fast for its beams, as far as the
+     * budget states gain and integration time.
      */
     @Override
     public List<String> advice() {

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * The cells on which a radar decides in each scan, as far as they follow from its settings.
@@ -27,7 +28,7 @@ record ResolutionCells(
 
     /** How many there are with a hardware budget: range cells times beams times Doppler cells. */
     double count(LinkBudget.Hardware hardware) {
-        return rangeCells(hardware) * beams(hardware) * dopplerCells(hardware);
+        return rangeCells(hardware) * beams(hardware.narrowerGain()).orElseThrow() * dopplerCells(hardware);
     }
 
     /** Cells of {@code c / 2B} each between the least and the greatest range. */
@@ -35,11 +36,22 @@ record ResolutionCells(
         return whole((maxRange - minRange) * 2.0 * hardware.sweepBandwidth() / LIGHT);
     }
 
-    /** Positions of the beam in a scan: as many as fill the field of view. */
-    double beams(LinkBudget.Hardware hardware) {
-        if (beam.isEmpty()) {
-            return ScanTime.beams(azimuthWidth, elevationWidth, narrowerGain(hardware));
+    /**
+     * Positions of the beam in a scan: as many as fill the field of view.
+     *
+     * @param gain that of the narrower antenna, dBi, which gives their number where there is no beam
+     * @return empty with neither a beam nor a gain
+     */
+    OptionalDouble beams(OptionalDouble gain) {
+        if (beam.isPresent()) {
+            return OptionalDouble.of(positions());
         }
+        return gain.isPresent()
+                ? OptionalDouble.of(ScanTime.beams(azimuthWidth, elevationWidth, gain.getAsDouble()))
+                : gain;
+    }
+
+    private double positions() {
         BeamPattern shape = beam.get();
         double across = whole(azimuthWidth / shape.azimuthBeamwidth());
         double upwards = whole(elevationWidth / shape.elevationBeamwidth());
@@ -48,11 +60,6 @@ record ResolutionCells(
             case AZIMUTH -> across;
             case BOTH -> across * upwards;
         };
-    }
-
-    /** That of the narrower antenna, dBi: the wide one may serve several narrow beams of the other at once. */
-    static double narrowerGain(LinkBudget.Hardware hardware) {
-        return Math.min(hardware.gain(), hardware.receiveGain().orElse(hardware.gain()));
     }
 
     /** Cells of {@code lambda / 2T} each between the least and the greatest radial speed, approaching and receding. */

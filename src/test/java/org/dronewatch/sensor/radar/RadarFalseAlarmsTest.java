@@ -27,7 +27,7 @@ class RadarFalseAlarmsTest {
         FalseAlarmRate rate = radar.falseAlarmRate().orElseThrow();
         double cells = 664.0 * 174.0 * 436.0;
         assertThat(rate.perLook()).isCloseTo(cells * 1e-6, within(1e-9));
-        assertThat(rate.perHour()).isCloseTo(cells * 1e-6 * 0.28 * 3600, within(1e-6));
+        assertThat(rate.perHour()).isCloseTo(cells * 1e-6 * 0.1 * 3600, within(1e-6));
         assertThat(rate.cells()).isEqualTo((long) Math.floor(cells / 27));
         assertThat(rate.looks()).isEqualTo(1);
         // The chance that none of all cells gives a false alarm: exp(-n p) for rare ones.
