@@ -17,6 +17,7 @@ public final class House {
             new Storey("questions", "analysis..", "scenes.."),
             new Storey("a run", "scene"),
             new Storey("", "run"),
+            new Storey("what was prepared", "run.store"),
             new Storey("what is run", "scenario"),
             new Storey("", "catalog"),
             new Storey("alerts", "fusion"),

@@ -8,6 +8,7 @@ import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.report.provenance.ProgramVersion;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.KindRegistry;
 import picocli.CommandLine;
@@ -67,6 +68,12 @@ public final class Main implements Runnable {
 
     @Option(names = "--verbose", scope = ScopeType.INHERIT, description = "Adds the stack trace to the error message.")
     private boolean verbose;
+
+    @Option(
+            names = "--no-cache",
+            scope = ScopeType.INHERIT,
+            description = "Prepares the site anew, and does not keep it for the next start.")
+    private boolean withoutStore;
 
     @Spec
     private CommandSpec spec;
@@ -137,9 +144,24 @@ public final class Main implements Runnable {
         } catch (InputException e) {
             return failed(e, commands.getErr());
         }
+        String before = System.getProperty(StorePlace.PROPERTY);
+        if (withoutStore) {
+            System.setProperty(StorePlace.PROPERTY, StorePlace.OFF);
+        }
         try (Interruption watch = new Interruption()) {
             interruption = watch;
             return new CommandLine.RunLast().execute(parsed);
+        } finally {
+            restore(before);
+        }
+    }
+
+    /** The process may execute other commands. */
+    private static void restore(String place) {
+        if (place == null) {
+            System.clearProperty(StorePlace.PROPERTY);
+        } else {
+            System.setProperty(StorePlace.PROPERTY, place);
         }
     }
 

@@ -23,7 +23,8 @@ public final class TracingIndex {
         this(tree, RayTraversal.FASTEST);
     }
 
-    private TracingIndex(KDTree tree, RayTraversal traversal) {
+    /** An index of a finished tree that is traversed by a given method. */
+    public TracingIndex(KDTree tree, RayTraversal traversal) {
         this.tree = tree;
         this.traversal = traversal;
     }

@@ -76,6 +76,26 @@ public final class TriangleMesh {
         }
     }
 
+    /** A copy of the coordinates: x, y, z of each vertex in turn, m. */
+    public float[] vertices() {
+        return vertices.clone();
+    }
+
+    /** A copy of the corners: three vertex numbers per triangle. */
+    public int[] corners() {
+        return corners.clone();
+    }
+
+    /** A copy of the materials' numbers, one per triangle. */
+    public int[] materials() {
+        return materials.clone();
+    }
+
+    /** A copy of the numbers in the source file, one per triangle. */
+    public int[] sourceNumbers() {
+        return sourceNumbers.clone();
+    }
+
     /** The number of triangles. */
     public int triangleCount() {
         return materials.length;

@@ -11,7 +11,13 @@ public final class LeafOrderTriangles {
     private final float[] corners;
     private final int[] numbers;
 
-    private LeafOrderTriangles(float[] corners, int[] numbers) {
+    /**
+     * Triangles in leaf order; the arrays are kept, not copied.
+     *
+     * @param corners nine coordinates per triangle
+     * @param numbers of the triangles in the mesh
+     */
+    LeafOrderTriangles(float[] corners, int[] numbers) {
         this.corners = corners;
         this.numbers = numbers;
     }

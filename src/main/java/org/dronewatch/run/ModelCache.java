@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import org.dronewatch.buildings.BuildingLoader;
 import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.bvh.TracingIndex;
@@ -22,15 +21,16 @@ import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.run.store.PreparedSites;
+import org.dronewatch.run.store.PreparedTerrain;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
-import org.dronewatch.terrain.TerrainGround;
-import org.dronewatch.terrain.TerrainLoader;
 import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.SiteModel;
@@ -44,12 +44,11 @@ import org.dronewatch.world.WorldSettings;
 public final class ModelCache {
     private static final double NANO = 1e-9;
 
-    private final Path directory;
     private final ModelLoader loader;
     private final Consumer<String> notes;
     private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
-    private final Map<Place, LoadedTerrain> terrains = new HashMap<>();
-    private final Map<Place, KnownGround> grounds = new HashMap<>();
+    private final PreparedSites sites;
+    private final Map<Place, PreparedTerrain> terrains = new HashMap<>();
     private final Map<Town, LoadedBuildings> towns = new HashMap<>();
     private final Map<Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
@@ -89,9 +88,9 @@ public final class ModelCache {
      * @param notes receives a line for each file read, and each warning
      */
     public ModelCache(Path directory, Consumer<String> notes) {
-        this.directory = directory;
         this.loader = new ModelLoader(directory);
         this.notes = notes;
+        this.sites = new PreparedSites(directory, notes);
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 
@@ -124,13 +123,18 @@ public final class ModelCache {
         Place.of(world).ifPresent(this::terrain);
     }
 
-    private synchronized LoadedTerrain terrain(Place place) {
-        LoadedTerrain known = terrains.get(place);
-        if (known == null) {
+    private LoadedTerrain terrain(Place place) {
+        return prepared(place).terrain();
+    }
+
+    private synchronized PreparedTerrain prepared(Place place) {
+        PreparedTerrain prepared = terrains.get(place);
+        if (prepared == null) {
             long start = System.nanoTime();
-            known = new TerrainLoader(directory, notes).load(place.terrain(), place.origin());
+            prepared = sites.terrain(place.terrain(), place.origin());
             loadSeconds += NANO * (System.nanoTime() - start);
-            terrains.put(place, known);
+            terrains.put(place, prepared);
+            LoadedTerrain known = prepared.terrain();
             for (int i = 0; i < known.files().size(); i++) {
                 files.put(
                         place.terrain().allFiles().get(i), List.of(known.files().get(i)));
@@ -138,7 +142,7 @@ public final class ModelCache {
             known.description().forEach(notes);
             known.warnings().forEach(this::warn);
         }
-        return known;
+        return prepared;
     }
 
     /** Reads the buildings of a world, if it has a map of them, once. */
@@ -149,10 +153,10 @@ public final class ModelCache {
     private synchronized LoadedBuildings buildings(Town town) {
         LoadedBuildings known = towns.get(town);
         if (known == null) {
-            Optional<TerrainGround> ground =
-                    town.terrain().map(place -> ground(place).ground());
+            Optional<PreparedTerrain> ground = town.terrain().map(this::prepared);
             long start = System.nanoTime();
-            known = new BuildingLoader(directory).load(town.buildings(), town.origin(), ground);
+            known = sites.buildings(
+                    town.buildings(), town.origin(), town.terrain().map(Place::terrain), ground);
             loadSeconds += NANO * (System.nanoTime() - start);
             towns.put(town, known);
             files.put(town.buildings().file().orElseThrow(), List.of(known.file()));
@@ -162,14 +166,9 @@ public final class ModelCache {
         return known;
     }
 
-    private KnownGround ground(Place place) {
-        return grounds.computeIfAbsent(
-                place, key -> new KnownGround(new TerrainGround(terrain(key).mesh())));
-    }
-
     /** Where the ground of a world is known; empty for a world without a terrain from files. */
     synchronized Optional<KnownGround> knownGround(WorldSettings world) {
-        return Place.of(world).map(this::ground);
+        return Place.of(world).map(place -> prepared(place).ground());
     }
 
     /** What was read of the terrain and the buildings of a world, a line for each thing. */
@@ -267,7 +266,8 @@ public final class ModelCache {
             meshes.add(models.computeIfAbsent(model, this::load).mesh());
         }
         long start = System.nanoTime();
-        TracingIndex index = TracingIndex.of(World.merge(meshes), site.tracing());
+        KDTree tree = sites.tree(World.merge(meshes), site.tracing().costs());
+        TracingIndex index = new TracingIndex(tree, site.tracing().traversal());
         buildSeconds += NANO * (System.nanoTime() - start);
         return index;
     }

@@ -19,6 +19,20 @@ public final class KnownGround {
         this.rim = rim(ground.mesh());
     }
 
+    /**
+     * The known ground of a terrain whose rim is known, too.
+     *
+     * @param rim as {@link #rim()} returned it for the same terrain
+     * @throws IllegalArgumentException if it is not a list of sides, each with the finite coordinates of both ends
+     */
+    public KnownGround(TerrainGround ground, double[] rim) {
+        if (rim.length % 4 != 0 || !Arrays.stream(rim).allMatch(Double::isFinite)) {
+            throw new IllegalArgumentException("rim of " + rim.length + " numbers is not a list of sides");
+        }
+        this.ground = ground;
+        this.rim = rim.clone();
+    }
+
     private static double[] rim(TriangleMesh mesh) {
         // Each side with its lower end first; those of two triangles are then next to each other.
         long[] sides = new long[3 * mesh.triangleCount()];
@@ -44,6 +58,11 @@ public final class KnownGround {
             rim[2 * i + 1] = mesh.vertexCoordinate(ends.get(i), 1);
         }
         return rim;
+    }
+
+    /** A copy of the sides of the rim, and of those of holes: x and y of both ends of each, m. */
+    public double[] rim() {
+        return rim.clone();
     }
 
     /** The terrain. */

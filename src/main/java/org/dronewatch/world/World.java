@@ -11,9 +11,7 @@ import java.util.TreeMap;
 import org.dronewatch.bvh.RayTraversal;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.AABB;
-import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Hit;
-import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
@@ -189,40 +187,31 @@ public final class World {
         if (meshes.size() == 1) {
             return meshes.get(0);
         }
-        Floats vertices = new Floats();
-        Ints corners = new Ints();
-        Ints materials = new Ints();
-        Ints numbers = new Ints();
+        int vertexCount = meshes.stream().mapToInt(TriangleMesh::vertexCount).reduce(0, Math::addExact);
+        int triangleCount =
+                meshes.stream().mapToInt(TriangleMesh::triangleCount).reduce(0, Math::addExact);
+        float[] vertices = new float[Math.multiplyExact(3, vertexCount)];
+        int[] corners = new int[Math.multiplyExact(3, triangleCount)];
+        int[] materials = new int[triangleCount];
+        int[] numbers = new int[triangleCount];
         Map<String, Integer> materialNumbers = new LinkedHashMap<>();
+        int vertex = 0;
+        int triangle = 0;
         for (TriangleMesh mesh : meshes) {
-            append(mesh, vertices, corners, numbers);
+            System.arraycopy(mesh.vertices(), 0, vertices, 3 * vertex, 3 * mesh.vertexCount());
+            int[] moved = mesh.corners();
+            for (int i = 0; i < moved.length; i++) {
+                corners[3 * triangle + i] = vertex + moved[i];
+            }
             for (int i = 0; i < mesh.triangleCount(); i++) {
                 String name = mesh.materialNames().get(mesh.material(i));
-                materials.add(materialNumbers.computeIfAbsent(name, unseen -> materialNumbers.size()));
+                materials[triangle + i] = materialNumbers.computeIfAbsent(name, unseen -> materialNumbers.size());
+                numbers[triangle + i] = triangle + i;
             }
+            vertex += mesh.vertexCount();
+            triangle += mesh.triangleCount();
         }
-        return new TriangleMesh(
-                vertices.toArray(),
-                corners.toArray(),
-                materials.toArray(),
-                numbers.toArray(),
-                List.copyOf(materialNumbers.keySet()));
-    }
-
-    private static void append(TriangleMesh mesh, Floats vertices, Ints corners, Ints numbers) {
-        int firstVertex = vertices.size() / 3;
-        int firstNumber = numbers.size();
-        for (int i = 0; i < mesh.vertexCount(); i++) {
-            for (int axis = 0; axis < 3; axis++) {
-                vertices.add(mesh.vertexCoordinate(i, axis));
-            }
-        }
-        for (int i = 0; i < mesh.triangleCount(); i++) {
-            for (int corner = 0; corner < 3; corner++) {
-                corners.add(firstVertex + mesh.vertexIndex(i, corner));
-            }
-            numbers.add(firstNumber + i);
-        }
+        return new TriangleMesh(vertices, corners, materials, numbers, List.copyOf(materialNumbers.keySet()));
     }
 
     /** The closest hit along a ray, or empty. For convenience: for many rays, use one {@link #newRayTracer()}. */

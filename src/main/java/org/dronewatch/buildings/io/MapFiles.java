@@ -90,6 +90,19 @@ public final class MapFiles {
         }
     }
 
+    /**
+     * The hash of a file's bytes.
+     *
+     * @throws InputException when it cannot be read
+     */
+    public FileHash hash(String name) {
+        try (InputStream bytes = source(name).open()) {
+            return FileHash.of(shortName(name), bytes);
+        } catch (IOException e) {
+            throw new InputException(name + ": cannot be read: " + PlainText.line(String.valueOf(e.getMessage())), e);
+        }
+    }
+
     /** Where the bytes of a file come from. */
     private interface Source {
         InputStream open() throws IOException;

@@ -56,13 +56,18 @@ public final class ElevationFiles {
         return path;
     }
 
-    /** The hash of a file's bytes. */
+    /**
+     * The hash of a file's bytes.
+     *
+     * @throws InputException when it cannot be read, or is too large
+     */
     public FileHash hash(String name) {
         if (PackagedSite.isNamed(name)) {
             return packagedHash(name);
         }
         Path path = path(name);
         try (InputStream in = Files.newInputStream(path)) {
+            checkSize(name, Files.size(path));
             return FileHash.of(String.valueOf(path.getFileName()), in);
         } catch (IOException e) {
             throw unreadable(name, e);
@@ -87,13 +92,17 @@ public final class ElevationFiles {
             ElevationBytes bytes = PackagedSite.isNamed(name)
                     ? ElevationBytes.of(PackagedSite.plain(name), PackagedSite.bytes(name))
                     : ElevationBytes.of(name, path(name));
-            if (bytes.size() > MOST_BYTES) {
-                throw new InputException(String.format(
-                        Locale.ROOT, "%s: has %,d bytes, must have at most %,d", name, bytes.size(), MOST_BYTES));
-            }
+            checkSize(name, bytes.size());
             return open(bytes);
         } catch (IOException e) {
             throw unreadable(name, e);
+        }
+    }
+
+    private static void checkSize(String name, long bytes) {
+        if (bytes > MOST_BYTES) {
+            throw new InputException(
+                    String.format(Locale.ROOT, "%s: has %,d bytes, must have at most %,d", name, bytes, MOST_BYTES));
         }
     }
 

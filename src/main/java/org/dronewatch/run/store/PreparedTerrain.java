@@ -1,0 +1,12 @@
+package org.dronewatch.run.store;
+
+import org.dronewatch.terrain.KnownGround;
+import org.dronewatch.terrain.LoadedTerrain;
+
+/**
+ * A terrain that was read, and where its ground is known.
+ *
+ * @param terrain as read
+ * @param ground over its triangles
+ */
+public record PreparedTerrain(LoadedTerrain terrain, KnownGround ground) {}

@@ -1,0 +1,182 @@
+package org.dronewatch.run.store;
+
+import java.io.IOException;
+import java.io.StreamCorruptedException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.ReadableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.CRC32C;
+
+/**
+ * Reads what {@link StoreWriter} wrote. Lengths are compared with what is left of the file before anything is
+ * allocated, so that a damaged file takes no more memory than it has bytes. What was read must not be used before
+ * {@link #finish} has compared the checksum.
+ */
+final class StoreReader {
+    private static final int CHUNK = 1 << 20;
+
+    private final ReadableByteChannel source;
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(CHUNK).order(ByteOrder.LITTLE_ENDIAN);
+    private final CRC32C checksum = new CRC32C();
+    /** Bytes before the checksum that have not been taken from the buffer yet. */
+    private long left;
+
+    /**
+     * A reader.
+     *
+     * @param source of the bytes
+     * @param size their number
+     */
+    StoreReader(ReadableByteChannel source, long size) throws IOException {
+        this.source = source;
+        this.left = size - Long.BYTES;
+        buffer.limit(0);
+        if (left < 0) {
+            throw new StreamCorruptedException("too short");
+        }
+    }
+
+    int nextInt() throws IOException {
+        require(Integer.BYTES);
+        return buffer.getInt();
+    }
+
+    double nextDouble() throws IOException {
+        require(Double.BYTES);
+        return buffer.getDouble();
+    }
+
+    byte[] nextBytes() throws IOException {
+        byte[] values = new byte[length(1)];
+        for (int i = 0; i < values.length; i++) {
+            require(1);
+            values[i] = buffer.get();
+        }
+        return values;
+    }
+
+    String nextText() throws IOException {
+        return new String(nextBytes(), StandardCharsets.UTF_8);
+    }
+
+    List<String> nextTexts() throws IOException {
+        int count = length(Integer.BYTES);
+        List<String> texts = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            texts.add(nextText());
+        }
+        return texts;
+    }
+
+    int[] nextInts() throws IOException {
+        int[] values = new int[length(Integer.BYTES)];
+        int done = 0;
+        while (done < values.length) {
+            int some = chunk(values.length - done, Integer.BYTES);
+            buffer.asIntBuffer().get(values, done, some);
+            skip(some * Integer.BYTES);
+            done += some;
+        }
+        return values;
+    }
+
+    float[] nextFloats() throws IOException {
+        float[] values = new float[length(Float.BYTES)];
+        int done = 0;
+        while (done < values.length) {
+            int some = chunk(values.length - done, Float.BYTES);
+            buffer.asFloatBuffer().get(values, done, some);
+            skip(some * Float.BYTES);
+            done += some;
+        }
+        return values;
+    }
+
+    long[] nextLongs() throws IOException {
+        long[] values = new long[length(Long.BYTES)];
+        int done = 0;
+        while (done < values.length) {
+            int some = chunk(values.length - done, Long.BYTES);
+            buffer.asLongBuffer().get(values, done, some);
+            skip(some * Long.BYTES);
+            done += some;
+        }
+        return values;
+    }
+
+    double[] nextDoubles() throws IOException {
+        double[] values = new double[length(Double.BYTES)];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = nextDouble();
+        }
+        return values;
+    }
+
+    /** The length of what follows, of which each part takes at least some bytes. */
+    int length(int bytesEach) throws IOException {
+        int count = nextInt();
+        if (count < 0 || (long) count * bytesEach > left) {
+            throw new StreamCorruptedException("length " + count + " with " + left + " bytes left");
+        }
+        return count;
+    }
+
+    /** As many values as the buffer holds, at least one. */
+    private int chunk(int wanted, int bytesEach) throws IOException {
+        ready(bytesEach);
+        return Math.min(wanted, (int) Math.min(buffer.remaining(), left) / bytesEach);
+    }
+
+    private void skip(int bytes) {
+        buffer.position(buffer.position() + bytes);
+        left -= bytes;
+    }
+
+    /** Takes some bytes, which the caller gets from the buffer. */
+    private void require(int bytes) throws IOException {
+        ready(bytes);
+        left -= bytes;
+    }
+
+    private void ready(int bytes) throws IOException {
+        if (bytes > left) {
+            throw new StreamCorruptedException("ends too early");
+        }
+        if (buffer.remaining() < bytes) {
+            fill();
+        }
+    }
+
+    private void fill() throws IOException {
+        int start = buffer.remaining();
+        buffer.compact();
+        int read = 0;
+        while (buffer.hasRemaining() && read >= 0) {
+            read = source.read(buffer);
+        }
+        buffer.flip();
+        // The checksum at the end does not count itself.
+        long fresh = Math.min(buffer.remaining(), left) - start;
+        checksum.update(buffer.duplicate().position(start).limit((int) (start + Math.max(0, fresh))));
+        if (buffer.remaining() == start) {
+            throw new StreamCorruptedException("ends too early");
+        }
+    }
+
+    /** Checks that nothing is left, and that the checksum is that of all that was read. */
+    void finish() throws IOException {
+        if (left != 0) {
+            throw new StreamCorruptedException(left + " bytes too many");
+        }
+        if (buffer.remaining() < Long.BYTES) {
+            left = 0;
+            fill();
+        }
+        if (buffer.remaining() < Long.BYTES || buffer.getLong() != checksum.getValue()) {
+            throw new StreamCorruptedException("wrong checksum");
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package org.dronewatch.run.store;
+
+import java.io.IOException;
+
+/** How something is written to the store, and read from it. */
+interface StoredForm<T> {
+    /**
+     * Writes it.
+     *
+     * @throws IOException when that is not possible
+     */
+    void write(T value, StoreWriter target) throws IOException;
+
+    /**
+     * Reads it; the checksum has not been compared yet.
+     *
+     * @throws IOException when the file ends too early
+     * @throws IllegalArgumentException when what it contains cannot be right
+     */
+    T read(StoreReader source) throws IOException;
+}

@@ -1,0 +1,2 @@
+/** Sites that were prepared once, kept in files of the user's cache directory. */
+package org.dronewatch.run.store;
