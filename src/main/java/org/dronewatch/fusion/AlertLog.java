@@ -6,34 +6,22 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.IntPredicate;
 import org.dronewatch.tracking.ContactLook;
 
 /**
  * A log of the alerts of one run: applies the alert rule to the looks at contacts, in order of time, and records the
- * first alert for each contact. A loose contact belongs to one sensor alone: it is not associated with the contacts of
- * other sensors. A rule that requires several sensors therefore combines loose contacts that agree in time and bearing.
+ * first alert for each contact. A loose contact ({@link ContactLook#isLoose}) belongs to one sensor alone: a rule that
+ * requires several sensors therefore combines loose contacts that agree in time and bearing.
  */
 public final class AlertLog {
     private final AlertSettings settings;
-    private final IntPredicate isLoose;
     private final Map<Integer, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
     private final Map<Integer, Alert> alerts = new LinkedHashMap<>();
     private final Optional<LooseContacts> loose;
 
-    /** A log of a run at its start, without loose contacts: all sensors share the contacts. */
+    /** A log of a run at its start. */
     public AlertLog(AlertSettings settings) {
-        this(settings, contact -> false);
-    }
-
-    /**
-     * A log of a run at its start.
-     *
-     * @param isLoose whether the contact with a given number is loose
-     */
-    public AlertLog(AlertSettings settings, IntPredicate isLoose) {
         this.settings = settings;
-        this.isLoose = isLoose;
         this.loose = settings.rule() instanceof AlertRule.SeveralSensors several
                 ? Optional.of(new LooseContacts(several))
                 : Optional.empty();
@@ -53,7 +41,7 @@ public final class AlertLog {
         List<Alert> raised = new ArrayList<>();
         for (ContactLook look : looks) {
             if (!alerts.containsKey(look.contact())) {
-                decide(look.contact(), look.time()).ifPresent(raised::add);
+                decide(look).ifPresent(raised::add);
             }
         }
         return raised;
@@ -63,13 +51,15 @@ public final class AlertLog {
         SensorTrack track = tracks.computeIfAbsent(look.contact(), contact -> new LinkedHashMap<>())
                 .computeIfAbsent(look.sensor(), sensor -> new SensorTrack(sensor, settings.confirm()));
         track.add(look);
-        if (loose.isPresent() && track.isConfirmedWithin(0.0, look.time()) && isLoose.test(look.contact())) {
+        if (loose.isPresent() && track.isConfirmedWithin(0.0, look.time()) && look.isLoose()) {
             loose.get().confirmed(look.contact(), track, look.time());
         }
     }
 
-    private Optional<Alert> decide(int contact, double time) {
-        if (loose.isPresent() && isLoose.test(contact)) {
+    private Optional<Alert> decide(ContactLook look) {
+        int contact = look.contact();
+        double time = look.time();
+        if (loose.isPresent() && look.isLoose()) {
             List<LooseContact> together = loose.get().takeTogether(contact, time);
             return raise(
                     contact, time, together.stream().map(LooseContact::sensor).toList(), together);

@@ -89,9 +89,9 @@ public final class AlertWatch {
 
     /** Counts an alert for what is no drone. */
     private void count(Alert alert) {
-        Optional<String> bird = association.droneOf(alert.contact()).filter(birds::contains);
-        bird.ifPresent(id -> birdAlerts.put(id, alert));
-        if (bird.isPresent() || !association.isComplete(alert.contact())) {
+        Optional<String> drone = association.droneOf(alert.contact());
+        drone.filter(birds::contains).ifPresent(bird -> birdAlerts.put(bird, alert));
+        if (drone.isEmpty() || birds.contains(drone.get())) {
             falseAlertCount++;
             if (falseAlerts.size() < FalseAlarmResult.MOST_ALERTS) {
                 falseAlerts.add(alert);

@@ -49,12 +49,11 @@ final class ConfirmationTrials {
         return all;
     }
 
-    /** Adds the sensors' looks of one time, of which those at drones are used. */
+    /** Adds the sensors' looks of one time, except those at loose contacts, none of which is a drone. */
     void add(List<ContactLook> looks) {
         if (!logs.isEmpty()) {
-            List<ContactLook> atDrones = looks.stream()
-                    .filter(look -> association.isComplete(look.contact()))
-                    .toList();
+            List<ContactLook> atDrones =
+                    looks.stream().filter(look -> !look.isLoose()).toList();
             logs.values().forEach(log -> log.add(atDrones));
         }
     }

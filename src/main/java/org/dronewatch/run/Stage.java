@@ -78,8 +78,7 @@ public final class Stage {
         new SiteAdvice(settings, world).giveTo(models::warn);
         this.runSeed = runSeed;
         this.association = association;
-        this.dispatch =
-                new ContactDispatch(new AlertLog(settings.alert(), contact -> !association.isComplete(contact)));
+        this.dispatch = new ContactDispatch(new AlertLog(settings.alert()));
         FlightPaths paths = new FlightPaths(
                 new Places(site, world::newGround), settings.run().duration(), models);
         settings.individualDrones().forEach((id, drone) -> {

@@ -13,8 +13,11 @@ import org.dronewatch.sensor.Measurement;
  * @param probability how likely the look was to detect the contact, 0 to 1; 0 or 1 (whether it detected) for a sensor
  *     that does not estimate a probability
  * @param measurements of the contact: none, one or several
+ * @param isLoose whether the contact belongs to this sensor alone, since it is not associated with the contacts of
+ *     other sensors: what another sensor measures of the same object is a different contact
  */
-public record ContactLook(int contact, String sensor, double time, double probability, List<Measurement> measurements) {
+public record ContactLook(
+        int contact, String sensor, double time, double probability, List<Measurement> measurements, boolean isLoose) {
     /** Copies the list: later changes by the caller have no effect. */
     public ContactLook {
         measurements = List.copyOf(measurements);

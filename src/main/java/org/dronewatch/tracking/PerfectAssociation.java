@@ -19,7 +19,7 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * It replaces a tracker, which does not exist yet, and is an upper bound on the performance of one. False measurements
  * of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as long as they may
  * confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 on in the order in which
- * they appear; the numbers carry no information about drones. One per run.
+ * they appear; the numbers carry no information about drones. A false contact is loose. One per run.
  */
 public class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();
@@ -111,7 +111,7 @@ public class PerfectAssociation {
         List<Measurement> measurements = observations.stream()
                 .flatMap(one -> one.measurements().stream())
                 .toList();
-        return new ContactLook(contact, first.sensor(), first.arrival(), probability, measurements);
+        return new ContactLook(contact, first.sensor(), first.arrival(), probability, measurements, first.isFalse());
     }
 
     /** The contact of a drone, for scoring; empty when no sensor has looked at it. */
@@ -123,11 +123,6 @@ public class PerfectAssociation {
     /** The drone of a contact, for scoring; empty for a false one. */
     public Optional<String> droneOf(int contact) {
         return Optional.ofNullable(drones.get(contact));
-    }
-
-    /** Whether the looks of all sensors at a contact are associated, as those at a drone are. */
-    public boolean isComplete(int contact) {
-        return drones.containsKey(contact);
     }
 
     /** The contacts at which there will be no more looks after the last ones. */

@@ -28,11 +28,12 @@ class AlertLogTest {
         Measurement measured = new Measurement(
                 new LookId(sensor, "camera", 0, time), new Reading(value, 12.0, "px"), Optional.empty());
         boolean detected = measured.isDetected();
-        return new ContactLook(CONTACT, sensor, time, detected ? 1.0 : 0.0, detected ? List.of(measured) : List.of());
+        return new ContactLook(
+                CONTACT, sensor, time, detected ? 1.0 : 0.0, detected ? List.of(measured) : List.of(), false);
     }
 
     private static ContactLook likely(String sensor, double time, double probability) {
-        return new ContactLook(CONTACT, sensor, time, probability, List.of());
+        return new ContactLook(CONTACT, sensor, time, probability, List.of(), false);
     }
 
     @Test
@@ -173,13 +174,18 @@ class AlertLogTest {
                 new Position(0, 0, 0), new Direction(Math.toRadians(bearing), 0.1), OptionalDouble.empty());
         Measurement measured =
                 new Measurement(new LookId(sensor, "camera", 0, time), new Reading(20, 12.0, "px"), Optional.of(seen));
-        return new ContactLook(contact, sensor, time, 1.0, List.of(measured));
+        return new ContactLook(contact, sensor, time, 1.0, List.of(measured), true);
+    }
+
+    private static ContactLook withoutABearing(int contact, String sensor, double time) {
+        ContactLook seen = look(sensor, time, 50);
+        return new ContactLook(contact, sensor, time, seen.probability(), seen.measurements(), true);
     }
 
     /** Across north, too: 355 and 3 degrees are 8 degrees apart. */
     @Test
     void looseContactsOfTwoSensorsCountTogetherIfTheyAgree() {
-        AlertLog log = new AlertLog(two(10), contact -> contact != CONTACT);
+        AlertLog log = new AlertLog(two(10));
         assertThat(log.add(List.of(loose(1, "a", 0, 355)))).isEmpty();
         assertThat(log.add(List.of(loose(2, "a", 1, 356)))).isEmpty();
         assertThat(log.add(List.of(loose(3, "b", 2, 20)))).isEmpty();
@@ -198,7 +204,7 @@ class AlertLogTest {
 
     @Test
     void looseContactsDoNotConfirmADrone() {
-        AlertLog log = new AlertLog(two(10), contact -> contact != CONTACT);
+        AlertLog log = new AlertLog(two(10));
         assertThat(log.add(List.of(look("a", 0, 50), loose(1, "b", 0, 7)))).isEmpty();
         assertThat(log.add(List.of(look("a", 1, 50), loose(2, "a", 1, 7))))
                 .extracting(Alert::contact)
@@ -208,20 +214,20 @@ class AlertLogTest {
 
     @Test
     void looseContactsWithoutABearingAgreeWithAllAndLateOnesWithNone() {
-        AlertLog log = new AlertLog(two(10), contact -> true);
-        log.add(List.of(look("radio", 0, 50)));
+        AlertLog log = new AlertLog(two(10));
+        log.add(List.of(withoutABearing(CONTACT, "radio", 0)));
         assertThat(log.add(List.of(loose(1, "a", 5, 123))))
                 .extracting(Alert::time)
                 .containsExactly(5.0);
-        AlertLog late = new AlertLog(two(10), contact -> true);
-        late.add(List.of(look("radio", 0, 50)));
+        AlertLog late = new AlertLog(two(10));
+        late.add(List.of(withoutABearing(CONTACT, "radio", 0)));
         assertThat(late.add(List.of(loose(1, "a", 5.1, 123)))).isEmpty();
     }
 
     /** A contact that nothing confirms at present does not bring together two others, which do not agree. */
     @Test
     void twoOnEitherSideOfAThirdDoNotAgree() {
-        AlertLog log = new AlertLog(two(10).withConfirmation(2, 2), contact -> true);
+        AlertLog log = new AlertLog(two(10).withConfirmation(2, 2));
         for (int time = 0; time < 3; time++) {
             assertThat(log.add(List.of(
                             loose(1, "a", time, 92),
@@ -235,12 +241,12 @@ class AlertLogTest {
     }
 
     private static ContactLook missed(int contact, String sensor, double time) {
-        return new ContactLook(contact, sensor, time, 0.0, List.of());
+        return new ContactLook(contact, sensor, time, 0.0, List.of(), true);
     }
 
     @Test
     void whatHasEndedIsForgottenButCountsWithOthersForAWhile() {
-        AlertLog log = new AlertLog(two(10), contact -> true);
+        AlertLog log = new AlertLog(two(10));
         log.add(List.of(loose(1, "a", 0, 90)));
         log.forget(List.of(1, 99));
         assertThat(log.add(List.of(loose(2, "b", 4, 91)))).containsExactly(new Alert(2, 4.0, List.of("a", "b")));
@@ -288,7 +294,7 @@ class AlertLogTest {
         System.out.println("seed " + seed);
         SplittableRandom random = new SplittableRandom(seed);
         AllPairs reference = new AllPairs();
-        AlertLog log = new AlertLog(two(gate), contact -> true);
+        AlertLog log = new AlertLog(two(gate));
         int alerts = 0;
         double time = 0.0;
         for (int contact = 1; contact <= 20_000; contact++) {
@@ -314,7 +320,7 @@ class AlertLogTest {
     @Test
     void aMillionLooseContactsTakeSeconds() {
         int waiting = 100_000;
-        AlertLog log = new AlertLog(two(0.001), contact -> true);
+        AlertLog log = new AlertLog(two(0.001));
         SplittableRandom random = new SplittableRandom(9);
         int most = 0;
         long alerts = 0;
@@ -335,7 +341,7 @@ class AlertLogTest {
     /** A sensor alone, whose contacts nobody asks for, does not fill the memory either. */
     @Test
     void looseContactsOfOneSensorAloneAreForgotten() {
-        AlertLog log = new AlertLog(two(10), contact -> true);
+        AlertLog log = new AlertLog(two(10));
         for (int contact = 1; contact <= 10_000; contact++) {
             log.add(List.of(loose(contact, "a", contact * 0.1, 7)));
             log.forget(List.of(contact));
