@@ -11,6 +11,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
@@ -47,6 +48,32 @@ import org.jogamp.vecmath.Tuple3d;
 @AnalyzeClasses(packages = "org.dronewatch", importOptions = ImportOption.DoNotIncludeTests.class)
 class HouseRulesTest {
     private static final String DISPATCH = "org.dronewatch.run.ContactDispatch";
+    private static final String TRIALS = "org.dronewatch.run.ConfirmationTrials";
+    private static final String PAINTER = "org.dronewatch.render.SitePainter";
+
+    /** Who traces rays that have no other end: names in regular expressions. */
+    private static final List<String> TRACERS = List.of(
+            "bench\\..*",
+            "render\\.SitePainter",
+            "render\\.photo\\.Shading",
+            "report\\.ReliefShade",
+            "sensor\\.acoustic\\.energy\\.ReceiverSphere",
+            "sensor\\.acoustic\\.propagation\\.AcousticRay",
+            "sensor\\.optics\\.VisibleArea",
+            "world\\.Clearance",
+            "world\\.SurfaceColumn",
+            "world\\.Surroundings",
+            "world\\.Visibility",
+            "world\\.World");
+
+    /** Who accepts or returns tuples of vecmath: names in regular expressions. */
+    private static final List<String> TUPLES = List.of(
+            "bench\\..*",
+            "geometry\\..*",
+            "drone\\.Drone",
+            "kdtree\\.RayTracer",
+            "sensor\\.optics\\.CameraObject",
+            "world\\.World");
 
     private static final String[] KERNEL = {"org.dronewatch.kdtree", "org.dronewatch.bvh", "org.dronewatch.raster"};
 
@@ -179,7 +206,7 @@ class HouseRulesTest {
             .that()
             .doNotHaveFullyQualifiedName(DISPATCH)
             .and()
-            .doNotHaveFullyQualifiedName("org.dronewatch.run.ConfirmationTrials")
+            .doNotHaveFullyQualifiedName(TRIALS)
             .should()
             .callMethodWhere(DescribedPredicate.describe(
                     "a positioner or an alert rule is informed",
@@ -199,7 +226,7 @@ class HouseRulesTest {
             .and()
             .doNotBelongToAnyOf(Visibility.class)
             .and()
-            .doNotHaveFullyQualifiedName("org.dronewatch.render.SitePainter")
+            .doNotHaveFullyQualifiedName(PAINTER)
             .should()
             .callMethodWhere(ofARayTracer("isOccluded"));
 
@@ -211,21 +238,18 @@ class HouseRulesTest {
     static final ArchRule ONLY_THESE_TRACE_RAYS = classes()
             .that()
             .resideOutsideOfPackages(KERNEL)
-            .and(DescribedPredicate.describe(
-                    "trace rays", one -> one.getMethodCallsFromSelf().stream().anyMatch(ofARayTracer("closestHit"))))
+            .and(traceRays())
             .should()
-            .haveNameMatching("org\\.dronewatch\\.("
-                    + String.join(
-                            "|",
-                            "bench\\..*",
-                            "render\\.SitePainter",
-                            "render\\.photo\\.Shading",
-                            "report\\.ReliefShade",
-                            "sensor\\.acoustic\\.energy\\.ReceiverSphere",
-                            "sensor\\.acoustic\\.propagation\\.AcousticRay",
-                            "sensor\\.optics\\.VisibleArea",
-                            "world\\.(Clearance|SurfaceColumn|Surroundings|Visibility|World)")
-                    + ")");
+            .haveNameMatching(anyOf(TRACERS));
+
+    private static DescribedPredicate<JavaClass> traceRays() {
+        return DescribedPredicate.describe(
+                "trace rays", one -> one.getMethodCallsFromSelf().stream().anyMatch(ofARayTracer("closestHit")));
+    }
+
+    private static String anyOf(List<String> names) {
+        return "org\\.dronewatch\\.(" + String.join("|", names) + ")";
+    }
 
     private static DescribedPredicate<JavaMethodCall> ofARayTracer(String method) {
         return DescribedPredicate.describe(
@@ -238,21 +262,38 @@ class HouseRulesTest {
      * drones, of rays, of the world and of cameras, and for pictures; poses are its matrices everywhere.
      */
     @ArchTest
-    static final ArchRule POINTS_ARE_POSITIONS_INSIDE = classes()
-            .that(DescribedPredicate.describe(
-                    "use tuples of vecmath", one -> one.getDirectDependenciesFromSelf().stream()
-                            .anyMatch(use -> use.getTargetClass().isAssignableTo(Tuple3d.class))))
-            .should()
-            .haveNameMatching("org\\.dronewatch\\.("
-                    + String.join(
-                            "|",
-                            "bench\\..*",
-                            "geometry\\..*",
-                            "drone\\.Drone",
-                            "kdtree\\.RayTracer",
-                            "sensor\\.optics\\.CameraObject",
-                            "world\\.World")
-                    + ")");
+    static final ArchRule POINTS_ARE_POSITIONS_INSIDE =
+            classes().that(useTuples()).should().haveNameMatching(anyOf(TUPLES));
+
+    private static DescribedPredicate<JavaClass> useTuples() {
+        return DescribedPredicate.describe("use tuples of vecmath", one -> one.getDirectDependenciesFromSelf().stream()
+                .anyMatch(use -> use.getTargetClass().isAssignableTo(Tuple3d.class)));
+    }
+
+    /** A rule that names what has been renamed would keep nothing any more. */
+    @ArchTest
+    static void whatRulesNameIsThere(JavaClasses house) {
+        assertThat(List.of(DISPATCH, TRIALS, PAINTER)).allMatch(house::contain);
+        assertNamesAreUsed(house, TRACERS, traceRays());
+        assertNamesAreUsed(house, TUPLES, useTuples());
+        assertHasMethods(house, DroneSettings.class, "label");
+        assertHasMethods(house, Positioner.class, "see", "cue");
+        assertHasMethods(house, AlertLog.class, "add");
+        assertHasMethods(house, RayTracer.class, "isOccluded", "closestHit");
+    }
+
+    private static void assertNamesAreUsed(
+            JavaClasses house, List<String> names, DescribedPredicate<JavaClass> predicate) {
+        assertThat(names).as("classes that %s", predicate.getDescription()).allMatch(name -> house.stream()
+                .filter(predicate)
+                .anyMatch(type -> type.getName().matches(anyOf(List.of(name)))));
+    }
+
+    private static void assertHasMethods(JavaClasses house, Class<?> type, String... names) {
+        assertThat(house.get(type).getAllMethods())
+                .extracting(JavaMethod::getName)
+                .contains(names);
+    }
 
     @ArchTest
     static final ArchRule ONLY_CAMERAS_PROJECT = noClasses()
