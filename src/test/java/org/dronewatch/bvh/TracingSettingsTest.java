@@ -40,6 +40,7 @@ class TracingSettingsTest {
             List<String> words = new ArrayList<>(
                     List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=0.1 s"));
             words.addAll(List.of("--set", "sensors.camera.width=300", "--set", "sensors.camera.height=300"));
+            words.addAll(List.of("--set", "sensors.microphone.propagation.initialRays=4"));
             for (String setting : settings) {
                 words.addAll(List.of("--set", setting));
             }

@@ -47,7 +47,9 @@ class ReadingErrorTest {
         SoundSites site = place.site.get();
         Sample there = check(site, Criterion.A_WEIGHTED, place.drone, place.microphone, place + " to the microphone");
         Sample back = check(site, Criterion.A_WEIGHTED, place.microphone, place.drone, place + ", places exchanged");
-        check(site, Criterion.BEST_BAND, place.drone, place.microphone, place + ", best band");
+        if (place == Place.ROOM || place == Place.CANYON) {
+            check(site, Criterion.BEST_BAND, place.drone, place.microphone, place + ", best band");
+        }
         // The means of a hundred readings, to a tenth of what one allows.
         double error = Math.hypot(there.spread, back.spread) / Math.sqrt(SEEDS);
         assertThat(there.mean).as("%s: places exchanged", place).isCloseTo(back.mean, within(4 * error));

@@ -38,18 +38,18 @@ class ReciprocityTest {
 
     @Test
     void droneAndMicrophoneMayChangePlaces() {
-        compare("hill", SoundSites.hill(), 45, new double[] {-40, -40, 125}, new double[] {40, 40, 160});
-        compare("canyon", SoundSites.canyon(), 45, new double[] {-60, -40, 0}, new double[] {60, 40, 25});
-        compare("sealed", SoundSites.sealed(), 20, new double[] {0, 0, 0}, new double[] {10, 8, 4});
-        compare("church", SoundSites.church(), 10, new double[] {-8, -20, 0}, new double[] {8, 20, 12});
-        compare("room", SoundSites.room(), 40, new double[] {0, 0, 0}, new double[] {10, 8, 4});
-        compare("waves", SoundSites.waves(), 40, new double[] {-80, -80, -2}, new double[] {80, 80, 20});
+        compare("hill", SoundSites.hill(), 24, new double[] {-40, -40, 125}, new double[] {40, 40, 160});
+        compare("canyon", SoundSites.canyon(), 24, new double[] {-60, -40, 0}, new double[] {60, 40, 25});
+        compare("sealed", SoundSites.sealed(), 10, new double[] {0, 0, 0}, new double[] {10, 8, 4});
+        compare("church", SoundSites.church(), 6, new double[] {-8, -20, 0}, new double[] {8, 20, 12});
+        compare("room", SoundSites.room(), 18, new double[] {0, 0, 0}, new double[] {10, 8, 4});
+        compare("waves", SoundSites.waves(), 18, new double[] {-80, -80, -2}, new double[] {80, 80, 20});
 
-        assertThat(pairs).isEqualTo(200);
-        assertThat(unconverged).as("readings on few rays, seed %d", SEED).isLessThanOrEqualTo(4);
+        assertThat(pairs).isEqualTo(100);
+        assertThat(unconverged).as("readings on few rays, seed %d", SEED).isLessThanOrEqualTo(2);
         assertThat(outliers)
                 .as("pairs beyond three stated errors, seed %d", SEED)
-                .hasSizeLessThanOrEqualTo(4);
+                .hasSizeLessThanOrEqualTo(2);
         double squares = differences.stream().mapToDouble(d -> d * d).sum();
         assertThat(Math.sqrt(squares / differences.size()))
                 .as("differences over their stated errors, seed %d", SEED)
