@@ -34,6 +34,7 @@ public final class House {
             new Storey("", "sensor"),
             new Storey("", "positioner"),
             new Storey("what flies", "drone"),
+            new Storey("", "flight.mission", "flight.track"),
             new Storey("", "flight.file"),
             new Storey("", "flight"),
             new Storey("the site", "world"),

@@ -3,7 +3,7 @@ package org.dronewatch.app;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.dronewatch.flight.file.PlanWriter;
+import org.dronewatch.flight.mission.PlanWriter;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;

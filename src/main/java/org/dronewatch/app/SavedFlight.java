@@ -3,7 +3,7 @@ package org.dronewatch.app;
 import org.dronewatch.flight.Airframe;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.SteeredFlight;
-import org.dronewatch.flight.file.PlanWriter;
+import org.dronewatch.flight.mission.PlanWriter;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;

@@ -1,2 +1,2 @@
-/** Flights from files of other programs: missions of QGroundControl, tracks in GPX, logs in CSV. */
+/** Flights from files of other programs: what missions and tracks have in common. */
 package org.dronewatch.flight.file;

@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.track;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,9 +11,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.SplittableRandom;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightState;
+import org.dronewatch.flight.file.DamagedFiles;
+import org.dronewatch.flight.file.EquatorSite;
+import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.Ground;
@@ -59,7 +61,7 @@ class TrackTest {
     }
 
     private FlightPath fly(Track settings, String text) throws IOException {
-        Places places = new Places(WorldSettings.EMPTY.withOrigin(Plans.ORIGIN), () -> ground);
+        Places places = new Places(WorldSettings.EMPTY.withOrigin(EquatorSite.ORIGIN), () -> ground);
         return read(settings, text).path(places, 5.0, 2.5, warnings::add);
     }
 
@@ -76,9 +78,9 @@ class TrackTest {
     @Test
     void aTrackIsFlownAtItsTimes() throws IOException {
         FlightPath path = fly(Track.of("a.gpx"), GPX);
-        Position first = Plans.at(1.0, 2.0, 120);
-        Position second = Plans.at(1.001, 2.0, 130);
-        Position third = Plans.at(1.001, 2.001, 130);
+        Position first = EquatorSite.at(1.0, 2.0, 120);
+        Position second = EquatorSite.at(1.001, 2.0, 130);
+        Position third = EquatorSite.at(1.001, 2.001, 130);
         assertAt(path.at(0.0), first);
         assertAt(path.at(5.25), first.plus(second).times(0.5));
         assertAt(path.at(10.5), second);
@@ -96,8 +98,8 @@ class TrackTest {
 
     @Test
     void heightsCountFromTheSeaTheStartOrTheSurface() throws IOException {
-        assertAt(fly(track("a.gpx", Track.Heights.SEA, -20), GPX).at(10.5), Plans.at(1.001, 2.0, 110));
-        assertAt(fly(track("a.gpx", Track.Heights.START, 0), GPX).at(10.5), Plans.at(1.001, 2.0, 110));
+        assertAt(fly(track("a.gpx", Track.Heights.SEA, -20), GPX).at(10.5), EquatorSite.at(1.001, 2.0, 110));
+        assertAt(fly(track("a.gpx", Track.Heights.START, 0), GPX).at(10.5), EquatorSite.at(1.001, 2.0, 110));
         FlightPath over = fly(track("a.gpx", Track.Heights.SURFACE, -100), GPX);
         Position second = over.at(10.5).position();
         assertThat(second.z() - 0.25 * second.y()).isEqualTo(30.0, within(1e-3));
@@ -121,7 +123,7 @@ class TrackTest {
                 .replace("trk>", "rte>");
         FlightPath path = fly(Track.of("a.gpx"), route);
         assertThat(path.at(10.0).velocity().length()).isEqualTo(5.0, within(1e-9));
-        assertAt(path.at(1000.0), Plans.at(1.001, 2.001, 130));
+        assertAt(path.at(1000.0), EquatorSite.at(1.001, 2.001, 130));
         assertThat(warnings)
                 .containsExactly("a.gpx: has no times: the drone flies through its points at its own speed");
     }
@@ -135,16 +137,16 @@ class TrackTest {
         assertThatThrownBy(() -> read(Track.of("a.gpx"), two))
                 .hasMessage("a.gpx: has 2 tracks: give 'track', one of first, second");
         Track second = new Track("a.gpx", Track.Heights.SEA, 0, Optional.of("second"));
-        assertAt(fly(second, two).at(5.0), Plans.at(1.0, 2.002, 99));
+        assertAt(fly(second, two).at(5.0), EquatorSite.at(1.0, 2.002, 99));
         assertThatThrownBy(() -> read(second, GPX)).hasMessageContaining("has no track 'second'; ");
     }
 
     /** As a well-known maker's drones are exported: feet and milliseconds. */
     @Test
     void columnsAreKnownByNameAndUnit() throws IOException {
-        assertAt(fly(Track.of("a.csv"), DJI).at(10.0), Plans.at(1.001, 2.0, 600 * 0.3048));
+        assertAt(fly(Track.of("a.csv"), DJI).at(10.0), EquatorSite.at(1.001, 2.0, 600 * 0.3048));
         ground = (x, y) -> OptionalDouble.of(12.0);
-        assertAt(fly(track("a.csv", Track.Heights.START, 0), DJI).at(10.0), Plans.at(1.001, 2.0, 112.0 + 30.48));
+        assertAt(fly(track("a.csv", Track.Heights.START, 0), DJI).at(10.0), EquatorSite.at(1.001, 2.0, 112.0 + 30.48));
         assertThat(read(Track.of("a.csv"), DJI).description())
                 .isEqualTo("a.csv: 2 points in 10.0 s; columns 'time(millisecond)', 'latitude', 'longitude',"
                         + " 'altitude_above_seaLevel(feet)'");
@@ -153,12 +155,12 @@ class TrackTest {
         assertAt(
                 fly(track("a.csv", Track.Heights.SURFACE, 0), "time,lat,lon,alt\n0,1.0,2.0,30\n")
                         .at(0.0),
-                Plans.at(1.0, 2.0, 142.0));
+                EquatorSite.at(1.0, 2.0, 142.0));
         String plain =
                 "\uFEFFTimestamp;Lat;Lon;Alt [m]\n2026-11-24T03:00:00Z;1.0;2.0;150\n2026-11-24T03:00:04Z;1.001;2.0;150\n";
-        assertAt(fly(Track.of("b.csv"), plain).at(4.0), Plans.at(1.001, 2.0, 150));
+        assertAt(fly(Track.of("b.csv"), plain).at(4.0), EquatorSite.at(1.001, 2.0, 150));
         String seconds = "time_s,lat,lng,altitude_m\n1e3,1.0,2.0,150\n1004,1.001,2.0,150\n";
-        assertAt(fly(Track.of("b.csv"), seconds).at(4.0), Plans.at(1.001, 2.0, 150));
+        assertAt(fly(Track.of("b.csv"), seconds).at(4.0), EquatorSite.at(1.001, 2.0, 150));
     }
 
     @ParameterizedTest
@@ -219,61 +221,18 @@ class TrackTest {
                 .hasMessageContaining("leave 'track' out");
     }
 
-    /** Whatever a file holds, it is read or refused in a line: seeds 0 to 599. */
     @Test
     void damagedFilesAreReadOrRefused() {
-        byte[] plan = new Plans()
-                .item(22, 3, 0, 0, 0, "null", 0, 0, 30)
-                .waypoint(10, 1.001, 2.0, 30)
-                .waypoint(10, 1.001, 2.001, 30)
-                .text()
-                .getBytes(java.nio.charset.StandardCharsets.UTF_8);
-        int refused = 0;
-        for (int seed = 0; seed < 600; seed++) {
-            SplittableRandom random = new SplittableRandom(seed);
-            refused += isRefused(seed, damaged(plan, random), 0) ? 1 : 0;
-            refused +=
-                    isRefused(seed, damaged(GPX.getBytes(java.nio.charset.StandardCharsets.UTF_8), random), 1) ? 1 : 0;
-            refused +=
-                    isRefused(seed, damaged(DJI.getBytes(java.nio.charset.StandardCharsets.UTF_8), random), 2) ? 1 : 0;
-        }
-        assertThat(refused).isBetween(450, 1770);
-    }
-
-    private static byte[] damaged(byte[] whole, SplittableRandom random) {
-        byte[] bytes = whole.clone();
-        if (random.nextInt(4) == 0) {
-            return java.util.Arrays.copyOf(bytes, random.nextInt(bytes.length));
-        }
-        for (int i = random.nextInt(1, 4); i > 0; i--) {
-            int at = random.nextInt(bytes.length);
-            bytes[at] = random.nextBoolean()
-                    ? (byte) (bytes[at] ^ 1 << random.nextInt(8))
-                    : (byte) "0123456789-.e<>{}[],\"".charAt(random.nextInt(20));
-        }
-        return bytes;
-    }
-
-    private boolean isRefused(int seed, byte[] bytes, int format) {
-        Places places = new Places(WorldSettings.EMPTY.withOrigin(Plans.ORIGIN), () -> ground);
-        try {
-            FlightSource source =
-                    switch (format) {
-                        case 0 -> new PlannedFlight(Mission.of("a"), PlanFile.read("a", bytes));
-                        case 1 -> new TrackedFlight(Track.of("a"), GpxFile.read("a", bytes, Optional.empty()), bytes);
-                        default ->
-                            new TrackedFlight(
-                                    Track.of("a"), CsvLog.read("a", bytes, Track.Heights.SEA, Optional.empty()), bytes);
-                    };
-            FlightPath path = source.path(places, 5.0, 2.5, line -> {});
-            path.at(17.0);
-            return false;
-        } catch (InputException | IllegalArgumentException e) {
-            assertThat(e.getMessage().lines()).as("seed %s", seed).hasSize(1);
-            return true;
-        } catch (RuntimeException | StackOverflowError e) {
-            throw new AssertionError("seed " + seed + ", format " + format, e);
-        }
+        Places places = new Places(WorldSettings.EMPTY.withOrigin(EquatorSite.ORIGIN), () -> ground);
+        Track settings = Track.of("a");
+        int refused = DamagedFiles.refused(
+                GPX, bytes -> new TrackedFlight(settings, GpxFile.read("a", bytes, Optional.empty()), bytes)
+                        .path(places, 5.0, 2.5, line -> {}));
+        assertThat(refused).isBetween(150, 590);
+        refused = DamagedFiles.refused(DJI, bytes -> new TrackedFlight(
+                        settings, CsvLog.read("a", bytes, Track.Heights.SEA, Optional.empty()), bytes)
+                .path(places, 5.0, 2.5, line -> {}));
+        assertThat(refused).isBetween(150, 590);
     }
 
     /** What expands without end, or is nested without end, is refused at once. */
@@ -287,15 +246,5 @@ class TrackTest {
         assertThatThrownBy(() ->
                         read(Track.of("a.gpx"), "<gpx><trk><trkseg><trkpt lat='1' lon='2'>" + "<a>".repeat(100_000)))
                 .hasMessageContaining("nested more than 64 deep");
-        byte[] deep = "[".repeat(1_000_000).getBytes(java.nio.charset.StandardCharsets.UTF_8);
-        assertThatThrownBy(() -> PlanFile.read("a.plan", deep))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining(
-                        "a.plan: not whole JSON: Document nesting depth (501) exceeds the maximum allowed (500)");
-        Plans many = new Plans();
-        for (int i = 0; i <= PlanFile.MOST_ITEMS; i++) {
-            many.waypoint(3, 1.0, 2.0, i);
-        }
-        assertThatThrownBy(many::read).hasMessage("a.plan: more than 10000 items");
     }
 }

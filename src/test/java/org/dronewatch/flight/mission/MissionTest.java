@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -8,6 +8,8 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightState;
+import org.dronewatch.flight.file.DamagedFiles;
+import org.dronewatch.flight.file.EquatorSite;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
@@ -38,10 +40,10 @@ class MissionTest {
         FlightPath path = plan.fly();
         assertThat(plan.warnings).isEmpty();
 
-        Position home = Plans.at(1.0, 2.0, 100.0);
-        Position top = Plans.at(1.0, 2.0, 130.0);
-        Position north = Plans.at(1.003, 2.0, 130.0);
-        Position east = Plans.at(1.003, 2.01, 160.0);
+        Position home = EquatorSite.at(1.0, 2.0, 100.0);
+        Position top = EquatorSite.at(1.0, 2.0, 130.0);
+        Position north = EquatorSite.at(1.003, 2.0, 130.0);
+        Position east = EquatorSite.at(1.003, 2.01, 160.0);
         Position landed = new Position(east.x(), east.y(), 0.0);
         assertAt(path.at(0.0), home);
         double time = duration(home, top, 3.0);
@@ -72,8 +74,8 @@ class MissionTest {
                 .waypoint(10, 1.002, 2.002, 50);
         plan.ground = (x, y) -> OptionalDouble.of(y < 150 ? 40.0 : 70.0);
         FlightPath path = plan.fly();
-        Position low = Plans.at(1.001, 2.001, 150);
-        Position high = Plans.at(1.002, 2.001, 290);
+        Position low = EquatorSite.at(1.001, 2.001, 150);
+        Position high = EquatorSite.at(1.002, 2.001, 290);
         assertAt(path.at(0.0), low);
         // Climbing 140 m at 3 m/s takes longer than flying 178 m at 8 m/s.
         double time = duration(low, high, 3.0 * low.distance(high) / (high.z() - low.z()));
@@ -107,7 +109,7 @@ class MissionTest {
         }
         assertThat(lowest).isGreaterThan(29.99);
         assertThat(highest).isBetween(59.9, 90.0);
-        Position end = Plans.at(1.004, 2.004, 0.0);
+        Position end = EquatorSite.at(1.004, 2.004, 0.0);
         double over = 60.0 + plan.ground.height(end.x(), end.y()).orElseThrow();
         // Between two samples the surface may be higher: there the profile is, too.
         assertThat(path.at(1e4).position().z()).isBetween(over, over + 0.2);
@@ -150,10 +152,10 @@ class MissionTest {
                 .waypoint(3, 1.0, 2.0, 50)
                 .waypoint(3, 1.001, 2.0, 50)
                 .waypoint(3, 1.002, 2.0, 50);
-        double time = duration(Plans.at(1.0, 2.0, 150), Plans.at(1.002, 2.0, 150), 8.0);
+        double time = duration(EquatorSite.at(1.0, 2.0, 150), EquatorSite.at(1.002, 2.0, 150), 8.0);
         FlightPath path = straight.fly();
         assertThat(path.at(time / 2).velocity().length()).isEqualTo(8.0, within(1e-6));
-        assertThat(path.at(time + 1e-3).position().distance(Plans.at(1.002, 2.0, 150)))
+        assertThat(path.at(time + 1e-3).position().distance(EquatorSite.at(1.002, 2.0, 150)))
                 .isLessThan(1e-2);
         assertThat(path.at(time - 2.0).velocity().length()).isEqualTo(5.0, within(0.05));
 
@@ -161,7 +163,7 @@ class MissionTest {
                 .waypoint(3, 1.0, 2.0, 50)
                 .waypoint(3, 1.001, 2.0, 50)
                 .waypoint(3, 1.002, 2.0005, 50);
-        double first = duration(Plans.at(1.0, 2.0, 150), Plans.at(1.001, 2.0, 150), 8.0);
+        double first = duration(EquatorSite.at(1.0, 2.0, 150), EquatorSite.at(1.001, 2.0, 150), 8.0);
         assertThat(bent.fly().at(first).velocity().length()).isLessThan(1e-3);
     }
 
@@ -182,12 +184,12 @@ class MissionTest {
                         + "]}}");
         plan.item(93, 2, 7, 0, 0, 0, 0, 0, 0).item(20, 2, 0, 0, 0, 0, 0, 0, 0);
         FlightPath path = plan.fly();
-        assertAt(path.at(1e5), Plans.at(1.0, 2.0, 100));
-        double up = duration(Plans.at(1, 2, 100), Plans.at(1, 2, 120), 3.0);
-        Position first = Plans.at(1.001, 2.0, 140);
-        double toFirst = duration(Plans.at(1, 2, 120), first, 8.0);
+        assertAt(path.at(1e5), EquatorSite.at(1.0, 2.0, 100));
+        double up = duration(EquatorSite.at(1, 2, 100), EquatorSite.at(1, 2, 120), 3.0);
+        Position first = EquatorSite.at(1.001, 2.0, 140);
+        double toFirst = duration(EquatorSite.at(1, 2, 120), first, 8.0);
         assertAt(path.at(up + toFirst), first);
-        Position second = Plans.at(1.001, 2.001, 140);
+        Position second = EquatorSite.at(1.001, 2.001, 140);
         double toSecond = duration(first, second, 8.0);
         assertAt(path.at(up + toFirst + toSecond + 6.9), second);
         assertThat(plan.warnings)
@@ -200,7 +202,7 @@ class MissionTest {
                 .waypoint(3, 1.0, 2.0, 50)
                 .item(17, 3, 0, 0, 0, 0, 1.001, 2.0, 50)
                 .waypoint(3, 1.005, 2.0, 50);
-        assertAt(staying.fly().at(1e5), Plans.at(1.001, 2.0, 150));
+        assertAt(staying.fly().at(1e5), EquatorSite.at(1.001, 2.0, 150));
         assertThat(staying.warnings)
                 .containsExactly("a.plan: 1 step comes after an item at which the drone stays, and is never reached");
     }
@@ -214,9 +216,9 @@ class MissionTest {
         Plans wing = new Plans().waypoint(3, 1.004, 2.002, 40);
         wing.items.add(pattern);
         FlightPath path = wing.fly();
-        Position approach = Plans.at(1.004, 2.0, 140);
-        Position spot = Plans.at(1.001, 2.0, 100);
-        double time = duration(Plans.at(1.004, 2.002, 140), approach, 8.0);
+        Position approach = EquatorSite.at(1.004, 2.0, 140);
+        Position spot = EquatorSite.at(1.001, 2.0, 100);
+        double time = duration(EquatorSite.at(1.004, 2.002, 140), approach, 8.0);
         assertAt(path.at(time), approach);
         double down = duration(approach, spot, 8.0);
         Position half = path.at(time + down / 2).position();
@@ -239,7 +241,7 @@ class MissionTest {
         Plans plan = new Plans();
         plan.items.add("{\"type\": \"SimpleItem\", \"command\": 16, \"frame\": 3, \"coordinate\": [1.001, 2.0, 50],"
                 + " \"params\": [0, 0, 0, null]}");
-        assertAt(plan.fly().at(0.0), Plans.at(1.001, 2.0, 150));
+        assertAt(plan.fly().at(0.0), EquatorSite.at(1.001, 2.0, 150));
     }
 
     @Test
@@ -264,7 +266,7 @@ class MissionTest {
 
         Plans launch = new Plans().waypoint(3, 1.0, 2.0, 50);
         launch.ground = (x, y) -> OptionalDouble.empty();
-        assertAt(launch.fly().at(0.0), Plans.at(1.0, 2.0, 150));
+        assertAt(launch.fly().at(0.0), EquatorSite.at(1.0, 2.0, 150));
         assertThat(launch.warnings).singleElement().asString().contains("heights count from 100.0 m above sea level");
         launch.home = "[1.0, 2.0, null]";
         assertThatThrownBy(launch::fly).hasMessageContaining("no surface at latitude 1.000000 deg");
@@ -325,5 +327,31 @@ class MissionTest {
         plan.fly();
         assertThat(plan.warnings).hasSize(2).allMatch(line -> line.contains("no drone keeps to it"));
         assertThatThrownBy(() -> new Plans().fly()).hasMessageContaining("the mission has no take-off and no waypoint");
+    }
+
+    @Test
+    void damagedFilesAreReadOrRefused() {
+        Plans plan = new Plans()
+                .item(22, 3, 0, 0, 0, "null", 0, 0, 30)
+                .waypoint(10, 1.001, 2.0, 30)
+                .waypoint(10, 1.001, 2.001, 30);
+        int refused =
+                DamagedFiles.refused(plan.text(), bytes -> new PlannedFlight(plan.settings, PlanFile.read("a", bytes))
+                        .path(plan.places(), 5.0, 2.5, line -> {}));
+        assertThat(refused).isBetween(150, 590);
+    }
+
+    @Test
+    void whatIsNestedOrLongWithoutEndIsRefused() {
+        byte[] deep = "[".repeat(1_000_000).getBytes(java.nio.charset.StandardCharsets.UTF_8);
+        assertThatThrownBy(() -> PlanFile.read("a.plan", deep))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(
+                        "a.plan: not whole JSON: Document nesting depth (501) exceeds the maximum allowed (500)");
+        Plans many = new Plans();
+        for (int i = 0; i <= PlanFile.MOST_ITEMS; i++) {
+            many.waypoint(3, 1.0, 2.0, i);
+        }
+        assertThatThrownBy(many::read).hasMessage("a.plan: more than 10000 items");
     }
 }

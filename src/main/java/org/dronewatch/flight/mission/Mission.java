@@ -1,6 +1,8 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import java.nio.file.Path;
+import org.dronewatch.flight.file.FlightFromFile;
+import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;

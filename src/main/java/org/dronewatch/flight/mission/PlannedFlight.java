@@ -1,8 +1,9 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.Places;
 

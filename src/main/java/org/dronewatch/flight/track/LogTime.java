@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.track;
 
 import java.time.DateTimeException;
 import java.time.Instant;

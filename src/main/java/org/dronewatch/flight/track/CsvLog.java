@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.track;
 
 import de.siegmar.fastcsv.reader.CsvParseException;
 import de.siegmar.fastcsv.reader.CsvReader;

@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -13,6 +13,7 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.PopUp;
 import org.dronewatch.flight.TerrainFollowing;
+import org.dronewatch.flight.file.EquatorSite;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
@@ -25,14 +26,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** What is written reads back as the same flight. */
 class PlanWriterTest {
     private static final Ground HILLS = (x, y) -> OptionalDouble.of(15.0 * Math.sin(x / 60.0) * Math.cos(y / 45.0));
-    private static final Places PLACES = new Places(WorldSettings.EMPTY.withOrigin(Plans.ORIGIN), () -> HILLS);
+    private static final Places PLACES = new Places(WorldSettings.EMPTY.withOrigin(EquatorSite.ORIGIN), () -> HILLS);
 
     private static PlanFile read(PlanWriter.Written written) {
         return PlanFile.read("a.plan", written.text().getBytes(StandardCharsets.UTF_8));
     }
 
     private static PlanWriter.Written written(FlightPath path, double until) {
-        return new PlanWriter(Plans.ORIGIN, PLACES, false).write(path, until);
+        return new PlanWriter(EquatorSite.ORIGIN, PLACES, false).write(path, until);
     }
 
     private static FlightPath back(PlanWriter.Written written) {

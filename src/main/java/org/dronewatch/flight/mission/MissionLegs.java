@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.track;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -13,6 +13,7 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.Leg;
+import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.geo.EarthPlace;
 import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geometry.Position;

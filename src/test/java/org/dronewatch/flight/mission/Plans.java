@@ -1,25 +1,17 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dronewatch.flight.FlightPath;
-import org.dronewatch.geo.Geodesy;
-import org.dronewatch.geo.Origin;
-import org.dronewatch.geometry.Position;
+import org.dronewatch.flight.file.EquatorSite;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.Places;
 import org.dronewatch.world.WorldSettings;
 
-/**
- * Writes plans as QGroundControl does, and flies them over a site near the equator, where 1e-5 degrees are 1.1 m either
- * way.
- */
+/** Writes plans as QGroundControl does, and flies them over a site near the equator. */
 final class Plans {
-    static final Origin ORIGIN =
-            Origin.at(Math.toRadians(1.0), Math.toRadians(2.0)).withHeight(100.0);
-
     final List<String> items = new ArrayList<>();
     final List<String> warnings = new ArrayList<>();
     String home = "[1.0, 2.0, 100]";
@@ -58,15 +50,11 @@ final class Plans {
     }
 
     Places places() {
-        return new Places(WorldSettings.EMPTY.withOrigin(ORIGIN), () -> ground);
+        return new Places(WorldSettings.EMPTY.withOrigin(EquatorSite.ORIGIN), () -> ground);
     }
 
     /** The flight of a drone that accelerates by 2.5 m/s2. */
     FlightPath fly() {
         return read().path(places(), 5.0, 2.5, warnings::add);
-    }
-
-    static Position at(double latitude, double longitude, double heightAboveTheSea) {
-        return new Geodesy(ORIGIN).inWorld(Math.toRadians(latitude), Math.toRadians(longitude), heightAboveTheSea);
     }
 }

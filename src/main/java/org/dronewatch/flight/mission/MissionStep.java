@@ -1,4 +1,4 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.mission;
 
 import java.util.Optional;
 import org.dronewatch.geo.EarthPoint;

@@ -1,7 +1,9 @@
-package org.dronewatch.flight.file;
+package org.dronewatch.flight.track;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import org.dronewatch.flight.file.FlightFromFile;
+import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
