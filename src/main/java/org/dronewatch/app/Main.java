@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import org.dronewatch.mesh.io.MeshReaders;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
@@ -148,10 +149,12 @@ public final class Main implements Runnable {
         if (withoutStore) {
             System.setProperty(StorePlace.PROPERTY, StorePlace.OFF);
         }
+        LoadingBars.show();
         try (Interruption watch = new Interruption()) {
             interruption = watch;
             return new CommandLine.RunLast().execute(parsed);
         } finally {
+            LongTask.watch(null);
             restore(before);
         }
     }

@@ -3,13 +3,16 @@ package org.dronewatch.buildings;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.dronewatch.buildings.io.MapArea;
 import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.buildings.io.MapFiles;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.PackagedSite;
@@ -26,9 +29,13 @@ public final class BuildingLoader {
     /** Parts of a building near the rim may lie this far beyond it, m. */
     private static final double MARGIN = 2000.0;
 
+    /** Raising more takes seconds. */
+    private static final int MANY = 50_000;
+
     private static final int MOST_TRIANGLES = 50_000_000;
 
     private final Path directory;
+    private final Consumer<String> progress;
 
     /**
      * A loader of files by name.
@@ -36,7 +43,19 @@ public final class BuildingLoader {
      * @param directory of relative paths
      */
     public BuildingLoader(Path directory) {
+        this(directory, line -> {});
+    }
+
+    /**
+     * A loader of files by name.
+     *
+     * @param directory of relative paths
+     * @param progress receives a line before each step that takes seconds, unless it is watched as a
+     *     {@link LongTask}
+     */
+    public BuildingLoader(Path directory, Consumer<String> progress) {
         this.directory = directory;
+        this.progress = progress;
     }
 
     /**
@@ -50,7 +69,8 @@ public final class BuildingLoader {
      */
     public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain) {
         String file = settings.file().orElseThrow(() -> new InputException("needs a 'file', a map with buildings"));
-        MapFeatures map = new MapFiles(directory).read(file, MapArea.about(origin, settings.radius() + MARGIN));
+        MapFeatures map =
+                new MapFiles(directory, progress).read(file, MapArea.about(origin, settings.radius() + MARGIN));
         BuildingReport report = new BuildingReport(PackagedSite.plain(file), settings, map.leftOut());
         BuildingSite site = new BuildingSite(settings, origin, terrain, report);
         TriangleMesh mesh = map.model().isPresent()
@@ -96,15 +116,20 @@ public final class BuildingLoader {
         return canopies.mesh();
     }
 
-    private static TriangleMesh mesh(String file, MapFeatures map, BuildingSite site, BuildingReport report) {
+    private TriangleMesh mesh(String file, MapFeatures map, BuildingSite site, BuildingReport report) {
         List<Building> buildings = site.buildings(map);
         BuildingParts parts = new BuildingParts(buildings);
         SolidMesh solids = new SolidMesh();
-        for (Building building : buildings) {
-            site.build(building, parts, solids);
-            if (solids.triangles() > MOST_TRIANGLES) {
-                throw new InputException(
-                        file + ": more than " + MOST_TRIANGLES + " triangles of buildings: choose a smaller radius");
+        int count = buildings.size();
+        String what = String.format(Locale.ROOT, "buildings: raising %,d buildings", count);
+        try (LongTask task = LongTask.begin(what, count, count > MANY, progress)) {
+            for (Building building : buildings) {
+                site.build(building, parts, solids);
+                task.advance(1);
+                if (solids.triangles() > MOST_TRIANGLES) {
+                    throw new InputException(file + ": more than " + MOST_TRIANGLES
+                            + " triangles of buildings: choose a smaller radius");
+                }
             }
         }
         return solids.mesh();

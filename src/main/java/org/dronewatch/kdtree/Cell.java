@@ -6,8 +6,9 @@ package org.dronewatch.kdtree;
  * @param content the triangles in it
  * @param voxel its box, as grid numbers
  * @param level how many splits lie above it
+ * @param share how many of the mesh's triangles are due to it, if each counts once however many cells it is in
  */
-record Cell(NodeTriangles content, int[] voxel, int level) {
+record Cell(NodeTriangles content, int[] voxel, int level, double share) {
 
     int count() {
         return content.count;
@@ -19,8 +20,11 @@ record Cell(NodeTriangles content, int[] voxel, int level) {
         leftVoxel[split.axis() + 3] = split.key();
         int[] rightVoxel = voxel.clone();
         rightVoxel[split.axis()] = split.key();
-        Cell left = new Cell(content.part(split, true, leftVoxel, clipper), leftVoxel, level + 1);
-        Cell right = new Cell(content.part(split, false, rightVoxel, clipper), rightVoxel, level + 1);
+        NodeTriangles below = content.part(split, true, leftVoxel, clipper);
+        NodeTriangles above = content.part(split, false, rightVoxel, clipper);
+        double each = share / Math.max(1.0, (double) below.count + above.count);
+        Cell left = new Cell(below, leftVoxel, level + 1, each * below.count);
+        Cell right = new Cell(above, rightVoxel, level + 1, each * above.count);
         return new Halves(split, left, right, Math.max(0, left.count() + right.count() - count()));
     }
 

@@ -3,6 +3,7 @@ package org.dronewatch.kdtree;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.LongTask;
 
 /**
  * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles in leaf order. Holds data only:
@@ -61,7 +62,17 @@ public final class KDTree {
      * @throws CancellationException when the thread is interrupted meanwhile
      */
     public static KDTree of(TriangleMesh mesh, SahCost costs) {
-        return new KDTreeBuilder(mesh, costs).build();
+        return of(mesh, costs, LongTask.silent());
+    }
+
+    /**
+     * Builds the tree of a mesh, and tells how far that has come.
+     *
+     * @param task advances to the number of triangles
+     * @throws CancellationException when the thread is interrupted meanwhile
+     */
+    public static KDTree of(TriangleMesh mesh, SahCost costs, LongTask task) {
+        return new KDTreeBuilder(mesh, costs).build(task);
     }
 
     /** The costs with which it was built. */

@@ -1,6 +1,7 @@
 package org.dronewatch.kdtree;
 
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.LongTask;
 
 /**
  * Builds a tree top down: split where {@link SahSplitFinder} says, stop when no split is cheaper than a leaf. Follows
@@ -50,6 +51,10 @@ final class KDTreeBuilder {
     }
 
     KDTree build() {
+        return build(LongTask.silent());
+    }
+
+    KDTree build(LongTask task) {
         int count = mesh.triangleCount();
         float[] rootBox = new float[BOX];
         NodeTriangles all = new NodeTriangles(count);
@@ -65,8 +70,8 @@ final class KDTreeBuilder {
                 rootBox[k] = KDNode.value(voxel[k]);
             }
         }
-        Cell root = new Cell(all, voxel, 0);
-        Subtree tree = new TreeGrower(corners, costs, depthLimit(count)).grow(root, duplicates);
+        Cell root = new Cell(all, voxel, 0, count);
+        Subtree tree = new TreeGrower(corners, costs, depthLimit(count), task).grow(root, duplicates);
         int[] leaves = tree.leafTriangles();
         LeafOrderTriangles triangles = LeafOrderTriangles.of(leaves, corners);
         return new KDTree(mesh, costs, tree.nodes(), leaves, triangles, rootBox, tree.depth());

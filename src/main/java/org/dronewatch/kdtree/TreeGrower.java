@@ -3,6 +3,7 @@ package org.dronewatch.kdtree;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.parallel.Workers;
 
 /**
@@ -32,6 +33,7 @@ final class TreeGrower {
     private final float[] corners;
     private final int depthLimit;
     private final SahCost costs;
+    private final LongTask task;
     private final SahSplitFinder splitFinder;
     private final TriangleClipper clipper;
 
@@ -41,11 +43,13 @@ final class TreeGrower {
      * @param corners nine coordinates a triangle
      * @param costs decide where a cell is split, and whether
      * @param depthLimit the level on which all cells are leaves
+     * @param task advances with each triangle of a leaf
      */
-    TreeGrower(float[] corners, SahCost costs, int depthLimit) {
+    TreeGrower(float[] corners, SahCost costs, int depthLimit, LongTask task) {
         this.corners = corners;
         this.depthLimit = depthLimit;
         this.costs = costs;
+        this.task = task;
         this.splitFinder = new SahSplitFinder(costs);
         this.clipper = new TriangleClipper(corners);
     }
@@ -72,7 +76,7 @@ final class TreeGrower {
     private void appendFreely(Subtree tree, Cell cell, AtomicLong duplicatesLeft) {
         Optional<Cell.Halves> halves = duplicatesLeft.get() < 0 ? Optional.empty() : split(cell);
         if (halves.isEmpty()) {
-            tree.appendLeaf(cell);
+            appendLeaf(tree, cell);
             return;
         }
         if (halves.get().duplicates() > 0) {
@@ -89,7 +93,7 @@ final class TreeGrower {
         }
         Optional<Cell.Halves> found = split(cell).filter(halves -> halves.duplicates() <= duplicates);
         if (found.isEmpty()) {
-            tree.appendLeaf(cell);
+            appendLeaf(tree, cell);
             return;
         }
         Cell.Halves halves = found.get();
@@ -98,6 +102,11 @@ final class TreeGrower {
                 tree,
                 halves,
                 (grower, part, half) -> grower.appendSparingly(part, half, halves.due(left, half), tryAgain));
+    }
+
+    private void appendLeaf(Subtree tree, Cell cell) {
+        tree.appendLeaf(cell);
+        task.advance(cell.share());
     }
 
     /** The parts of a cell that is better split than a leaf. */
@@ -124,8 +133,8 @@ final class TreeGrower {
         } else {
             Subtree[] parts = {new Subtree(), new Subtree()};
             Workers.both(
-                    () -> growth.append(new TreeGrower(corners, costs, depthLimit), parts[0], halves.left()),
-                    () -> growth.append(new TreeGrower(corners, costs, depthLimit), parts[1], halves.right()));
+                    () -> growth.append(new TreeGrower(corners, costs, depthLimit, task), parts[0], halves.left()),
+                    () -> growth.append(new TreeGrower(corners, costs, depthLimit, task), parts[1], halves.right()));
             tree.append(parts[0]);
             tree.closeInterior(parent, halves.split());
             tree.append(parts[1]);

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.FormerNames;
@@ -137,7 +138,14 @@ final class ScenePlaces {
             ModelSettings model = all.get(i);
             placing("world.models." + i, document, () -> models.read(model));
         }
-        return models.ground(world);
+        return Workers.available() > 1 ? models.ground(world) : inParallel(world);
+    }
+
+    /** A scene is described before a run has its threads, and a large site takes long on one. */
+    private Ground inParallel(WorldSettings world) {
+        try (Workers workers = new Workers(Runtime.getRuntime().availableProcessors())) {
+            return workers.call(() -> models.ground(world));
+        }
     }
 
     private static void placing(String path, Node.Mapping document, Runnable reading) {

@@ -3,6 +3,7 @@ package org.dronewatch.terrain;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -31,17 +32,19 @@ final class Decimation {
     private final boolean[] isCorner;
     private final WorstFirst worst = new WorstFirst();
     private final double missing;
+    private final LongTask task;
     private int[] candidates = new int[1024];
     private double[] errors = new double[1024];
     private int[] seen = new int[1024];
     private int turn;
     private boolean isInWorld;
 
-    private Decimation(Posts posts, double accuracy, int most) {
+    private Decimation(Posts posts, double accuracy, int most, LongTask task) {
         this.posts = posts;
         this.columns = posts.columns();
         this.accuracy = accuracy;
         this.most = most;
+        this.task = task;
         this.triangulation = new Triangulation(columns, posts.rows());
         this.frame = posts.frame().newRow();
         this.isCorner = new boolean[columns * posts.rows()];
@@ -68,18 +71,19 @@ final class Decimation {
      * @param accuracy the greatest vertical error at a post, m; at 0 every post is a corner
      * @throws InputException when that takes more than {@value #MOST_TRIANGLES} triangles
      */
-    static PostTriangles of(Posts posts, double accuracy) {
-        return of(posts, accuracy, MOST_TRIANGLES);
+    static PostTriangles of(Posts posts, double accuracy, LongTask task) {
+        return of(posts, accuracy, MOST_TRIANGLES, task);
     }
 
     /**
      * The triangles.
      *
      * @param most how many there may be
+     * @param task advances with each post that is kept
      */
-    static PostTriangles of(Posts posts, double accuracy, int most) {
+    static PostTriangles of(Posts posts, double accuracy, int most, LongTask task) {
         if (accuracy > 0.0) {
-            return new Decimation(posts, accuracy, most).run();
+            return new Decimation(posts, accuracy, most, task).run();
         }
         checkCount(PostTriangles.countAll(posts), accuracy, most);
         return PostTriangles.all(posts);
@@ -139,6 +143,7 @@ final class Decimation {
     private void insertWorst() {
         int done = 0;
         while (!worst.isEmpty()) {
+            task.advance(1);
             if (++done % PATIENCE == 0 && Thread.currentThread().isInterrupted()) {
                 throw new CancellationException("interrupted while reading the terrain");
             }

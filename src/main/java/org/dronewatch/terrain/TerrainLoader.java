@@ -9,6 +9,7 @@ import org.dronewatch.geo.MapPoint;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.terrain.io.ElevationFile;
@@ -59,10 +60,7 @@ public final class TerrainLoader {
         }
         Mosaic mosaic = new Mosaic(files, settings, origin);
         Window window = mosaic.window();
-        if (window.posts() > LONG) {
-            progress.accept(String.format(Locale.ROOT, "terrain: reading %,d posts ...", window.posts()));
-        }
-        float[] raw = mosaic.heights();
+        float[] raw = read(mosaic, window.posts());
         Heights heights = new Heights(raw, settings.nodata());
         Grid grid = Grid.southward(mosaic.lattice(), window.columns(), window.rows(), raw, mosaic.map());
         double level = heightAt(grid, mosaic, raw, settings.verticalOffset());
@@ -72,7 +70,7 @@ public final class TerrainLoader {
             throw new InputException(files.get(0).name() + ": none of its " + window.posts() + " posts within "
                     + settings.radius() + " m of the origin has a height that makes a triangle");
         }
-        PostTriangles kept = Decimation.of(posts, settings.accuracy());
+        PostTriangles kept = thinned(posts, settings.accuracy());
         List<String> warnings = new ArrayList<>();
         heights.warn(warnings, settings.nodata().isPresent() || files.stream().allMatch(ElevationFile::statesNodata));
         TerrainReport report = new TerrainReport(settings, mosaic, files);
@@ -86,6 +84,24 @@ public final class TerrainLoader {
                 hashes,
                 report.lines(posts, heights, all, kept, level, origin),
                 warnings);
+    }
+
+    private float[] read(Mosaic mosaic, long posts) {
+        String what = String.format(Locale.ROOT, "terrain: reading %,d posts", posts);
+        try (LongTask task = LongTask.begin(what, posts, posts > LONG, progress)) {
+            float[] heights = mosaic.heights();
+            task.advance(posts);
+            return heights;
+        }
+    }
+
+    private PostTriangles thinned(Posts posts, double accuracy) {
+        long count = (long) posts.columns() * posts.rows();
+        String what = String.format(Locale.ROOT, "terrain: thinning out %,d posts", count);
+        // How many are kept is known only at the end.
+        try (LongTask task = LongTask.begin(what, -1, accuracy > 0.0 && count > LONG, progress)) {
+            return Decimation.of(posts, accuracy, task);
+        }
     }
 
     /** The height of the post nearest to the origin, m; NaN where there is none. */

@@ -16,7 +16,7 @@ class TreePartsTest {
     private static final KDTree TREE = KDTree.of(mesh(300, new SplittableRandom(5)));
 
     /** Triangles all over a box, some of them large. */
-    private static TriangleMesh mesh(int count, SplittableRandom random) {
+    static TriangleMesh mesh(int count, SplittableRandom random) {
         float[] vertices = new float[9 * count];
         int[] corners = new int[3 * count];
         for (int i = 0; i < count; i++) {

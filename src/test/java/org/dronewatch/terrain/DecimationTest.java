@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.terrain.io.Lattice;
 import org.junit.jupiter.api.Test;
@@ -103,12 +104,20 @@ class DecimationTest {
         int columns = 41;
         int rows = 33;
         Posts posts = posts(columns, rows, hills(new Random(seed), columns, rows));
-        PostTriangles kept = Decimation.of(posts, accuracy);
+        PostTriangles kept = thinned(posts, accuracy);
         double worst = greatestError(posts, kept);
         assertThat(worst).as("seed %d", seed).isLessThanOrEqualTo(accuracy);
         assertThat(kept.error()).isEqualTo(worst, within(1e-9));
         assertThat(wholeArea(kept, columns)).isEqualTo(2L * (columns - 1) * (rows - 1));
         assertThat(kept.count()).isLessThanOrEqualTo(2 * (columns - 1) * (rows - 1));
+    }
+
+    private static PostTriangles thinned(Posts posts, double accuracy) {
+        return Decimation.of(posts, accuracy, LongTask.silent());
+    }
+
+    private static PostTriangles thinned(Posts posts, double accuracy, int most) {
+        return Decimation.of(posts, accuracy, most, LongTask.silent());
     }
 
     /** Holes of one post, of blocks, at corners and rims: covered is exactly what has heights. Seeds 1 to 40. */
@@ -131,7 +140,7 @@ class DecimationTest {
             }
             Posts posts = posts(columns, rows, heights);
             PostTriangles all = PostTriangles.all(posts);
-            PostTriangles kept = Decimation.of(posts, 3.0);
+            PostTriangles kept = thinned(posts, 3.0);
             assertThat(wholeArea(kept, columns)).as("seed %d", seed).isEqualTo(wholeArea(all, columns));
             assertThat(greatestError(posts, kept)).as("seed %d", seed).isLessThanOrEqualTo(3.0);
         }
@@ -144,7 +153,7 @@ class DecimationTest {
         heights[6] = 1;
         heights[18] = 2;
         heights[19] = 2;
-        assertThat(Decimation.of(posts(5, 5, heights), 1.0).count()).isZero();
+        assertThat(thinned(posts(5, 5, heights), 1.0).count()).isZero();
         assertThat(PostTriangles.all(posts(5, 5, heights)).count()).isZero();
     }
 
@@ -152,9 +161,9 @@ class DecimationTest {
     @Test
     void flatGroundNeedsTwoTriangles() {
         Posts flat = posts(41, 41, new float[41 * 41]);
-        assertThat(Decimation.of(flat, 0.05).count()).isEqualTo(2);
-        assertThat(Decimation.of(flat, 0.05).error()).isBetween(0.002, 0.01);
-        assertThat(Decimation.of(flat, 0.002).count()).isGreaterThan(2);
+        assertThat(thinned(flat, 0.05).count()).isEqualTo(2);
+        assertThat(thinned(flat, 0.05).error()).isBetween(0.002, 0.01);
+        assertThat(thinned(flat, 0.002).count()).isGreaterThan(2);
     }
 
     /** Noise cannot be decimated: before it fills the memory there is a line. */
@@ -162,16 +171,16 @@ class DecimationTest {
     @ValueSource(doubles = {0.0, 0.001})
     void trianglesAreBounded(double accuracy) {
         Posts noise = posts(41, 33, hills(new Random(3), 41, 33));
-        assertThatThrownBy(() -> Decimation.of(noise, accuracy, 1000))
+        assertThatThrownBy(() -> thinned(noise, accuracy, 1000))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("an accuracy of " + accuracy + " m takes more than 1,000 triangles");
-        assertThat(Decimation.of(noise, 10.0, 1000).count()).isLessThan(1000);
+        assertThat(thinned(noise, 10.0, 1000).count()).isLessThan(1000);
     }
 
     /** At accuracy 0 every post is kept, and every square cut from its north-western to its south-eastern post. */
     @Test
     void atZeroEveryPostIsKeptAndSquaresAreCutAlongTheNorthWestDiagonal() {
-        PostTriangles all = Decimation.of(posts(3, 2, 0, 1, 2, 3, 4, 5), 0.0);
+        PostTriangles all = thinned(posts(3, 2, 0, 1, 2, 3, 4, 5), 0.0);
         assertThat(all.corners()).containsExactly(0, 4, 3, 0, 1, 4, 1, 5, 4, 1, 2, 5);
     }
 
@@ -180,7 +189,7 @@ class DecimationTest {
     @ValueSource(longs = {7, 8, 9})
     void withATinyErrorEverySquareHasTheSameDiagonal(long seed) {
         Posts posts = posts(17, 13, hills(new Random(seed), 17, 13));
-        assertThat(triangles(Decimation.of(posts, 1e-9))).isEqualTo(triangles(Decimation.of(posts, 0.0)));
+        assertThat(triangles(thinned(posts, 1e-9))).isEqualTo(triangles(thinned(posts, 0.0)));
     }
 
     /** As texts in an order of their own: each begins with its smallest post. */
@@ -212,7 +221,7 @@ class DecimationTest {
             double r2 = Math.pow(i % side - 50, 2) + Math.pow(i / side - 50, 2);
             heights[i] = (float) (100.0 * Math.exp(-r2 / 400.0));
         }
-        PostTriangles kept = Decimation.of(posts(side, side, heights), 1.0);
+        PostTriangles kept = thinned(posts(side, side, heights), 1.0);
         assertThat(kept.count()).isLessThanOrEqualTo(420);
     }
 

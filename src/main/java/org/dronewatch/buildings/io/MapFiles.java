@@ -12,8 +12,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.zip.GZIPInputStream;
 import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
@@ -33,7 +35,11 @@ public final class MapFiles {
     private static final long MOST_BYTES = 1L << 33;
     private static final int START = 64;
 
+    /** Reading a larger file takes seconds. */
+    private static final long LONG = 50_000_000;
+
     private final Path directory;
+    private final Consumer<String> progress;
 
     /**
      * Reads files by name.
@@ -41,7 +47,18 @@ public final class MapFiles {
      * @param directory of relative paths, that of a scene file or empty for the working directory
      */
     public MapFiles(Path directory) {
+        this(directory, line -> {});
+    }
+
+    /**
+     * Reads files by name.
+     *
+     * @param directory of relative paths, that of a scene file or empty for the working directory
+     * @param progress receives a line before a file that takes seconds, unless it is watched as a {@link LongTask}
+     */
+    public MapFiles(Path directory, Consumer<String> progress) {
         this.directory = directory;
+        this.progress = progress;
     }
 
     /**
@@ -53,6 +70,15 @@ public final class MapFiles {
      */
     public MapFeatures read(String name, MapArea area) {
         Source source = source(name);
+        long size = PackagedSite.isNamed(name) ? 0 : path(name).toFile().length();
+        String what = String.format(Locale.ROOT, "buildings: reading %,d MB of the map", size / 1_000_000);
+        // Read once for the hash, and once for the content.
+        try (LongTask task = LongTask.begin(what, 2 * size, size > LONG, progress)) {
+            return read(name, () -> new WatchedStream(source.open(), task), area);
+        }
+    }
+
+    private static MapFeatures read(String name, Source source, MapArea area) {
         try (InputStream bytes = source.open()) {
             FileHash hash = FileHash.of(shortName(name), bytes);
             byte[] start = start(source);

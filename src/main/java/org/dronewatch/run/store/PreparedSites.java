@@ -2,6 +2,7 @@ package org.dronewatch.run.store;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.dronewatch.buildings.BuildingLoader;
@@ -13,6 +14,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.SahCost;
 import org.dronewatch.kdtree.TreeParts;
+import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.terrain.KnownGround;
@@ -32,6 +34,9 @@ public final class PreparedSites {
 
     /** The tree over fewer triangles is built faster than it is found. */
     private static final int SMALL = 20_000;
+
+    /** Building the tree over more triangles takes more than a second. */
+    private static final int MANY = 500_000;
 
     private final Path directory;
     private final SiteStore store;
@@ -117,7 +122,7 @@ public final class PreparedSites {
             return kept.get();
         }
         long start = System.nanoTime();
-        LoadedBuildings built = new BuildingLoader(directory)
+        LoadedBuildings built = new BuildingLoader(directory, progress)
                 .load(settings, origin, terrain.map(prepared -> prepared.ground()
                         .ground()));
         double seconds = since(start);
@@ -149,7 +154,7 @@ public final class PreparedSites {
     /** The tree over a mesh. */
     public KDTree tree(TriangleMesh mesh, SahCost costs) {
         if (mesh.triangleCount() < small || !store.isOn()) {
-            return KDTree.of(mesh, costs);
+            return grown(mesh, costs);
         }
         StoreKey key = StoreKey.of("tree", mesh, costs);
         Optional<KDTree> kept = store.find(key, StoredForms.TREE).flatMap(parts -> over(parts, mesh, costs));
@@ -157,9 +162,17 @@ public final class PreparedSites {
             return kept.get();
         }
         long start = System.nanoTime();
-        KDTree tree = KDTree.of(mesh, costs);
+        KDTree tree = grown(mesh, costs);
         store.keep(() -> key, StoredForms.TREE, TreeParts.of(tree), since(start));
         return tree;
+    }
+
+    private KDTree grown(TriangleMesh mesh, SahCost costs) {
+        int count = mesh.triangleCount();
+        String what = String.format(Locale.ROOT, "building the tree over %,d triangles", count);
+        try (LongTask task = LongTask.begin(what, count, count >= MANY, progress)) {
+            return KDTree.of(mesh, costs, task);
+        }
     }
 
     private static Optional<KDTree> over(TreeParts parts, TriangleMesh mesh, SahCost costs) {

@@ -1,0 +1,101 @@
+package org.dronewatch.parallel;
+
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+
+/**
+ * A step of loading that may take seconds, for whoever watches the calling thread: a command with a terminal shows a
+ * progress bar. If nobody watches, one line announces it. Thread-safe: several workers may advance it.
+ */
+public final class LongTask implements AutoCloseable {
+    /** How many times at most a task of known length is reported. */
+    private static final long REPORTS = 500;
+
+    /** After how many steps a task of unknown length is reported. */
+    private static final long SOME = 1 << 12;
+
+    /** Steps are counted in parts, so that threads may add fractions in any order. */
+    private static final long PARTS = 1 << 20;
+
+    private static final ThreadLocal<Watcher> WATCHER = new ThreadLocal<>();
+
+    private final Watcher watcher;
+    private final long every;
+    /** In parts of steps. */
+    private final AtomicLong done = new AtomicLong();
+
+    /** Shows how far tasks have come; called by the thread that began the task, and by its workers. */
+    public interface Watcher {
+        /**
+         * A task begins.
+         *
+         * @param steps that it has; negative if that is not known
+         */
+        void started(String what, long steps);
+
+        /** How many steps are done. */
+        void advanced(long steps);
+
+        /** It has ended, or failed. */
+        void ended();
+    }
+
+    private LongTask(Watcher watcher, long every) {
+        this.watcher = watcher;
+        this.every = every;
+    }
+
+    /** From now on, a watcher is shown the tasks that the calling thread begins; null for nobody. */
+    public static void watch(Watcher watcher) {
+        if (watcher == null) {
+            WATCHER.remove();
+        } else {
+            WATCHER.set(watcher);
+        }
+    }
+
+    /** A task that nobody needs to hear of. */
+    public static LongTask silent() {
+        return new LongTask(null, Long.MAX_VALUE);
+    }
+
+    /**
+     * Begins a task.
+     *
+     * @param what it does, such as {@code terrain: reading 4,000,000 posts}
+     * @param steps that it has; negative if that is not known
+     * @param isLong whether it will take more than a second or so; others are silent
+     * @param announce receives one line if nobody watches
+     */
+    public static LongTask begin(String what, long steps, boolean isLong, Consumer<String> announce) {
+        if (!isLong) {
+            return silent();
+        }
+        Watcher watcher = WATCHER.get();
+        if (watcher == null) {
+            announce.accept(what + " ...");
+            return silent();
+        }
+        watcher.started(what, steps);
+        return new LongTask(watcher, steps < 0 ? SOME : Math.max(1, steps / REPORTS));
+    }
+
+    /** Some steps are done, or parts of steps. */
+    public void advance(double steps) {
+        if (watcher != null) {
+            long parts = (long) (steps * PARTS);
+            long now = done.addAndGet(parts);
+            if (now / PARTS / every != (now - parts) / PARTS / every) {
+                watcher.advanced(now / PARTS);
+            }
+        }
+    }
+
+    /** It is done, or failed. */
+    @Override
+    public void close() {
+        if (watcher != null) {
+            watcher.ended();
+        }
+    }
+}
