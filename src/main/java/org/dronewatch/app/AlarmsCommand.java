@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Prints the false-alarm rate of each sensor in a scene, and the false alerts per day that result from the"
-                        + " scene's alert rule, for its own confirmation and for others. The scene is not run. With"
+                        + " scene's alert rule, for its own confirmation and for other common ones. The scene is not run. With"
                         + " --sensor and --per-hour, prints the false-alarm probability that yields the desired number"
                         + " of false alarms for a radar.",
         footer = {
@@ -62,7 +62,7 @@ final class AlarmsCommand implements Callable<Integer> {
             description = "Index of the run of a sweep, counted from 0; 0 by default.")
     private int run;
 
-    @Option(names = "--sensor", paramLabel = "ID", description = "Radar for which --per-hour applies.")
+    @Option(names = "--sensor", paramLabel = "ID", description = "Radar to which --per-hour applies.")
     private String sensor;
 
     @Option(

@@ -12,23 +12,23 @@ import picocli.CommandLine.Option;
 final class FilmOptions {
     private static final int FPS = 25;
 
-    @Option(names = "--from", paramLabel = "T", description = "Time at which a film begins, s; 0 by default.")
+    @Option(names = "--from", paramLabel = "T", description = "Time at which a video begins, s; 0 by default.")
     private String from;
 
-    @Option(names = "--to", paramLabel = "T", description = "Time at which a film ends, s; the run's end by default.")
+    @Option(names = "--to", paramLabel = "T", description = "Time at which a video ends, s; the run's end by default.")
     private String to;
 
     @Option(
             names = "--fps",
             paramLabel = "N",
-            description = "Frames per second of a film, " + Film.LEAST_FPS + " to " + Film.MOST_FPS + "; " + FPS
+            description = "Frames per second of a video, " + Film.LEAST_FPS + " to " + Film.MOST_FPS + "; " + FPS
                     + " by default.")
     private Integer fps;
 
     @Option(
             names = "--speed",
             paramLabel = "FACTOR",
-            description = "Playback speed of a film relative to real time, 0.01 to 1000; 1 by default.")
+            description = "Playback speed of a video relative to real time, 0.01 to 1000; 1 by default.")
     private Double speed;
 
     /** Refuses options of a film where none is made. */
@@ -37,7 +37,7 @@ final class FilmOptions {
                 ? "--from " + from
                 : to != null ? "--to " + to : fps != null ? "--fps " + fps : speed != null ? "--speed " + speed : null;
         if (given != null) {
-            throw new InputException(given + ": applies only to films (--out FILE.mp4)");
+            throw new InputException(given + ": applies only to videos (--out FILE.mp4)");
         }
     }
 
@@ -62,7 +62,7 @@ final class FilmOptions {
      * @throws java.util.concurrent.CancellationException when it is interrupted
      */
     static void write(FilmMaker maker, WholeFile target, BooleanSupplier cancelled) {
-        ProgressBar bar = Progress.barOf("film", maker.film().frames());
+        ProgressBar bar = Progress.barOf("video", maker.film().frames());
         try {
             target.writeFile(partial -> maker.write(
                     partial,

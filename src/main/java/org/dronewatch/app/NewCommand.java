@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
         name = "new",
         mixinStandardHelpOptions = true,
         description =
-                "Creates a scene of a real place: a directory with the given files and a commented scene file that runs at once,"
+                "Creates a scene of a real place: a directory with the given files and a commented scene file that is ready to run,"
                         + " with a sensor of each kind on the highest points, an intruder, and a protected zone.",
         footer = {
             "",

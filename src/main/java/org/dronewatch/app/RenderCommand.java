@@ -26,8 +26,8 @@ import picocli.CommandLine.Spec;
         description = {
             "Draws a picture of a scene at a given time, without a window: that of one camera (PNG in shades of"
                     + " blue or in colour, or PFM with distances in metres), or the whole site in 3D with its"
-                    + " sensors, drones and sound rays (PNG); or makes a film of either (MP4).",
-            "For a film, and for a camera on a positioner, the run is simulated."
+                    + " sensors, drones and sound rays (PNG); or makes a video of either (MP4).",
+            "For a video, and for a camera on a positioner, the run is simulated."
         },
         footer = {
             "",
@@ -145,7 +145,7 @@ final class RenderCommand implements Callable<Integer> {
         if (!ending().equals("mp4")) {
             films.checkUnused();
         } else if (time != null) {
-            throw new InputException("--time " + PlainText.value(time) + ": a film has --from and --to");
+            throw new InputException("--time " + PlainText.value(time) + ": a video has --from and --to");
         }
         return new WholeFile("--out", out);
     }

@@ -56,7 +56,7 @@ final class SaveCommand implements Callable<Integer> {
             required = true,
             paramLabel = "FILE",
             description =
-                    "File to write, .yaml or .yml, or .plan with --flight; the scene's own models must be in its directory or below. An existing file"
+                    "File to write, .yaml or .yml, or .plan with --flight; the scene's own models must be in the directory of this file or below it. An existing file"
                             + " is replaced only if 'save' wrote it.")
     private String out;
 

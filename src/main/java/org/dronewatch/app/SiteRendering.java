@@ -31,7 +31,7 @@ final class SiteRendering extends Rendering {
     @Override
     void check(String ending) {
         if (ending.equals("pfm")) {
-            throw new InputException("--out: a picture of the site must end in .png, a film in .mp4");
+            throw new InputException("--out: a picture of the site must end in .png, a video in .mp4");
         }
         view.check(settings);
         if (ending.equals("mp4")) {

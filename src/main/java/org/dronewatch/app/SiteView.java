@@ -49,7 +49,7 @@ final class SiteView {
     @Option(
             names = "--focus",
             paramLabel = "ID",
-            description = "Sensor or drone on which a picture of the site is centred and zoomed in.")
+            description = "Sensor or drone on which a picture of the site is centred, at a closer zoom.")
     private String focus;
 
     @Option(
@@ -104,7 +104,7 @@ final class SiteView {
     /** Checks what a film does not show. */
     void checkFilm() {
         if (rays) {
-            throw new InputException("--rays: rays are traced for a single time; a film does not show them");
+            throw new InputException("--rays: rays are traced for a single time; a video does not show them");
         }
         int[] pixels = pixels();
         Rendering.checkFilm("--size " + size, pixels[0], pixels[1]);

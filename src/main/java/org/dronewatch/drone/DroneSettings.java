@@ -47,10 +47,10 @@ import org.dronewatch.world.World;
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
  * @param glideReduction reduction of its level with the motors off, when only airflow is heard, 0 to 100 dB
- * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; with a {@code spectrum}, any
- *     other name for it; {@code soundPowerLevel} and {@code directivity} are set separately
- * @param spectrum a spectrum in place of one of the table: A-weighted levels of the octave bands relative to one
- *     another, as in the table; {@code soundPowerLevel} sets the loudness
+ * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; if {@code spectrum} is set,
+ *     any name for that which is not in the table; {@code soundPowerLevel} and {@code directivity} are set separately
+ * @param spectrum a spectrum to use instead of one from the table: A-weighted levels of the octave bands relative to
+ *     one another, as in the table; {@code soundPowerLevel} sets the loudness
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; none if empty
  * @param emission model of its sound, given these settings and its flight: steady, or a kind from another jar
@@ -275,7 +275,7 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with a spectrum in place of one of the table, and the loudness unchanged.
+     * These settings with a spectrum instead of one from the table, and the loudness unchanged.
      *
      * @param shape A-weighted levels of the octave bands relative to one another, -200 to 200 dB
      */

@@ -23,23 +23,23 @@ public record FlightLimits(
         double endurance,
         double glideRatio,
         double glideSpeed) {
-    /** Bank of a coordinated turn: PX4 limits wings to 50 degrees (FW_R_LIM). */
+    /** Bank of a coordinated turn: PX4 limits fixed-wing drones to 50 degrees (FW_R_LIM). */
     private static final double WING_BANK = Math.toRadians(50.0);
     /** Tilt of a multirotor: PX4 limits it to 45 degrees (MPC_TILTMAX_AIR). */
     private static final double ROTOR_TILT = Math.toRadians(45.0);
-    /** DJI's consumer drones climb to 500 m above the place of take-off. Wings have no such limit; assumed for them. */
+    /** DJI's consumer drones climb to 500 m above the point of take-off; assumed for other airframes. */
     private static final double CEILING = 500.0;
 
     private static final double HALF_AN_HOUR = 1800.0;
     private static final double AN_HOUR = 3600.0;
-    /** Assumed, a good small wing. */
+    /** Assumed: a good small fixed-wing drone. */
     private static final double WING_GLIDE = 10.0;
 
     /**
      * The typical limits of a type of airframe. Rates of climb and descent are the defaults of PX4: 3 and 1.5 m/s for
-     * multirotors (MPC_Z_VEL_MAX_UP, MPC_Z_VEL_MAX_DN), 5 and 5 m/s for wings (FW_T_CLMB_MAX, FW_T_SINK_MAX). The
-     * course turns at {@code g tan(bank) / speed}, where the bank is 45 degrees for multirotors and 50 degrees for
-     * wings. The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10 and a
+     * multirotors (MPC_Z_VEL_MAX_UP, MPC_Z_VEL_MAX_DN), 5 and 5 m/s for the others (FW_T_CLMB_MAX, FW_T_SINK_MAX). The
+     * course turns at {@code g tan(bank) / speed}, where the bank is 45 degrees for multirotors and 50 degrees for the
+     * others. The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10 and a
      * glide at cruise speed are assumed; multirotors do not glide.
      *
      * @param airframe its type

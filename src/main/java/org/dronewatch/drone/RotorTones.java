@@ -56,8 +56,8 @@ public record RotorTones(
     }
 
     /**
-     * Two blades, and six lines with an assumed half of the power at the blade-passing frequency, less in the
-     * harmonics.
+     * Two blades and six lines: half of the octave band's power at the blade-passing frequency and less in each
+     * harmonic, which is assumed.
      */
     @Defaults("rotorSpeed")
     public static RotorTones of(double rotorSpeed) {

@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
  */
 @FunctionalInterface
 public interface FlightPath {
-    /** Half the interval over which {@link #acceleration} is a mean, s. */
+    /** Half the interval over which {@link #acceleration} is averaged, s. */
     double HALF_INTERVAL = 0.25;
 
     /**

@@ -40,8 +40,8 @@ public interface FlightPathSettings {
     /**
      * A hover at one point.
      *
-     * @param position of the hover, m
-     * @param heading of the nose, clockwise from north, rad
+     * @param position position at which the drone hovers, m
+     * @param heading heading of the nose, clockwise from north, rad
      */
     record Hover(Position position, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)
             implements FlightPathSettings {
@@ -64,7 +64,8 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A straight flight from one point to another, at cruise speed from the start; the drone stays there.
+     * A straight flight from one point to another, from the beginning at cruise speed; at the end the drone stays in
+     * place.
      *
      * @param from position at time 0, m
      * @param to position at the end, m
@@ -92,8 +93,8 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A level and straight flight towards a point, at cruise speed from the start; it stops there, or at the standoff
-     * distance.
+     * A level and straight flight towards a point, from the beginning at cruise speed; the drone stops at the point, or
+     * at the standoff distance.
      *
      * @param target the point, m
      * @param bearing direction of the approach, from the target: clockwise from north, rad
@@ -163,7 +164,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A climb under power, then a glide with the motors off: quietly, and too high for a camera that points at the
+     * A climb under power, then a glide with the motors off, quiet, and too high for a camera that points at the
      * horizon. The drone stays at the end of the glide.
      *
      * @param from position at time 0, m
@@ -210,7 +211,7 @@ public interface FlightPathSettings {
      *
      * @param centre centre of the circle, m
      * @param radius radius of the circle, 0.1 m to 100 km, m
-     * @param bearing from the centre at time 0, clockwise from north, rad
+     * @param bearing bearing of the drone from the centre at time 0, clockwise from north, rad
      */
     record Orbit(
             Position centre,
@@ -222,7 +223,7 @@ public interface FlightPathSettings {
             Limits.check(Orbit.class, centre, radius, bearing);
         }
 
-        /** A circle that begins in the north. */
+        /** A circle that begins at its northernmost point. */
         @Defaults({"centre", "radius"})
         public static Orbit about(Position centre, double radius) {
             return new Orbit(centre, radius, 0.0);

@@ -18,12 +18,12 @@ public record FlightState(Position position, Position velocity, Attitude attitud
         this(position, velocity, attitude, OptionalDouble.empty());
     }
 
-    /** A level state whose nose points to a heading, clockwise from north, rad. */
+    /** A state with level attitude and the nose at a heading, clockwise from north, rad. */
     public FlightState(Position position, Position velocity, double heading, OptionalDouble gliding) {
         this(position, velocity, Attitude.level(heading), gliding);
     }
 
-    /** A level state with the motors running and the nose pointing to a heading, clockwise from north, rad. */
+    /** A state with the motors running, level attitude and the nose at a heading, clockwise from north, rad. */
     public FlightState(Position position, Position velocity, double heading) {
         this(position, velocity, heading, OptionalDouble.empty());
     }

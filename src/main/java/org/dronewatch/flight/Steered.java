@@ -12,7 +12,7 @@ import org.dronewatch.world.Ground;
  * drone's speed. Each drone of a swarm starts at its position in the formation and is steered separately.
  *
  * @param start position at time 0, m
- * @param heading of the nose before the first command, clockwise from north, rad
+ * @param heading heading of the nose before the first command, clockwise from north, rad
  */
 public record Steered(
         Position start, @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading)

@@ -25,7 +25,7 @@ public record AlertSettings(
         Optional<ProtectedZone> protect,
         Map<String, ProtectedArea> zones,
         @In(value = Quantity.DURATION, from = 0, to = 86_400) double response) {
-    /** The first detection of any sensor is an alert; nothing is protected. */
+    /** The first detection by any sensor is an alert; nothing is protected. */
     @Defaults
     public static final AlertSettings DEFAULT =
             new AlertSettings(new AlertRule.AnySensor(), Confirmation.DEFAULT, Optional.empty(), Map.of(), 0.0);

@@ -115,7 +115,7 @@ public record FalseAlertRate(
         return merging.isEmpty() ? from : from + ", " + String.join(", ", merging) + " in false alarm most of the time";
     }
 
-    /** A rate or a number as text: at least two digits, without many zeros. */
+    /** A number as text: at least two digits, and in exponential notation if it is very small or large. */
     public static String brief(double value) {
         if (value == 0.0 || value >= 0.01 && value < 1e5) {
             return String.format(Locale.ROOT, value >= 100.0 ? "%.0f" : value >= 10.0 ? "%.1f" : "%.2f", value);

@@ -9,8 +9,8 @@ import org.dronewatch.setting.Limits;
  * A point in plan view by its name on a map, which scene files may give instead of a pair of east and north.
  *
  * @param feature name of a point in a GeoJSON or KML file
- * @param file that file; by default the one beside the scene file with the same name, ending in {@code .geojson} or
- *     {@code .kml}
+ * @param file the GeoJSON or KML file; by default the one beside the scene file with the same name, ending in {@code
+ *     .geojson} or {@code .kml}
  */
 public record FeaturePoint(String feature, @FileName Optional<String> file) {
     /** Checks that there is a name. */

@@ -12,9 +12,9 @@ import org.jogamp.vecmath.Vector3d;
  * because vecmath's tuples are mutable. In a scene's settings each coordinate lies within 100 km of the origin;
  * computed displacements need only be finite.
  *
- * @param x east, -100 to 100 km in settings, m
- * @param y north, -100 to 100 km in settings, m
- * @param z up, -100 to 100 km in settings, m
+ * @param x east, m; -100 to 100 km in a scene file
+ * @param y north, m; -100 to 100 km in a scene file
+ * @param z up, m; -100 to 100 km in a scene file
  */
 @InOrder
 public record Position(

@@ -31,7 +31,7 @@ import org.dronewatch.setting.SettingsForm;
  *     weather into account must also detect it
  * @param search pattern of its search until it is cued
  * @param zoom how its lens zooms; omit it for a fixed one
- * @param rangeSearch search along the line of a cue from another position that has a direction but no range
+ * @param rangeSearch search along the line of sight of a cueing sensor elsewhere that measures direction but no range
  */
 public record PositionerSettings(
         List<String> cues,

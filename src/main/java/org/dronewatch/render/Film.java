@@ -34,7 +34,7 @@ public record Film(double from, double to, int fps, double speed) {
     public Film {
         if (!(from >= 0.0 && from <= to && to < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException(
-                    "a film from " + from + " s to " + to + " s: must not end before it begins");
+                    "a video from " + from + " s to " + to + " s: must not end before it begins");
         }
         if (fps < LEAST_FPS || fps > MOST_FPS) {
             throw new IllegalArgumentException(
@@ -47,7 +47,7 @@ public record Film(double from, double to, int fps, double speed) {
         if (frames > MOST_FRAMES) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "a film of %.0f frames: must be at most %d; show less of the run, or play it faster",
+                    "a video of %.0f frames: must be at most %d; show less of the run, or play it faster",
                     frames,
                     MOST_FRAMES));
         }
@@ -61,7 +61,7 @@ public record Film(double from, double to, int fps, double speed) {
     public static void checkSize(int width, int height) {
         if (width > LONGEST_SIDE || height > LONGEST_SIDE) {
             throw new IllegalArgumentException(
-                    "a film of " + width + " x " + height + " pixels: each side must be at most " + LONGEST_SIDE);
+                    "a video of " + width + " x " + height + " pixels: each side must be at most " + LONGEST_SIDE);
         }
     }
 

@@ -44,8 +44,8 @@ public record AlertResult(
     }
 
     /**
-     * The time from {@code firstSight} to the alert, s: 0 if it was heard or partly seen before; empty without first
-     * sight or alert.
+     * The time from {@code firstSight} to the alert, s: 0 if the drone was heard or partly seen before that; empty
+     * without first sight or alert.
      */
     public OptionalDouble timeToAlert() {
         return alert.isPresent() && firstSight.isPresent()

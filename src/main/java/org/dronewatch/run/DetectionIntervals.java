@@ -10,9 +10,9 @@ import java.util.Set;
 import org.dronewatch.sensor.Observation;
 
 /**
- * The intervals during which each sensor holds a drone in one run, from the event that gains it to the one that loses
- * it. Times are times of reception: sound counts from its arrival at the sensor. Events are added in order of time. One
- * thread at a time.
+ * The intervals during which each sensor holds a drone in one run, from the event in which the sensor gains it to that
+ * in which it loses it. Times are times of reception: sound counts from its arrival at the sensor. Events are added in
+ * order of time. One thread at a time.
  */
 public final class DetectionIntervals {
     private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();
@@ -42,7 +42,8 @@ public final class DetectionIntervals {
     }
 
     /**
-     * Whether a sensor holds a drone at a time, that of its gain included and that of its loss not.
+     * Whether a sensor holds a drone at a time: true from the moment at which the sensor gains it, false from the
+     * moment at which it loses it.
      *
      * @param time seconds since the start of the run
      */

@@ -64,7 +64,7 @@ public final class DetectionLog {
         }
     }
 
-    /** The detections of drones gained and lost. */
+    /** The events in which a sensor gained or lost a drone. */
     public List<DetectionEvent> events() {
         return List.copyOf(events);
     }

@@ -75,7 +75,7 @@ public record RunResult(
                 .findFirst();
     }
 
-    /** Distance at which a sensor first detected a drone, m: the farthest of the scene's drones; empty for never. */
+    /** The greatest distance, over all drones, at which a sensor first detected one, m; empty if it detected none. */
     public OptionalDouble firstDetectionRange(String sensor) {
         return pairs.stream()
                 .filter(pair -> pair.sensor().equals(sensor) && pair.range().isPresent())

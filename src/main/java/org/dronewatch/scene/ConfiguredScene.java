@@ -42,7 +42,7 @@ final class ConfiguredScene {
         overrides.put(path, value);
     }
 
-    /** Sets the directory of relative paths and of the user's catalogue files. */
+    /** Sets the directory against which relative paths are resolved, and which contains the user's catalogue files. */
     void directory(Path path) {
         this.directory = path;
         this.catalog = Catalog.beside(path);

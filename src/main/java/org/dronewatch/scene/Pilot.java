@@ -1,7 +1,7 @@
 package org.dronewatch.scene;
 
 /**
- * Steers the drones of one run whose flight is {@code steered}. Each run of a sweep and each replication gets a new
+ * Steers, in one run, the drones whose flight is {@code steered}. Each run of a sweep and each replication gets a new
  * pilot without any state, so a run does not depend on those before it.
  *
  * <p>At the beginning of the run a pilot gives its first commands, and schedules events at which it will give more. A

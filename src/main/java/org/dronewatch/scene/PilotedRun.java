@@ -102,7 +102,7 @@ public final class PilotedRun {
         }
     }
 
-    /** The settings of the run, with its value of a sweep. */
+    /** The settings of the run, including its value of the swept setting. */
     public SceneSettings settings() {
         return session.info().settings();
     }

@@ -93,7 +93,9 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
                 .toLowerCase(Locale.ROOT);
     }
 
-    /** The directory of relative file names: the working directory unless the scene itself is a file. */
+    /**
+     * The directory against which relative file names are resolved: the working directory, unless the scene is a file.
+     */
     public Path directory() {
         return Path.of("");
     }
@@ -205,7 +207,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * Sets when an alert is raised, and what is to be protected; any detection of any sensor is an alert unless set.
+     * Sets when an alert is raised, and what is to be protected. Unless set, any detection by any sensor is an alert.
      */
     protected final void setAlert(AlertSettings alert) {
         building().setAlert(alert);

@@ -88,7 +88,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Sets the directory of relative model paths and of the user's catalogue files; the scene's directory unless set.
+     * Sets the directory against which relative model paths are resolved, and which contains the user's catalogue
+     * files; the scene's directory unless set.
      */
     public SceneRunner directory(Path path) {
         configured.directory(path);

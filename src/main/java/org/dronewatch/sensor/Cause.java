@@ -2,7 +2,7 @@ package org.dronewatch.sensor;
 
 import org.dronewatch.mesh.io.ModelRole;
 
-/** The cause for which a sensor does not detect a drone. Where several causes hold, the first in this order counts. */
+/** The reason why a sensor does not detect a drone. Where several apply, the first in this order counts. */
 public enum Cause {
     /**
      * The line of sight leaves the known ground, at a rim or over a hole of the terrain: something may hide the drone

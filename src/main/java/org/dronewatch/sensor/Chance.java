@@ -1,7 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * How often a random draw decides whether a sensor detects a drone, which relates a probability to a rate of detection.
+ * Whether chance decides anew in each look at a drone, or once per encounter with it. This determines the rate of
+ * detection that follows from a probability.
  */
 public enum Chance {
     /**

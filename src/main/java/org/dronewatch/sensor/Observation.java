@@ -26,12 +26,12 @@ public record Observation(
     public static final String PROBABILITY = "probability";
 
     /**
-     * The name of the figure, 1, for a look whose line of sight leaves the known ground, where something may have
+     * The name of the figure that is 1 if the line of sight of a look leaves the known ground, where something may have
      * hidden the drone.
      */
     public static final String UNKNOWN = "unknown";
 
-    /** The name of the figure, 1, for a look at a bird, for scoring. */
+    /** The name of the figure that is 1 for a look at a bird, for scoring. */
     public static final String BIRD = "bird";
 
     /** Copies the figures, in their order. */
@@ -51,7 +51,7 @@ public record Observation(
     }
 
     /**
-     * A false alarm: a report that no drone caused, but noise, a bird or an echo.
+     * A false alarm: a report caused not by a drone but by noise, a bird or an echo.
      *
      * @param look of the sensor: {@link Look#id}
      * @param sighting the estimated position or direction of its source

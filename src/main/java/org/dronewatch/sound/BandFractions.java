@@ -10,14 +10,14 @@ import org.dronewatch.setting.Quantity;
  * A fraction for each octave band, such as the fraction of sound that a surface absorbs. In a scene file it is written
  * as eight numbers, or one for all bands.
  *
- * @param hz63 in the band at 63 Hz, 0 to 1
- * @param hz125 in the band at 125 Hz, 0 to 1
- * @param hz250 in the band at 250 Hz, 0 to 1
- * @param hz500 in the band at 500 Hz, 0 to 1
- * @param hz1000 in the band at 1 kHz, 0 to 1
- * @param hz2000 in the band at 2 kHz, 0 to 1
- * @param hz4000 in the band at 4 kHz, 0 to 1
- * @param hz8000 in the band at 8 kHz, 0 to 1
+ * @param hz63 fraction in the band at 63 Hz, 0 to 1
+ * @param hz125 fraction in the band at 125 Hz, 0 to 1
+ * @param hz250 fraction in the band at 250 Hz, 0 to 1
+ * @param hz500 fraction in the band at 500 Hz, 0 to 1
+ * @param hz1000 fraction in the band at 1 kHz, 0 to 1
+ * @param hz2000 fraction in the band at 2 kHz, 0 to 1
+ * @param hz4000 fraction in the band at 4 kHz, 0 to 1
+ * @param hz8000 fraction in the band at 8 kHz, 0 to 1
  */
 @OneForAll
 public record BandFractions(

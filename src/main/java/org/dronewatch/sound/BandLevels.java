@@ -13,14 +13,14 @@ import org.dronewatch.setting.Quantity;
  * is finite, and in a scene's settings -200 to 200 dB; silence is written as a very low level, such as -200 dB. In a
  * scene file it is written as eight numbers, or one for all bands.
  *
- * @param hz63 level of the band at 63 Hz, -200 to 200 dB in settings
- * @param hz125 level of the band at 125 Hz, -200 to 200 dB in settings
- * @param hz250 level of the band at 250 Hz, -200 to 200 dB in settings
- * @param hz500 level of the band at 500 Hz, -200 to 200 dB in settings
- * @param hz1000 level of the band at 1 kHz, -200 to 200 dB in settings
- * @param hz2000 level of the band at 2 kHz, -200 to 200 dB in settings
- * @param hz4000 level of the band at 4 kHz, -200 to 200 dB in settings
- * @param hz8000 level of the band at 8 kHz, -200 to 200 dB in settings
+ * @param hz63 level of the band at 63 Hz, dB; -200 to 200 in a scene file
+ * @param hz125 level of the band at 125 Hz, dB; -200 to 200 in a scene file
+ * @param hz250 level of the band at 250 Hz, dB; -200 to 200 in a scene file
+ * @param hz500 level of the band at 500 Hz, dB; -200 to 200 in a scene file
+ * @param hz1000 level of the band at 1 kHz, dB; -200 to 200 in a scene file
+ * @param hz2000 level of the band at 2 kHz, dB; -200 to 200 in a scene file
+ * @param hz4000 level of the band at 4 kHz, dB; -200 to 200 in a scene file
+ * @param hz8000 level of the band at 8 kHz, dB; -200 to 200 in a scene file
  */
 @InOrder
 @OneForAll

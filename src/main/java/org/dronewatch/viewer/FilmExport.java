@@ -178,7 +178,7 @@ final class FilmExport implements AutoCloseable {
     static void write(FilmMaker maker, String file, IntConsumer progress, BooleanSupplier cancelled) {
         try (Workers workers = new Workers(Runtime.getRuntime().availableProcessors())) {
             workers.call(() -> {
-                new WholeFile("film", file).writeFile(partial -> maker.write(partial, progress, cancelled));
+                new WholeFile("video", file).writeFile(partial -> maker.write(partial, progress, cancelled));
                 return null;
             });
         }

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What 'new' makes runs at once, and what is wrong leaves nothing behind. */
+/** What 'new' creates is ready to run, and what is wrong leaves nothing behind. */
 class NewCommandTest {
     private static final String SRTM = "sites/monaco-srtm.asc";
     private static final String MAP = "sites/monaco-buildings.osm.gz";

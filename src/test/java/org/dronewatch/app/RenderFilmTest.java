@@ -89,15 +89,15 @@ class RenderFilmTest extends CuedCamera {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--view top --time 3 --out DIR/a.mp4          | --time 3: a film has --from and --to",
-                "--view top --fps 10 --out DIR/a.png          | --fps 10: applies only to films (--out FILE.mp4)",
-                "--camera cued --from 1 --out DIR/a.pfm       | --from 1: applies only to films",
+                "--view top --time 3 --out DIR/a.mp4          | --time 3: a video has --from and --to",
+                "--view top --fps 10 --out DIR/a.png          | --fps 10: applies only to videos (--out FILE.mp4)",
+                "--camera cued --from 1 --out DIR/a.pfm       | --from 1: applies only to videos",
                 "--view top --to 15 --out DIR/a.mp4           | --to 15: must be 0 to 14.0 s",
                 "--view top --from 5 --to 4 --out DIR/a.mp4   | --from 5: must not be after --to 4",
                 "--view top --fps 0 --out DIR/a.mp4           | fps 0: must be 1 to 60",
                 "--view top --speed 0 --out DIR/a.mp4         | speed 0.0: must be 0.01 to 1000",
                 "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: must be at most 36000",
-                "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a film of 5000 x 100 pixels:"
+                "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a video of 5000 x 100 pixels:"
                         + " each side must",
                 "--view top --rays --out DIR/a.mp4            | --rays: rays are traced for a single time",
                 "--view top --out png                         | must end in .png, .pfm or .mp4",

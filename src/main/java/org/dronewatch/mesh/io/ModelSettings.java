@@ -20,7 +20,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; for a file
  *     in coordinates of a national grid, use a point on the site, so that no precision is lost when coordinates are
  *     stored as floats
- * @param position of the model's origin, m
+ * @param position position of the model's origin, m
  * @param heading rotation about the vertical, clockwise as seen from above, rad
  * @param role its role on the site, by which reports name the obstacles that hide drones; of no effect for a drone's
  *     model

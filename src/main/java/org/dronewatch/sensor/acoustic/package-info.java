@@ -1,2 +1,2 @@
-/** Microphones: sound is traced as rays from the drone, by reflections, to the sensor. */
+/** Microphones: sound is traced as rays from the drone to the sensor, via reflections. */
 package org.dronewatch.sensor.acoustic;

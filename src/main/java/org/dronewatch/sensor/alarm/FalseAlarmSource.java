@@ -30,7 +30,7 @@ public final class FalseAlarmSource {
      */
     public static final String CELL = "cell";
 
-    /** The name of the figure, 1, of a false alarm that began in an earlier look. */
+    /** The name of the figure that is 1 for a false alarm that began in an earlier look. */
     public static final String CONTINUED = "continued";
 
     /** Larger means are drawn in parts, since {@code exp(-mean)} must not vanish. */

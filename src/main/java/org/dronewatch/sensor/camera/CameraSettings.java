@@ -142,7 +142,7 @@ public record CameraSettings(
         return withDetection(new PixelThreshold(pixels));
     }
 
-    /** Just what is needed. */
+    /** A reading exactly at the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(detection.threshold(), detection.threshold(), detection.unit());

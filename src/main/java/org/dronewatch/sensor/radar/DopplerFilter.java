@@ -20,7 +20,7 @@ public sealed interface DopplerFilter {
     double response(double radialSpeed);
 
     /**
-     * The reason why a drone is missed whose echo would be strong enough if it passed.
+     * The reason for missing a drone whose echo would be strong enough if all of it passed the filter.
      *
      * @param radialSpeed its radial speed, m/s
      * @param needed the response that it requires, above 0 and at most 1

@@ -30,7 +30,7 @@ import org.dronewatch.world.World;
 /**
  * A radar on a fixed mount. Without a {@code beam} it has the same gain throughout its field of view.
  *
- * @param position of its antenna, m
+ * @param position position of its antenna, m
  * @param aim the centre of its field of view; the elevation is its tilt
  * @param maxTilt greatest tilt of its mount, up or down, which limits the elevation of the aim, 0 to 90 degrees, rad
  * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad

@@ -97,7 +97,7 @@ public sealed interface SurfaceReflectivity {
     /**
      * The same sigma0 at all grazing angles.
      *
-     * @param sigma0 radar cross-section by area of the surface at the radar's frequency, -100 to 30 dB
+     * @param sigma0 radar cross-section per unit area of the surface at the radar's frequency, -100 to 30 dB
      */
     record ConstantSigma0(@In(value = Quantity.LEVEL, from = -100, to = 30) double sigma0)
             implements SurfaceReflectivity {

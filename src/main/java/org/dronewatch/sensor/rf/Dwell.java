@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The dwell of a receiver: the time in each look during which it receives a part of a transmitter's channels as wide as
- * its bandwidth.
+ * The dwell of a receiver: the time in each look during which it receives as much of a transmitter's channels as fits
+ * in its bandwidth.
  *
  * @param time duration of one dwell, 1e-6 to 1000 s
  * @param overlap time by which a burst must overlap a dwell to be received, 0 to 1000 s

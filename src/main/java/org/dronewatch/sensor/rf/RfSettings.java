@@ -30,24 +30,24 @@ import org.dronewatch.world.World;
 /**
  * A radio receiver. Without a {@code beam} it is omnidirectional.
  *
- * @param position of its antenna, m
+ * @param position position of its antenna, m
  * @param rate looks per second, above 0, Hz
  * @param minFrequency lowest frequency that it receives, 1 MHz to 100 GHz, Hz
  * @param maxFrequency highest frequency that it receives, Hz
  * @param gain gain of its antenna, in all directions or on the axis of its beam, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter excess path loss by ground, plants and buildings that are not in the site's models, plus local noise,
- *     0 to 100 dB
+ * @param clutter excess path loss caused by ground, plants and buildings that are not in the site's models, 0 to 100 dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
- * @param polarisation of the signals; it only affects reflection from the ground
+ * @param polarisation polarisation of the signals; it only affects reflection from the ground
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
  * @param clutterIncludesEdges whether {@code clutter} includes the loss at the edges of the site's models: then the
  *     greater of the two losses counts, otherwise their sum
  * @param environment man-made noise of the surroundings; omit it for thermal noise alone
  * @param occupied bands in which others transmit intermittently, by name; they must not overlap
  * @param attributes types of emission that it can recognise as a drone's
- * @param dwell time for which it listens to a transmission in bursts; omit it for a receiver of all bursts
+ * @param dwell time for which it listens when a transmission comes in bursts; omit it for a receiver that receives
+ *     every burst
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
  * @param beam pattern of its antenna; omit it for an omnidirectional one

@@ -27,9 +27,9 @@ import org.dronewatch.setting.SettingsForm;
  * bound if g is more than 1. Twice the frame rate causes twice as many false alarms, and so requires a higher
  * threshold.
  *
- * @param falseAlarmsPerHour accepted false alarms by noise per hour, 1e-6 to 1e9, which the camera also raises in a run
- *     unless {@code falseAlarms} gives the rate for all causes. Of the thresholds that cause this number, the highest
- *     is used; if none does, the one that causes the most
+ * @param falseAlarmsPerHour accepted number of false alarms per hour that noise causes, 1e-6 to 1e9, which the camera
+ *     also raises in a run unless {@code falseAlarms} gives the rate for all causes. Of the thresholds that cause this
+ *     number, the highest is used; if none does, the one that causes the most
  * @param hits M, number of the last N frames that must mark a spot, 1 to 50
  * @param frames N, number of the last frames considered, from hits to 50
  * @param gate g, number of pixels in which the spot is searched for in the next frame, 1 to 10,000: 9 for a drone that
@@ -92,8 +92,8 @@ public record PointTargets(
     }
 
     /**
-     * The probability of a mark by noise with which noise is confirmed most often; with a higher one, spots no longer
-     * come to an end. The derivative of the logarithm falls everywhere, so it has one zero.
+     * The probability of a mark caused by noise at which noise is confirmed most often; with a higher one, spots no
+     * longer come to an end. The derivative of the logarithm falls everywhere, so it has one zero.
      */
     private double mostConfirmed() {
         return Bisection.root(
@@ -105,7 +105,7 @@ public record PointTargets(
     }
 
     /**
-     * The number of false alarms by noise per hour.
+     * The number of false alarms per hour that noise causes.
      *
      * @param threshold t, in standard deviations of the noise
      * @param pixels number of pixels of the image

@@ -53,9 +53,8 @@ import org.dronewatch.world.World;
  * @param pointTargets detection, by a program, of drones that are too small for an observer; omit it for the observer
  *     model, which needs a resolved shape. It replaces the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
- * @param falseAlarms how often it mistakes something else for a drone, whatever the cause; unless set, only
- *     pointTargets raises false alarms, those caused by noise, and otherwise the rate is unknown, and none are
- *     simulated
+ * @param falseAlarms how often it mistakes something else for a drone, whatever the cause; unless set, false alarms are
+ *     those that noise causes with pointTargets; without pointTargets, the rate is unknown and none are simulated
  */
 public record ThermalSettings(
         Position position,
@@ -187,7 +186,7 @@ public record ThermalSettings(
         return falseAlarms.map(known -> known.rate(rate)).or(() -> pointTargets.map(rule -> rule.rate(pixels(), rate)));
     }
 
-    /** Just what is needed. */
+    /** A reading exactly at the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(probability, probability, Quantity.RATIO.unit());
