@@ -10,6 +10,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -88,10 +89,10 @@ final class Furniture {
             texts.add("protected");
             marks.add(SitePicture.ZONE);
         }
-        for (String flying : flying(state.drones())) {
-            texts.add(flying);
-            marks.add(Symbols.DRONE);
-        }
+        flying(state.drones()).forEach((text, colour) -> {
+            texts.add(text);
+            marks.add(colour);
+        });
         String time = String.format(Locale.ROOT, "%s, %.2f s", view, state.time());
         g.setFont(font(Font.BOLD, 15));
         int w = g.getFontMetrics().stringWidth(state.title());
@@ -235,17 +236,17 @@ final class Furniture {
         return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z());
     }
 
-    /** How many drones and, where there are some, how many birds fly. */
-    static List<String> flying(List<DroneMark> marks) {
+    /** How many drones and, where there are some, how many birds fly, with their colours. */
+    static Map<String, Color> flying(List<DroneMark> marks) {
         long birds =
                 marks.stream().filter(mark -> mark.drone().settings().isBird()).count();
         long drones = marks.size() - birds;
-        List<String> texts = new ArrayList<>();
+        Map<String, Color> texts = new LinkedHashMap<>();
         if (drones > 0 || birds == 0) {
-            texts.add(drones == 1 ? "drone" : "drones: " + drones);
+            texts.put(drones == 1 ? "drone" : "drones: " + drones, KindColours.DRONE);
         }
         if (birds > 0) {
-            texts.add(birds == 1 ? "bird" : "birds: " + birds);
+            texts.put(birds == 1 ? "bird" : "birds: " + birds, KindColours.BIRD);
         }
         return texts;
     }

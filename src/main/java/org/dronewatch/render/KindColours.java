@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
@@ -18,6 +19,9 @@ import org.dronewatch.sensor.SensorSettings;
 public final class KindColours {
     /** The colour of drones and their paths in all pictures. */
     public static final Color DRONE = new Color(0xd62f1f);
+
+    /** The colour of birds and their paths in all pictures: no kind of sensor has it, and it is not alarming. */
+    public static final Color BIRD = new Color(0x6b7280);
 
     private static final Color[] COLOURS = {
         new Color(0x1f5fbf), new Color(0xff6a00), new Color(0x2a9d5c), new Color(0x9b3fb5), new Color(0xb58900),
@@ -39,6 +43,11 @@ public final class KindColours {
     /** Colours for the kinds of some sensors, in the order in which the kinds first occur. */
     public static KindColours of(Collection<SensorSettings<?>> sensors) {
         return new KindColours(sensors);
+    }
+
+    /** The colour of a drone or of a bird, and of its path. */
+    public static Color of(DroneSettings flying) {
+        return flying.isBird() ? BIRD : DRONE;
     }
 
     /**

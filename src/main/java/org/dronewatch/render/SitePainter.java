@@ -22,6 +22,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 final class SitePainter {
     private static final int SECTION = 0x4a4640;
     private static final int DRONE = 0xe8501e;
+    private static final int BIRD = 0x7a828f;
 
     /** How far off a surface the ray to the sun begins, as a fraction of the distance of the surface. */
     private static final double OFF = 2e-5;
@@ -275,7 +276,7 @@ final class SitePainter {
     void paint(CameraObject camera, Cut cut, List<Drone> drones, Canvas canvas) {
         for (Drone drone : drones) {
             if (cut == null || cut.keeps(drone.origin())) {
-                new DronePainter(drone, DRONE).paint(camera, canvas);
+                new DronePainter(drone, drone.settings().isBird() ? BIRD : DRONE).paint(camera, canvas);
             }
         }
     }

@@ -62,9 +62,15 @@ final class StateLines {
             Position foot = new Position(at.x(), at.y(), at.z() - ground.distance());
             lines.line(at, foot, 1.4 * pixel, PLUMB, 0.8);
         });
+        boolean isBird = drone.drone().settings().isBird();
         List<Position> flown = drone.flown();
         for (int i = 1; i < flown.size(); i++) {
-            lines.line(flown.get(i - 1), flown.get(i), 2.6 * pixel, TRACK, 0.9);
+            lines.line(
+                    flown.get(i - 1),
+                    flown.get(i),
+                    2.6 * pixel,
+                    isBird ? KindColours.BIRD.getRGB() & 0xffffff : TRACK,
+                    0.9);
         }
         List<Position> toCome = drone.toCome();
         for (int i = 1; i < toCome.size(); i++) {

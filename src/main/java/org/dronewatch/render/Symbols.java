@@ -19,11 +19,10 @@ import org.dronewatch.sensor.optics.CameraObject;
 
 /**
  * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as cameras whose
- * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones as rings. What stands
+ * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones and birds as rings. What stands
  * behind something is drawn pale.
  */
 final class Symbols {
-    static final Color DRONE = KindColours.DRONE;
     private static final Color DETECTING = new Color(0xffd23f);
     private static final Color PLATE = new Color(24, 28, 34, 190);
     private static final Color HIDDEN_PLATE = new Color(24, 28, 34, 110);
@@ -164,7 +163,7 @@ final class Symbols {
         g.setColor(faded(Color.WHITE, hidden));
         g.draw(ring);
         g.setStroke(new BasicStroke((float) (2.5 * scale)));
-        g.setColor(faded(DRONE, hidden));
+        g.setColor(faded(KindColours.of(mark.drone().settings()), hidden));
         g.draw(ring);
         if (mark.detected()) {
             g.setColor(DETECTING);

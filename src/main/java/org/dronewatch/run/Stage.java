@@ -105,11 +105,17 @@ public final class Stage {
                 .toList();
     }
 
-    /** Flights of drones whose performance is stated must stay within it; steered ones are not known yet. */
+    /**
+     * Flights must stay above the ground and outside of walls, and within the performance of their drones where it is
+     * stated; steered ones are not known yet.
+     */
     private void adviseOnFlights(SceneSettings settings, ModelCache models) {
         double duration = settings.run().duration();
         settings.individualDrones().forEach((id, drone) -> {
             FlightPath path = flights().get(id);
+            if (SteeredFlight.in(path).isEmpty()) {
+                new PathAdvice(id, world, world.newGround(), duration).giveTo(path, models::warn);
+            }
             if (drone.performance().isPresent() && SteeredFlight.in(path).isEmpty()) {
                 new FlightAdvice(id, drone.flightLimits(), world.newGround(), duration).giveTo(path, models::warn);
             }

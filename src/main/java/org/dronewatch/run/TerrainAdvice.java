@@ -7,11 +7,14 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.radio.GroundReflecting;
+import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.world.Ground;
 
 /**
  * Warns of sensors and flights where a terrain has no ground: beyond its rim or over a hole nothing hides a drone,
- * because nothing is known there.
+ * because nothing is known there. Warns, too, of a round earth that is applied to ground that is round already.
  *
  * @param ground the highest surfaces of the world
  */
@@ -31,12 +34,23 @@ record TerrainAdvice(SceneSettings settings, Ground ground) {
                         at.x(),
                         at.y()));
             }
+            if (reflectsFromRoundEarth(sensor)) {
+                target.accept("sensor '" + id + "' has groundReflection.roundEarth, but the ground from files already"
+                        + " follows the earth's curvature, which is thus applied twice: set it to false");
+            }
         });
         flights.forEach((id, path) -> {
             if (SteeredFlight.in(path).isEmpty()) {
                 onFlight(id, path, target);
             }
         });
+    }
+
+    private static boolean reflectsFromRoundEarth(SensorSettings<?> sensor) {
+        return sensor.as(GroundReflecting.class)
+                .flatMap(GroundReflecting::groundReflection)
+                .filter(ReflectingGround::roundEarth)
+                .isPresent();
     }
 
     private void onFlight(String id, FlightPath path, Consumer<String> target) {

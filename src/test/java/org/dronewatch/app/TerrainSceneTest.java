@@ -234,6 +234,8 @@ class TerrainSceneTest {
                 sensors:
                   outside: {kind: camera, position: [300, 0, 10]}
                   inside: {kind: camera, position: [0, 0, 10]}
+                  round: {kind: rf, position: [0, 0, 10], groundReflection: {roundEarth: true}}
+                  level: {kind: rf, position: [0, 0, 10], groundReflection: {roughness: 1 cm}}
                 run: {duration: 20 s}
                 """;
         Outcome outcome = Program.run("check", scene(scene).toString());
@@ -242,6 +244,8 @@ class TerrainSceneTest {
                 .containsPattern(
                         "warning: drone 'far' has no terrain below it at 1[0-9][.]. s, at \\(0[.]0, 1..[.].\\) m")
                 .contains("warning: sensor 'outside' at (300.0, 0.0) m has no terrain below it")
+                .containsOnlyOnce("warning: sensor 'round' has groundReflection.roundEarth, but the ground from files")
+                .doesNotContain("'level' has groundReflection")
                 .doesNotContain("'near' has")
                 .doesNotContain("'inside' at");
     }

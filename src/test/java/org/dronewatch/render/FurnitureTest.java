@@ -1,6 +1,7 @@
 package org.dronewatch.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -31,11 +32,12 @@ class FurnitureTest {
 
     @Test
     void theLegendCountsBirdsApartFromDrones() {
-        assertThat(Furniture.flying(marks(1, 0))).containsExactly("drone");
-        assertThat(Furniture.flying(marks(3, 0))).containsExactly("drones: 3");
-        assertThat(Furniture.flying(marks(2, 1))).containsExactly("drones: 2", "bird");
-        assertThat(Furniture.flying(marks(1, 12))).containsExactly("drone", "birds: 12");
-        assertThat(Furniture.flying(marks(0, 4))).containsExactly("birds: 4");
-        assertThat(Furniture.flying(marks(0, 0))).containsExactly("drones: 0");
+        assertThat(Furniture.flying(marks(1, 0))).containsOnlyKeys("drone");
+        assertThat(Furniture.flying(marks(3, 0))).containsOnlyKeys("drones: 3");
+        assertThat(Furniture.flying(marks(2, 1)))
+                .containsExactly(entry("drones: 2", KindColours.DRONE), entry("bird", KindColours.BIRD));
+        assertThat(Furniture.flying(marks(1, 12))).containsOnlyKeys("drone", "birds: 12");
+        assertThat(Furniture.flying(marks(0, 4))).containsOnlyKeys("birds: 4");
+        assertThat(Furniture.flying(marks(0, 0))).containsOnlyKeys("drones: 0");
     }
 }

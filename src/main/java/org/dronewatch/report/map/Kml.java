@@ -47,8 +47,7 @@ final class Kml {
         kml.text("description", content.description());
         List<StyledFeature> features = content.features();
         List<String> folders = Arrays.stream(Role.values())
-                .filter(role ->
-                        role != Role.BUILDING || features.stream().anyMatch(feature -> feature.role() == Role.BUILDING))
+                .filter(role -> !role.isRare() || features.stream().anyMatch(feature -> feature.role() == role))
                 .map(Role::folder)
                 .distinct()
                 .toList();

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.ProtectedZone;
@@ -104,7 +105,7 @@ final class MapContent {
                 .ifPresent(rings -> features.add(field(id, sensor, rings))));
         settings.alert().protect().ifPresent(zone -> features.add(zone(zone)));
         stage.protection().areas().forEach(zone -> features.add(area(zone)));
-        settings.individualDrones().keySet().forEach(id -> features.add(flight(id)));
+        settings.individualDrones().forEach((id, drone) -> features.add(flight(id, drone)));
         run.alerts().forEach(result -> result.alert().ifPresent(alert -> features.add(alert(result.drone(), alert))));
         run.events().forEach(event -> features.add(event(event)));
         return features;
@@ -168,8 +169,9 @@ final class MapContent {
         return new StyledFeature(Role.ALERT, "alert for " + drone, point(position), ZONE, properties);
     }
 
-    /** The path of a drone; a point for one that stays where it is. */
-    private StyledFeature flight(String id) {
+    /** The path of a drone or of a bird; a point for one that stays where it is. */
+    private StyledFeature flight(String id, DroneSettings flying) {
+        boolean isBird = flying.isBird();
         List<GeoPoint> positions = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {
             GeoPoint position = geodesy.at(stage.positionOf(id, run.simulated() * i / STEPS));
@@ -179,8 +181,14 @@ final class MapContent {
             }
         }
         Shape shape = positions.size() > 1 ? new Shape.Line(positions) : new Shape.Point(positions.get(0));
-        Properties properties = new Properties().put("drone", id).put("duration_s", run.simulated());
-        return new StyledFeature(Role.FLIGHT, "flight of " + id, shape, KindColours.DRONE, properties);
+        Properties properties =
+                new Properties().put(isBird ? "bird" : "drone", id).put("duration_s", run.simulated());
+        return new StyledFeature(
+                isBird ? Role.BIRD : Role.FLIGHT,
+                "flight of " + id + (isBird ? " (bird)" : ""),
+                shape,
+                KindColours.of(flying),
+                properties);
     }
 
     /** The drone at the time of emission. */

@@ -12,6 +12,8 @@ enum Role {
     ZONE("Protected", Size.LARGE),
     /** The path of a drone. */
     FLIGHT("Flights", Size.MEDIUM),
+    /** The path of a bird. */
+    BIRD("Birds", Size.SMALL),
     /** Where a drone was at its alert. */
     ALERT("Alerts", Size.LARGE),
     /** Where a drone was when a sensor detected it. */
@@ -43,6 +45,11 @@ enum Role {
     /** How large its marker is. */
     Size size() {
         return size;
+    }
+
+    /** Whether it has no folder unless a feature is in it: many scenes have none. */
+    boolean isRare() {
+        return this == BUILDING || this == BIRD;
     }
 
     /** Whether its name is written on the map: those of a hundred detections would cover one another. */

@@ -18,6 +18,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.AzimuthSpan;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.sensor.radio.GroundReflecting;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
@@ -80,7 +81,7 @@ public record RadarSettings(
         @Minor Optional<Clutter> clutter,
         @Minor Optional<DopplerFilter> notch,
         @Minor Optional<RadarFalseAlarms> falseAlarms)
-        implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding, FalseAlarming {
+        implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding, FalseAlarming, GroundReflecting {
 
     /**
      * Checks the limits.

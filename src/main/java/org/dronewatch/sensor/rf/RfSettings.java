@@ -16,6 +16,7 @@ import org.dronewatch.sensor.Thresholded;
 import org.dronewatch.sensor.alarm.FalseAlarming;
 import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.radio.AntennaPattern;
+import org.dronewatch.sensor.radio.GroundReflecting;
 import org.dronewatch.sensor.radio.Polarisation;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
@@ -73,7 +74,7 @@ public record RfSettings(
         @Minor Optional<FalseAlarms> falseAlarms,
         @Minor Optional<AntennaPattern> beam,
         @Minor Aim aim)
-        implements SensorSettings<RfSensor>, Aimed, Thresholded, FalseAlarming.Stated {
+        implements SensorSettings<RfSensor>, Aimed, Thresholded, FalseAlarming.Stated, GroundReflecting {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
 

@@ -190,6 +190,34 @@ class SiteMapTest {
         assertThat(first.get(2).asDouble()).isEqualTo(30.0);
     }
 
+    /** In their own folder, in a colour that no drone has, and without 'drone' among the properties. */
+    @Test
+    void birdsAreDrawnApartFromDrones() throws Exception {
+        Path map = directory.resolve("birds.geojson");
+        Path folders = directory.resolve("birds.kml");
+        write(
+                new SceneRunner(Meadow.somewhere(directory))
+                        .set("drones.kite.radio.control", "autonomous")
+                        .set("drones.kite.soundLevel", "0")
+                        .set("drones.kite.soundPowerLevel", "0")
+                        .set("drones.kite.label.role", "bird")
+                        .set("run.duration", "0.1"),
+                map,
+                folders);
+        JsonNode bird = features(map).stream()
+                .map(feature -> feature.get("properties"))
+                .filter(feature -> feature.get("name").asString().equals("flight of kite (bird)"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(bird.get("folder").asString()).isEqualTo("Birds");
+        assertThat(bird.get("bird").asString()).isEqualTo("kite");
+        assertThat(bird.has("drone")).isFalse();
+        assertThat(bird.get("marker-color").asString()).isEqualTo("#6b7280");
+        assertThat(texts(parsed(folders), "name")).containsSubsequence("Flights", "flight of visitor", "Birds");
+        new KmlSchema().validate(folders);
+        assertThat(Files.readString(kml)).doesNotContain("Birds");
+    }
+
     @Test
     void aDetectionIsWhereTheDroneWas() throws IOException {
         JsonNode gained = feature("eye detects visitor");
