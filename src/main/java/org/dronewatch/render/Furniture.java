@@ -89,6 +89,7 @@ final class Furniture {
             texts.add("protected");
             marks.add(SitePicture.ZONE);
         }
+        int discs = texts.size();
         flying(state.drones()).forEach((text, colour) -> {
             texts.add(text);
             marks.add(colour);
@@ -118,7 +119,7 @@ final class Furniture {
             double r = 4.5 * scale;
             g.setColor(marks.get(i));
             Ellipse2D dot = new Ellipse2D.Double(x + scale, y - 4.5 * scale - r, 2 * r, 2 * r);
-            if (i == texts.size() - 1) {
+            if (i >= discs) {
                 g.setStroke(new BasicStroke((float) (2.2 * scale)));
                 g.draw(dot);
             } else {

@@ -75,7 +75,12 @@ final class StateLines {
         List<Position> toCome = drone.toCome();
         for (int i = 1; i < toCome.size(); i++) {
             if (i / 5 % 2 == 0) {
-                lines.line(toCome.get(i - 1), toCome.get(i), 2.0 * pixel, TO_COME, 0.75);
+                lines.line(
+                        toCome.get(i - 1),
+                        toCome.get(i),
+                        2.0 * pixel,
+                        isBird ? KindColours.BIRD.getRGB() & 0xffffff : TO_COME,
+                        0.75);
             }
         }
     }

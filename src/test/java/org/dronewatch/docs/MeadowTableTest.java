@@ -1,6 +1,7 @@
 package org.dronewatch.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,11 +9,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.dronewatch.run.SceneResult;
+import java.util.stream.IntStream;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
@@ -72,29 +76,164 @@ class MeadowTableTest {
         assertThat(rows().get(5).settings()).hasSize(2);
     }
 
+    /** One run of each row; none of them decides by its seed, since medians follow from all probabilities of a run. */
+    private static final Map<String, List<Observation>> RUNS = new HashMap<>();
+
+    private static synchronized List<Observation> run(List<String[]> settings, long seed) {
+        String key = seed + settings.stream().map(Arrays::toString).toList().toString();
+        return RUNS.computeIfAbsent(key, unseen -> {
+            SceneRunner runner = new SceneRunner(new SceneFile(SCENE)).seed(seed);
+            settings.forEach(setting -> runner.set(setting[0], setting[1]));
+            List<Observation> all = new ArrayList<>();
+            runner.onFrame(frame -> all.addAll(frame.observations())).run();
+            return all;
+        });
+    }
+
     @ParameterizedTest
     @MethodSource("rows")
     void aRowIsThatOfItsRun(Row row) {
-        SceneRunner runner = new SceneRunner(new SceneFile(SCENE));
-        row.settings().forEach(setting -> runner.set(setting[0], setting[1]));
-        List<Observation> all = new ArrayList<>();
-        SceneResult result =
-                runner.onFrame(frame -> all.addAll(frame.observations())).run();
+        List<Observation> all = run(row.settings(), 1);
         assertThat(row.figures())
                 .containsExactly(
-                        first(result, "camera"),
+                        inWords(of(all, "camera"), observers(of(all, "camera"))),
                         number("%.2f", at(all, "camera", 600).figures().get(Observation.PROBABILITY)),
-                        first(result, "radar"),
+                        inWords(of(all, "radar"), independentLooks(of(all, "radar"))),
                         number("%.2f", at(all, "radar", 1000).figures().get(Observation.PROBABILITY)),
-                        first(result, "radio"),
+                        first(all, "radio"),
                         number("%.1f dB", at(all, "radio", 1000).value()));
     }
 
-    private static String first(SceneResult result, String sensor) {
-        return result.firstDetectionRange(0, sensor, "intruder").stream()
-                .mapToObj(range -> number("%.0f m", range))
-                .findFirst()
-                .orElse(NEVER);
+    /** What the sentences below the table say. */
+    @Test
+    void theProseIsThatOfTheRuns() throws IOException {
+        String prose = Files.readString(PAGE)
+                .split("- \\*\\*The ground", 2)[1]
+                .split("\n## ", 2)[0]
+                .replaceAll("\\s+", " ");
+        List<Observation> day = run(rows().get(0).settings(), 1);
+        List<Observation> bare = run(rows().get(1).settings(), 1);
+        double strongest = of(day, "radar").stream()
+                .mapToDouble(one -> one.figures().get("ground_reflection_db"))
+                .max()
+                .orElseThrow();
+        assertThat(prose).contains(number("up to %.0f dB stronger", strongest));
+        assertThat(prose)
+                .contains(number("median of the first detection is %.0f m farther away", median(day) - median(bare)));
+        double lost = chance(bare) - chance(day);
+        List<String[]> withoutClutter = List.<String[]>of(new String[] {"sensors.radar.clutter.improvement", "150 dB"});
+        double grass = chance(run(withoutClutter, 1)) - chance(day);
+        assertThat(prose).contains(number("lower by %.2f, of which ", lost) + number("%.2f is due to", grass));
+        double rain =
+                at(run(rows().get(4).settings(), 1), "radar", 1000).figures().get("clutter_to_noise_db");
+        assertThat(prose).contains(number("at 1 km they are %.1f dB above the noise", rain));
+    }
+
+    private static double median(List<Observation> all) {
+        return quantile(of(all, "radar"), independentLooks(of(all, "radar")), 0.5)
+                .orElseThrow();
+    }
+
+    private static double chance(List<Observation> all) {
+        return at(all, "radar", 1000).figures().get(Observation.PROBABILITY);
+    }
+
+    /** Of twenty other seeds: as many first detections beyond each quantile as binomial scatter allows. */
+    @Test
+    void simulatedRunsScatterAsTheQuantilesSay() {
+        int runs = 20;
+        List<String[]> radarOnly = List.of(
+                new String[] {"sensors.camera.enabled", "false"}, new String[] {"sensors.radio.enabled", "false"});
+        List<Observation> looks = of(run(List.of(), 1), "radar");
+        double[] detected = independentLooks(looks);
+        List<Double> first = new ArrayList<>();
+        for (int seed = 100; seed < 100 + runs; seed++) {
+            first.add(of(run(radarOnly, seed), "radar").stream()
+                    .filter(Observation::isDetected)
+                    .findFirst()
+                    .orElseThrow()
+                    .range());
+        }
+        for (double share : new double[] {0.1, 0.5, 0.9}) {
+            double range = quantile(looks, detected, share).orElseThrow();
+            int look = IntStream.range(0, detected.length)
+                    .filter(i -> detected[i] >= share)
+                    .findFirst()
+                    .orElseThrow();
+            double farther = first.stream().filter(one -> one >= range - 1e-6).count();
+            double expected = runs * detected[look];
+            assertThat(farther)
+                    .as("seeds 100 to %d, first detections beyond %.0f m", 99 + runs, range)
+                    .isCloseTo(expected, within(4.0 * Math.sqrt(runs * share * (1.0 - share))));
+        }
+    }
+
+    private static List<Observation> of(List<Observation> all, String sensor) {
+        return all.stream().filter(one -> one.look().sensor().equals(sensor)).toList();
+    }
+
+    private static double probability(Observation look) {
+        return look.figures().get(Observation.PROBABILITY);
+    }
+
+    /** The probability that a look so far has detected the drone, if each decides for itself. */
+    private static double[] independentLooks(List<Observation> looks) {
+        double[] detected = new double[looks.size()];
+        double missed = 1.0;
+        for (int i = 0; i < detected.length; i++) {
+            missed *= 1.0 - probability(looks.get(i));
+            detected[i] = 1.0 - missed;
+        }
+        return detected;
+    }
+
+    /**
+     * The same for observers, who differ in the probability u that they need, and who search at the rate P / 3.4 s
+     * while it is at least u.
+     */
+    private static double[] observers(List<Observation> looks) {
+        int all = 2000;
+        double[] detected = new double[looks.size()];
+        for (int observer = 0; observer < all; observer++) {
+            double able = (observer + 0.5) / all;
+            double exponent = 0.0;
+            for (int i = 0; i < detected.length; i++) {
+                double now = probability(looks.get(i));
+                double time =
+                        i == 0 ? 0.0 : looks.get(i).time() - looks.get(i - 1).time();
+                exponent += now >= able ? now * time / 3.4 : 0.0;
+                detected[i] += -Math.expm1(-exponent) / all;
+            }
+        }
+        return detected;
+    }
+
+    /** The range by which a fraction of runs has detected the drone. */
+    private static OptionalDouble quantile(List<Observation> looks, double[] detected, double share) {
+        return IntStream.range(0, detected.length)
+                .filter(i -> detected[i] >= share)
+                .mapToDouble(i -> looks.get(i).range())
+                .findFirst();
+    }
+
+    /** The median, and the ranges by which nine tenths and one tenth of the runs have detected the drone. */
+    private static String inWords(List<Observation> looks, double[] detected) {
+        String median = metres(quantile(looks, detected, 0.5));
+        return median.equals(NEVER)
+                ? NEVER
+                : median + " (" + metres(quantile(looks, detected, 0.9)).replace(" m", "") + " to "
+                        + metres(quantile(looks, detected, 0.1)) + ")";
+    }
+
+    private static String metres(OptionalDouble range) {
+        return range.isPresent() ? number("%.0f m", range.getAsDouble()) : NEVER;
+    }
+
+    private static String first(List<Observation> all, String sensor) {
+        return metres(of(all, sensor).stream()
+                .filter(Observation::isDetected)
+                .mapToDouble(Observation::range)
+                .findFirst());
     }
 
     private static String number(String format, double value) {

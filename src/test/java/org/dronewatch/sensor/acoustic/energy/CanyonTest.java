@@ -78,7 +78,7 @@ class CanyonTest {
     /**
      * As a scene with default settings: the drone is never heard, and looks are within their stated errors. The 27.4
      * dB(A) over mirrors, the scattered 22.95 of the independent simulation above and 14.3 round edges are 28.87 dB(A)
-     * together. A third computation, a program of its own for this street alone, gave 27.42 and 22.94 +- 0.03, so 28.89.
+     * together. A separate program for this street alone gave 27.42 and 22.94 +- 0.03, so 28.89 in all.
      */
     @Test
     void asASceneItIsNeverHeard() {
