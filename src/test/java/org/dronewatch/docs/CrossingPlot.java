@@ -1,8 +1,6 @@
 package org.dronewatch.docs;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
@@ -26,9 +24,7 @@ import org.dronewatch.sensor.radar.SurfaceReflectivity.LandCover;
 import org.dronewatch.world.World;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
-import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * The echo of a drone that flies straight past a radar over level farmland, and what a notch and clutter leave of it.
@@ -56,32 +52,17 @@ final class CrossingPlot {
         add(chart, "notch, 2 m/s", notched, body, new Color(0x1f5fbf));
         add(chart, "and rotors 20 dB below the body", notched, rotors, new Color(0x2a9d5c));
         add(chart, "and clutter of farmland, 30 dB suppressed", cluttered, rotors, new Color(0xc2410c));
-        chart.addSeries("threshold", new double[] {-REACH, REACH}, new double[] {15.0, 15.0})
-                .setMarker(SeriesMarkers.NONE)
-                .setLineColor(Color.BLACK)
-                .setLineStyle(new BasicStroke(1f));
+        DocChart.add(chart, "threshold", new double[] {-REACH, REACH}, new double[] {15.0, 15.0}, Color.BLACK, 1F);
         return BitmapEncoder.getBufferedImage(chart);
     }
 
     private static XYChart chart() {
-        XYChart chart = new XYChartBuilder()
-                .width(960)
-                .height(520)
-                .title("A pass at 200 m with 5 m/s, 20 m above level ground")
-                .xAxisTitle("position along the path [m]")
-                .yAxisTitle("signal over noise and clutter [dB]")
-                .build();
-        chart.getStyler()
-                .setYAxisMin(LEAST)
-                .setYAxisMax(50.0)
-                .setLegendPosition(LegendPosition.OutsideS)
-                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
-                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 16))
-                .setChartBackgroundColor(Color.WHITE);
-        chart.getStyler()
-                .setPlotGridLinesColor(new Color(0xdddddd))
-                .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
-                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        XYChart chart = DocChart.of(
+                960,
+                "A pass at 200 m with 5 m/s, 20 m above level ground",
+                "position along the path [m]",
+                "signal over noise and clutter [dB]");
+        chart.getStyler().setYAxisMin(LEAST).setYAxisMax(50.0).setLegendPosition(LegendPosition.OutsideS);
         return chart;
     }
 
@@ -103,10 +84,7 @@ final class CrossingPlot {
                     .value();
             ratio[i] = Math.max(LEAST, seen);
         }
-        chart.addSeries(name, x, Arrays.copyOf(ratio, POINTS))
-                .setMarker(SeriesMarkers.NONE)
-                .setLineColor(colour)
-                .setLineStyle(new BasicStroke(2f));
+        DocChart.add(chart, name, x, Arrays.copyOf(ratio, POINTS), colour);
     }
 
     private static Drone drone(RadarSignature signature) {

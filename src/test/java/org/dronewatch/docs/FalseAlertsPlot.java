@@ -1,9 +1,6 @@
 package org.dronewatch.docs;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
@@ -14,11 +11,8 @@ import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.rf.RfSettings;
-import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
-import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * What four confirmations cost and gain: false alerts per day by the rate of false alarms, and the time to the alert.
@@ -33,17 +27,19 @@ final class FalseAlertsPlot {
     private static final double LOOK_PROBABILITY = 0.7;
     private static final int POINTS = 121;
     private static final int MOST_LOOKS = 20;
-    private static final int WIDTH = 640;
-    private static final int HEIGHT = 520;
 
     private FalseAlertsPlot() {}
 
     static BufferedImage draw() {
-        XYChart price = chart("1000 cells, 1 look per second", "false alarms per hour", "false alerts per day");
+        XYChart price = DocChart.of(
+                DocChart.HALF_WIDTH, "1000 cells, 1 look per second", "false alarms per hour", "false alerts per day");
         price.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
         price.getStyler().setYAxisMin(1e-3).setYAxisMax(1e6).setLegendPosition(LegendPosition.InsideNW);
-        XYChart time =
-                chart("A drone that each look detects with probability 0.7", "looks", "probability of an alert so far");
+        XYChart time = DocChart.of(
+                DocChart.HALF_WIDTH,
+                "A drone that each look detects with probability 0.7",
+                "looks",
+                "probability of an alert so far");
         time.getStyler().setYAxisMin(0.0).setYAxisMax(1.0).setLegendPosition(LegendPosition.InsideSE);
         double[] hourly = new double[POINTS];
         for (int i = 0; i < POINTS; i++) {
@@ -57,15 +53,10 @@ final class FalseAlertsPlot {
             Confirmation rule = RULES.get(i);
             String name = rule.hits() + " of " + rule.looks();
             // Below the lowest line there is nothing to see, and the logarithm of nothing is no number.
-            add(price, name, hourly, of(hourly, rate -> Math.max(1e-9, perDay(rule, rate))), COLOURS[i]);
-            add(time, name, looks, alerted(rule), COLOURS[i]);
+            DocChart.add(price, name, hourly, of(hourly, rate -> Math.max(1e-9, perDay(rule, rate))), COLOURS[i]);
+            DocChart.add(time, name, looks, alerted(rule), COLOURS[i]);
         }
-        BufferedImage both = new BufferedImage(2 * WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = both.createGraphics();
-        graphics.drawImage(BitmapEncoder.getBufferedImage(price), 0, 0, null);
-        graphics.drawImage(BitmapEncoder.getBufferedImage(time), WIDTH, 0, null);
-        graphics.dispose();
-        return both;
+        return DocChart.beside(price, time);
     }
 
     private static double perDay(Confirmation rule, double perHour) {
@@ -105,31 +96,5 @@ final class FalseAlertsPlot {
             y[i] = function.applyAsDouble(x[i]);
         }
         return y;
-    }
-
-    private static XYChart chart(String title, String x, String y) {
-        XYChart chart = new XYChartBuilder()
-                .width(WIDTH)
-                .height(HEIGHT)
-                .title(title)
-                .xAxisTitle(x)
-                .yAxisTitle(y)
-                .build();
-        chart.getStyler()
-                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
-                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 16))
-                .setChartBackgroundColor(Color.WHITE);
-        chart.getStyler()
-                .setPlotGridLinesColor(new Color(0xdddddd))
-                .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
-                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        return chart;
-    }
-
-    private static void add(XYChart chart, String name, double[] x, double[] y, Color colour) {
-        chart.addSeries(name, x, y)
-                .setMarker(SeriesMarkers.NONE)
-                .setLineColor(colour)
-                .setLineStyle(new BasicStroke(2f));
     }
 }

@@ -1,13 +1,11 @@
 package org.dronewatch.docs;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -25,11 +23,8 @@ import org.dronewatch.sound.DroneSounds;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.dronewatch.world.World;
-import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
-import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * The levels of a small quadrotor 5 m above hard ground, and above grass with and without wind, beside the free field.
@@ -42,8 +37,6 @@ final class GroundEffectPlot {
     private static final Position MICROPHONE = new Position(0, 0, 1.5);
     private static final double DRONE_HEIGHT = 5.0;
     private static final double WIND = 5.0;
-    private static final int WIDTH = 640;
-    private static final int HEIGHT = 520;
 
     /** What is plotted. */
     private enum Quantity {
@@ -71,51 +64,40 @@ final class GroundEffectPlot {
         // The drone is east of the microphone.
         World downwind = plain("grass_turf", new Wind(WIND, Math.toRadians(90), 0.03));
         World upwind = plain("grass_turf", new Wind(WIND, Math.toRadians(270), 0.03));
-        BufferedImage both = new BufferedImage(2 * WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = both.createGraphics();
-        int left = 0;
-        for (Quantity quantity : Quantity.values()) {
-            XYChart chart = chart(quantity.title);
-            add(chart, "grass, downwind", distances, over(downwind, distances, quantity.level), new Color(0x8fbf3f));
-            add(chart, "grass, upwind", distances, over(upwind, distances, quantity.level), new Color(0xc2410c));
-            add(chart, "grass", distances, over(grass, distances, quantity.level), new Color(0x2a9d5c));
-            add(chart, "asphalt", distances, over(hard, distances, quantity.level), new Color(0x1f5fbf));
-            add(chart, "free field", distances, free(distances, quantity.level), Color.GRAY);
-            graphics.drawImage(BitmapEncoder.getBufferedImage(chart), left, 0, null);
-            left += WIDTH;
-        }
-        graphics.dispose();
-        return both;
+        XYChart[] charts = Stream.of(Quantity.values())
+                .map(quantity -> {
+                    XYChart chart = chart(quantity.title);
+                    DocChart.add(
+                            chart,
+                            "grass, downwind",
+                            distances,
+                            over(downwind, distances, quantity.level),
+                            new Color(0x8fbf3f));
+                    DocChart.add(
+                            chart,
+                            "grass, upwind",
+                            distances,
+                            over(upwind, distances, quantity.level),
+                            new Color(0xc2410c));
+                    DocChart.add(
+                            chart, "grass", distances, over(grass, distances, quantity.level), new Color(0x2a9d5c));
+                    DocChart.add(
+                            chart, "asphalt", distances, over(hard, distances, quantity.level), new Color(0x1f5fbf));
+                    DocChart.add(chart, "free field", distances, free(distances, quantity.level), Color.GRAY);
+                    return chart;
+                })
+                .toArray(XYChart[]::new);
+        return DocChart.beside(charts[0], charts[1]);
     }
 
     private static XYChart chart(String title) {
-        XYChart chart = new XYChartBuilder()
-                .width(WIDTH)
-                .height(HEIGHT)
-                .title(title)
-                .xAxisTitle("horizontal distance [m]")
-                .yAxisTitle("sound pressure level [dB]")
-                .build();
+        XYChart chart = DocChart.of(DocChart.HALF_WIDTH, title, "horizontal distance [m]", "sound pressure level [dB]");
         chart.getStyler()
                 .setXAxisLogarithmic(true)
                 .setYAxisMin(0.0)
                 .setYAxisMax(60.0)
-                .setLegendPosition(LegendPosition.InsideNE)
-                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
-                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 16))
-                .setChartBackgroundColor(Color.WHITE);
-        chart.getStyler()
-                .setPlotGridLinesColor(new Color(0xdddddd))
-                .setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14))
-                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+                .setLegendPosition(LegendPosition.InsideNE);
         return chart;
-    }
-
-    private static void add(XYChart chart, String name, double[] x, double[] y, Color colour) {
-        chart.addSeries(name, x, y)
-                .setMarker(SeriesMarkers.NONE)
-                .setLineColor(colour)
-                .setLineStyle(new BasicStroke(2f));
     }
 
     private static double[] over(World world, double[] distances, ToDoubleFunction<EnergyReading> level) {
