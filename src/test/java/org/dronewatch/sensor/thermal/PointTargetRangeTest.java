@@ -28,21 +28,25 @@ class PointTargetRangeTest {
         return camera.create().signalToNoise(5.0, range, fill);
     }
 
-    private static double range(double rate, int frame) {
-        return START - SPEED * frame / rate;
+    private static double range(double start, double rate, int frame) {
+        return start - SPEED * frame / rate;
     }
 
     /** The probability that three of five frames in a row have marked the drone by each frame. */
     private static double[] detectedBy(double rate) {
-        ThermalSettings camera = camera(rate);
+        return detectedBy(camera(rate), START);
+    }
+
+    private static double[] detectedBy(ThermalSettings camera, double start) {
+        double rate = camera.rate();
         double threshold = PointTargets.DEFAULT.threshold(camera.pixels(), rate);
         int states = 16;
         double[] chance = new double[states];
         chance[0] = 1.0;
-        double[] detected = new double[(int) (rate * 110)];
+        double[] detected = new double[(int) (rate * (start - 950) / SPEED)];
         double sum = 0.0;
         for (int frame = 0; frame < detected.length; frame++) {
-            double mark = PointTargets.markProbability(signalToNoise(camera, range(rate, frame)), threshold);
+            double mark = PointTargets.markProbability(signalToNoise(camera, range(start, rate, frame)), threshold);
             double[] next = new double[states];
             for (int state = 0; state < states; state++) {
                 if (Integer.bitCount(state) >= 2) {
@@ -64,7 +68,7 @@ class PointTargetRangeTest {
         while (detected[frame] < probability) {
             frame++;
         }
-        return range(rate, frame);
+        return range(START, rate, frame);
     }
 
     /** The figures of the page. */
@@ -74,6 +78,22 @@ class PointTargetRangeTest {
         assertThat(quantile(rate, 0.1)).isCloseTo(tenth, within(3.5));
         assertThat(quantile(rate, 0.5)).isCloseTo(half, within(3.5));
         assertThat(quantile(rate, 0.9)).isCloseTo(most, within(3.5));
+    }
+
+    /**
+     * With the same light, a second has the same information at each rate, and three of five frames use less of it the
+     * shorter they are: the figures of the page.
+     */
+    @ParameterizedTest
+    @CsvSource({"5, 2467", "25, 1800", "50, 1561"})
+    void withTheSameLightFiveShortFramesSeeLessFar(double rate, double half) {
+        double start = 4000;
+        double[] detected = detectedBy(camera(rate).withNetd(0.05 * Math.sqrt(rate / 25)), start);
+        int frame = 0;
+        while (detected[frame] < 0.5) {
+            frame++;
+        }
+        assertThat(range(start, rate, frame)).isCloseTo(half, within(3.5));
     }
 
     /** More frames are more chances, but a higher threshold takes most of them back. */
@@ -89,7 +109,7 @@ class PointTargetRangeTest {
         SpotDetector detector = new SpotDetector(PointTargets.DEFAULT, camera);
         double[] probabilities = new double[(int) (rate * 110)];
         for (int frame = 0; frame < probabilities.length; frame++) {
-            probabilities[frame] = detector.probability(signalToNoise(camera, range(rate, frame)));
+            probabilities[frame] = detector.probability(signalToNoise(camera, range(START, rate, frame)));
         }
         int[] first = new int[runs];
         for (int run = 0; run < runs; run++) {

@@ -37,7 +37,8 @@ final class GroundReflection {
      * Where sound bends up, direct and reflected ray come ever closer towards the border of the shadow, and coincide
      * there. Turbulence, which makes rays wander, still keeps them from being perfectly coherent: they count as at
      * least this fraction of the distance at which they would pass each other in still air. From the parabolic equation
-     * in turbulent air, which gave 0.15 to 0.21 in five cases of heights, gradient and frequency.
+     * in turbulent air, which gives 0.15 to 0.19 in five cases of heights, gradient and frequency
+     * (BorderSeparationTest).
      */
     private static final double LEAST_SEPARATION = 0.18;
 

@@ -36,14 +36,14 @@ class ShadowBorderTest {
     private static final EnergyModel MODEL = EnergyModel.DEFAULT.withRays(1).withGround(Ground.COHERENT);
 
     /** Delany and Bazley's admittance of grass, 200 kPa s/m2. */
-    private static ParabolicEquation overGrass(double frequency, TurbulentCoherence turbulence) {
+    static ParabolicEquation overGrass(double frequency, double curvature, TurbulentCoherence turbulence) {
         double x = frequency / 200;
         double re = 1 + 9.08 * Math.pow(x, -0.75);
         double im = 11.9 * Math.pow(x, -0.73);
         double size = re * re + im * im;
         return new ParabolicEquation(
                 2 * Math.PI * frequency / SPEED,
-                CURVATURE,
+                curvature,
                 re / size,
                 -im / size,
                 turbulence.strength(),
@@ -63,7 +63,7 @@ class ShadowBorderTest {
     @ParameterizedTest
     @CsvSource({"500, 3", "1000, 4"})
     void agreesWithTheParabolicEquation(double frequency, int band) {
-        double[] wave = overGrass(frequency, TurbulentCoherence.MODERATE)
+        double[] wave = overGrass(frequency, CURVATURE, TurbulentCoherence.MODERATE)
                 .gains(SOURCE, RECEIVER, 1.4 * BORDER, 10, new SplittableRandom(1));
         for (double distance = 0.55 * BORDER; distance < 1.37 * BORDER; distance += 0.05 * BORDER) {
             double expected = Levels.ofRatio(wave[ParabolicEquation.index(distance)]);
