@@ -3,7 +3,6 @@ package org.dronewatch.app;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -13,7 +12,7 @@ final class BrokenDocuments {
     private static final String GOOD = BrokenSceneFiles.GOOD;
     private static final long SEED = 20_261_121;
 
-    private final Map<String, byte[]> files = new LinkedHashMap<>();
+    private final NamedFiles files = new NamedFiles();
     private final SplittableRandom random = new SplittableRandom(SEED);
 
     private BrokenDocuments() {}
@@ -25,23 +24,13 @@ final class BrokenDocuments {
         corpus.structure();
         corpus.encodings();
         corpus.rubbish();
-        return corpus.files;
-    }
-
-    private void add(String what, String text) {
-        add(what, text.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private void add(String what, byte[] bytes) {
-        if (files.put(what, bytes) != null) {
-            throw new IllegalStateException("two files for " + what);
-        }
+        return corpus.files.all();
     }
 
     private void aliases() {
-        add("cycle", "world: &a\n  models: *a\n");
-        add("cycle of lists", "world: {models: &a [*a]}\n");
-        add("alias of nothing", GOOD.replace("seed: 7", "seed: *seven"));
+        files.add("cycle", "world: &a\n  models: *a\n");
+        files.add("cycle of lists", "world: {models: &a [*a]}\n");
+        files.add("alias of nothing", GOOD.replace("seed: 7", "seed: *seven"));
         for (int width : new int[] {2, 10, 50}) {
             StringBuilder laughs = new StringBuilder("a0: &a0 [x]\n");
             for (int level = 1; level < 40; level++) {
@@ -53,49 +42,50 @@ final class BrokenDocuments {
                         .append(("*a" + (level - 1) + ", ").repeat(width))
                         .append("]\n");
             }
-            add("laughs " + width, laughs.toString());
+            files.add("laughs " + width, laughs.toString());
         }
-        add("tag of a class", GOOD.replace("seed: 7", "seed: !!java.lang.Runtime 7"));
-        add("tag of a user", GOOD.replace("seed: 7", "seed: !mine 7"));
-        add("tag of a script", "!!javax.script.ScriptEngineManager [!!java.net.URLClassLoader [[]]]\n");
-        add("merge key", GOOD.replace("    kind: camera", "    <<: {kind: camera}"));
+        files.add("tag of a class", GOOD.replace("seed: 7", "seed: !!java.lang.Runtime 7"));
+        files.add("tag of a user", GOOD.replace("seed: 7", "seed: !mine 7"));
+        files.add("tag of a script", "!!javax.script.ScriptEngineManager [!!java.net.URLClassLoader [[]]]\n");
+        files.add("merge key", GOOD.replace("    kind: camera", "    <<: {kind: camera}"));
     }
 
     private void structure() {
-        add("nothing", "");
-        add("a comment", "# nothing here\n");
-        add("a word", "world\n");
-        add("a number", "42\n");
-        add("a list", "- world\n- drones\n");
-        add("two documents", GOOD + "---\n" + GOOD);
-        add("open bracket", GOOD.replace("position: [0, 0, 12]", "position: [0, 0, 12"));
-        add("open brace", GOOD.replace("detection: {pixels: 20}", "detection: {pixels: 20"));
-        add("open quote", GOOD.replace("seed: 7", "seed: \"7"));
-        add("tab", GOOD.replace("  duration", "\tduration"));
-        add("crooked", GOOD.replace("    width: 1280", "   width: 1280"));
-        add("deep list", "world: " + "[".repeat(5000) + "]".repeat(5000) + "\n");
-        add("deep mapping", "{a: ".repeat(3000) + "1" + "}".repeat(3000) + "\n");
-        add("key that is a list", "? [a, b]\n: c\n");
-        add("world is text", GOOD.replaceFirst("(?s)world:.*drones:", "world: nice\ndrones:"));
-        add("models are text", "world: {models: hill.obj}\n");
-        add("drones are a list", "world: {models: [site.obj]}\ndrones: [a, b]\n");
-        add("sensors are text", "world: {models: [site.obj]}\nsensors: many\n");
-        add("sensor is text", "world: {models: [site.obj]}\nsensors: {a: blighter-a400}\n");
-        add("many names", "world: {models: [site.obj]}\nsensors:\n" + "  s: {}\n".repeat(5000));
-        add("many lists", "world: {models: [" + "[], ".repeat(60_000) + "]}\n");
-        add("long line", "world: {models: [\"" + "x".repeat(500_000) + "\"]}\n");
-        add("too large", "# " + "x".repeat(1 << 20) + "\n" + GOOD);
+        files.add("nothing", "");
+        files.add("a comment", "# nothing here\n");
+        files.add("a word", "world\n");
+        files.add("a number", "42\n");
+        files.add("a list", "- world\n- drones\n");
+        files.add("two documents", GOOD + "---\n" + GOOD);
+        files.add("open bracket", GOOD.replace("position: [0, 0, 12]", "position: [0, 0, 12"));
+        files.add("open brace", GOOD.replace("detection: {pixels: 20}", "detection: {pixels: 20"));
+        files.add("open quote", GOOD.replace("seed: 7", "seed: \"7"));
+        files.add("tab", GOOD.replace("  duration", "\tduration"));
+        files.add("crooked", GOOD.replace("    width: 1280", "   width: 1280"));
+        files.add("deep list", "world: " + "[".repeat(5000) + "]".repeat(5000) + "\n");
+        files.add("deep mapping", "{a: ".repeat(3000) + "1" + "}".repeat(3000) + "\n");
+        files.add("key that is a list", "? [a, b]\n: c\n");
+        files.add("world is text", GOOD.replaceFirst("(?s)world:.*drones:", "world: nice\ndrones:"));
+        files.add("models are text", "world: {models: hill.obj}\n");
+        files.add("drones are a list", "world: {models: [site.obj]}\ndrones: [a, b]\n");
+        files.add("sensors are text", "world: {models: [site.obj]}\nsensors: many\n");
+        files.add("sensor is text", "world: {models: [site.obj]}\nsensors: {a: blighter-a400}\n");
+        files.add("many names", "world: {models: [site.obj]}\nsensors:\n" + "  s: {}\n".repeat(5000));
+        files.add("many lists", "world: {models: [" + "[], ".repeat(60_000) + "]}\n");
+        files.add("long line", "world: {models: [\"" + "x".repeat(500_000) + "\"]}\n");
+        files.add("too large", "# " + "x".repeat(1 << 20) + "\n" + GOOD);
     }
 
     private void encodings() {
         for (String name : List.of("UTF-16LE", "UTF-16BE", "UTF-16", "UTF-32", "IBM500")) {
-            add("encoded in " + name, GOOD.getBytes(Charset.forName(name)));
+            files.add("encoded in " + name, GOOD.getBytes(Charset.forName(name)));
         }
-        add("Latin 1", GOOD.replace("seed: 7", "seed: 7 # g\u00fcltig").getBytes(StandardCharsets.ISO_8859_1));
-        add("a byte that is none of UTF-8", concat(GOOD.getBytes(StandardCharsets.UTF_8), new byte[] {(byte) 0xC0, 0x20
-        }));
-        add("a zero byte", GOOD.replace("seed: 7", "seed: \0"));
-        add("an escape", GOOD.replace("seed: 7", "seed: \u001b[31m7"));
+        files.add("Latin 1", GOOD.replace("seed: 7", "seed: 7 # g\u00fcltig").getBytes(StandardCharsets.ISO_8859_1));
+        files.add(
+                "a byte that is none of UTF-8",
+                concat(GOOD.getBytes(StandardCharsets.UTF_8), new byte[] {(byte) 0xC0, 0x20}));
+        files.add("a zero byte", GOOD.replace("seed: 7", "seed: \0"));
+        files.add("an escape", GOOD.replace("seed: 7", "seed: \u001b[31m7"));
     }
 
     private static byte[] concat(byte[] a, byte[] b) {
@@ -109,7 +99,7 @@ final class BrokenDocuments {
         for (int i = 0; i < 12; i++) {
             byte[] bytes = new byte[1 + random.nextInt(5000)];
             random.nextBytes(bytes);
-            add("rubbish " + i, bytes);
+            files.add("rubbish " + i, bytes);
         }
         List<Character> signs = new ArrayList<>();
         for (char sign : "{}[]:,-?&*!|>'\"%@` \n#ab1".toCharArray()) {
@@ -120,10 +110,10 @@ final class BrokenDocuments {
             for (int k = 0; k < 300; k++) {
                 text.append(signs.get(random.nextInt(signs.size())).charValue());
             }
-            add("signs " + i, text.toString());
+            files.add("signs " + i, text.toString());
         }
-        add("a picture", new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 0x0D});
-        add("an archive", new byte[] {'P', 'K', 3, 4, 0x14, 0, 0, 0, 8, 0});
-        add("a class", new byte[] {(byte) 0xCA, (byte) 0xFE, (byte) 0xBA, (byte) 0xBE, 0, 0, 0, 61});
+        files.add("a picture", new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 0x0D});
+        files.add("an archive", new byte[] {'P', 'K', 3, 4, 0x14, 0, 0, 0, 8, 0});
+        files.add("a class", new byte[] {(byte) 0xCA, (byte) 0xFE, (byte) 0xBA, (byte) 0xBE, 0, 0, 0, 61});
     }
 }

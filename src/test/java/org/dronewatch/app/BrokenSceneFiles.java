@@ -1,7 +1,5 @@
 package org.dronewatch.app;
 
-import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -94,7 +92,7 @@ final class BrokenSceneFiles {
 
     private static final long SEED = 20_261_121;
 
-    private final Map<String, byte[]> files = new LinkedHashMap<>();
+    private final NamedFiles files = new NamedFiles();
     private final SplittableRandom random = new SplittableRandom(SEED);
 
     private BrokenSceneFiles() {}
@@ -107,18 +105,8 @@ final class BrokenSceneFiles {
         corpus.missing();
         corpus.doubled();
         corpus.paths();
-        BrokenDocuments.all().forEach(corpus::add);
-        return corpus.files;
-    }
-
-    private void add(String what, String text) {
-        add(what, text.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private void add(String what, byte[] bytes) {
-        if (files.put(what, bytes) != null) {
-            throw new IllegalStateException("two files for " + what);
-        }
+        BrokenDocuments.all().forEach(corpus.files::add);
+        return corpus.files.all();
     }
 
     /** The good scene with a piece of it replaced. */
@@ -126,7 +114,7 @@ final class BrokenSceneFiles {
         if (!GOOD.contains(from)) {
             throw new IllegalStateException("no '" + from + "' in the good scene");
         }
-        add(what + " " + from + " -> " + to, GOOD.replaceFirst(java.util.regex.Pattern.quote(from), to));
+        files.add(what + " " + from + " -> " + to, GOOD.replaceFirst(java.util.regex.Pattern.quote(from), to));
     }
 
     private void typos() {
@@ -220,7 +208,7 @@ final class BrokenSceneFiles {
             String wrong = random.nextBoolean()
                     ? field.substring(0, at) + field.substring(at + 1) + "q"
                     : field.substring(0, at) + field.charAt(at) + field.substring(at);
-            add("typo " + field + " -> " + wrong, GOOD.replaceFirst("\\b" + field + ":", wrong + ":"));
+            files.add("typo " + field + " -> " + wrong, GOOD.replaceFirst("\\b" + field + ":", wrong + ":"));
         }
         for (String name : List.of(
                 "inbound",
@@ -333,7 +321,7 @@ final class BrokenSceneFiles {
     }
 
     private void missing() {
-        add("missing kind", GOOD.replaceFirst("(?s)  eye:.*  ear:", "  eye: {position: [0, 0, 1]}\n  ear:"));
+        files.add("missing kind", GOOD.replaceFirst("(?s)  eye:.*  ear:", "  eye: {position: [0, 0, 1]}\n  ear:"));
         change("missing", "    position: [0, 0, 10]\n", "");
         change("missing", "    model: \\{file: packaged:quadrotor.obj}\n".replace("\\", ""), "");
         change("missing", "file: site.obj, ", "");
@@ -341,7 +329,7 @@ final class BrokenSceneFiles {
         change("missing", "distance: 300 m, ", "");
         change("missing", "target: [0, 0, 10], ", "");
         change("missing", "    use: blighter-a400\n", "");
-        add("missing world", GOOD.substring(GOOD.indexOf("drones:")));
+        files.add("missing world", GOOD.substring(GOOD.indexOf("drones:")));
         change("empty", "duration: 1 min", "duration:");
         change("empty", "use: blighter-a400", "use:");
         change("empty", "kind: acoustic", "kind:");
@@ -363,8 +351,8 @@ final class BrokenSceneFiles {
                     .orElseThrow();
             change("doubled", line + "\n", line + "\n" + line + "\n");
         }
-        add("doubled world", GOOD + "world: {models: [a.obj]}\n");
-        add("doubled run", GOOD + "run: {duration: 5}\n");
+        files.add("doubled world", GOOD + "world: {models: [a.obj]}\n");
+        files.add("doubled run", GOOD + "run: {duration: 5}\n");
         change("doubled", "  ear:\n", "  eye:\n");
     }
 

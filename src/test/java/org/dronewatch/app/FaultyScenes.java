@@ -9,8 +9,7 @@ import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Pilot;
 import org.dronewatch.scene.PilotedRun;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.sensor.Sensor;
-import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.ActingSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /** Scenes of users that fail with errors of Java. */
@@ -30,35 +29,12 @@ public final class FaultyScenes {
         protected void build() {
             loadWorld(loadPackaged("house.obj"));
             add("drone", DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(0, 30, 20))));
-            add("bad", new Faulty(new Position(0, 0, 20), failure));
-            setRun(RunSettings.DEFAULT.withDuration(5.0));
-        }
-    }
-
-    private record Faulty(Position position, Supplier<Error> failure) implements SensorSettings<Sensor> {
-        @Override
-        public Faulty withPosition(Position other) {
-            return new Faulty(other, failure);
-        }
-
-        @Override
-        public String kind() {
-            return "faulty";
-        }
-
-        @Override
-        public double rate() {
-            return 1.0;
-        }
-
-        @Override
-        public Sensor create() {
-            return (world, drones, look) -> {
+            add("bad", new ActingSettings(new Position(0, 0, 20), 1.0, look -> {
                 if (look.index() == 2) {
                     throw failure.get();
                 }
-                return java.util.List.of();
-            };
+            }));
+            setRun(RunSettings.DEFAULT.withDuration(5.0));
         }
     }
 

@@ -2,13 +2,13 @@ package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.dronewatch.app.Program.Child;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -23,29 +23,10 @@ class InterruptionTest {
     @Test
     void aRunThatIsInterruptedWritesWhatItHas() throws IOException, InterruptedException {
         Path results = directory.resolve("results");
-        Process run = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        "org.dronewatch.app.Main",
-                        "run",
-                        "camera-range",
-                        "--real-time",
-                        "1",
-                        "--observations",
-                        "--set",
-                        "sensors.camera.fov=1",
-                        "--out",
-                        results.toString())
-                .redirectOutput(directory.resolve("out.txt").toFile())
-                .redirectError(new File(directory.resolve("err.txt").toString()))
-                .start();
-        try {
+        try (Child run = Program.startLongRun(directory)) {
             awaitRows(3);
-            run.destroy();
-            assertThat(run.waitFor(30, TimeUnit.SECONDS)).isTrue();
-        } finally {
-            run.destroyForcibly();
+            run.process().destroy();
+            assertThat(run.process().waitFor(30, TimeUnit.SECONDS)).isTrue();
         }
 
         assertThat(Files.readString(directory.resolve("err.txt")))

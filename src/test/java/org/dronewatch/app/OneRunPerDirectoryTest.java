@@ -28,18 +28,7 @@ class OneRunPerDirectoryTest {
     }
 
     private Child startLongRun() throws IOException, InterruptedException {
-        Child child = Program.start(
-                directory,
-                List.of("-Xmx1g"),
-                "run",
-                "camera-range",
-                "--real-time",
-                "1",
-                "--observations",
-                "--set",
-                "sensors.camera.fov=1",
-                "--out",
-                "results");
+        Child child = Program.startLongRun(directory);
         Path rows = directory.resolve(".partial-results/new/observations.csv");
         for (int i = 0; i < 600 && !(Files.exists(rows) && Files.size(rows) > 200); i++) {
             Thread.sleep(100);

@@ -38,6 +38,12 @@ final class Program {
         return startWith(directory, List.of(), javaOptions, arguments);
     }
 
+    /** Starts a run in real time that lasts for minutes, and writes into {@code results}. */
+    static Child startLongRun(Path directory) throws IOException {
+        String command = "run camera-range --real-time 1 --observations --set sensors.camera.fov=1 --out results";
+        return start(directory, List.of("-Xmx1g"), command.split(" "));
+    }
+
     /** Starts a command in a process with more jars on its class path. */
     static Child startWith(Path directory, List<Path> jars, List<String> javaOptions, String... arguments)
             throws IOException {

@@ -19,9 +19,8 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.sensor.ActingSettings;
 import org.dronewatch.sensor.Look;
-import org.dronewatch.sensor.Sensor;
-import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -36,33 +35,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class InterruptTest {
     private static final Duration PROMPT = Duration.ofMinutes(1);
 
-    /** Does something at each look, as a sensor of a user might. */
-    private record Doing(Position position, Consumer<Look> action) implements SensorSettings<Sensor> {
-        @Override
-        public Doing withPosition(Position other) {
-            return new Doing(other, action);
-        }
-
-        @Override
-        public String kind() {
-            return "doing";
-        }
-
-        @Override
-        public double rate() {
-            return 10.0;
-        }
-
-        @Override
-        public Sensor create() {
-            return (world, drones, look) -> {
-                action.accept(look);
-                return List.of();
-            };
-        }
-    }
-
-    /** The hill with a number of such sensors. */
+    /** The hill with a number of sensors that do something at each look. */
     private static final class DoingScene extends Scene {
         private static final long serialVersionUID = 1L;
         private final int sensors;
@@ -78,7 +51,7 @@ class InterruptTest {
             loadWorld(loadPackaged("hill.obj"));
             add("drone", DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(0, 20, 144))));
             for (int i = 0; i < sensors; i++) {
-                add("sensor-" + i, new Doing(new Position(0, 0, 144), action));
+                add("sensor-" + i, new ActingSettings(new Position(0, 0, 144), 10.0, action));
             }
             setRun(RunSettings.DEFAULT.withDuration(1.0));
         }
@@ -158,7 +131,7 @@ class InterruptTest {
                             "drone-" + i,
                             DroneSettings.of(loadPackaged("quadrotor.obj"), Hover.at(new Position(i - 20, 4, 144))));
                 }
-                add("first", new Doing(new Position(0, 0, 144), look -> looking.countDown()));
+                add("first", new ActingSettings(new Position(0, 0, 144), 10.0, look -> looking.countDown()));
                 add("eye", CameraSettings.at(new Position(0, 0, 144)).withResolution(6000, 6000));
                 setRun(RunSettings.DEFAULT.withDuration(1000.0));
             }

@@ -28,9 +28,8 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.SweepPoint;
 import org.dronewatch.scenes.CameraRange;
+import org.dronewatch.sensor.ActingSettings;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.Sensor;
-import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -277,7 +276,9 @@ class SceneRunTest {
             @Override
             protected void build() {
                 super.build();
-                add("broken", new Broken(new Position(0, 0, 0), 5.0));
+                add("broken", new ActingSettings(new Position(0, 0, 0), 5.0, look -> {
+                    throw new IllegalStateException("broken");
+                }));
             }
         };
         assertThatIllegalStateException()
@@ -285,25 +286,6 @@ class SceneRunTest {
                 .withMessage("broken");
         assertThatIllegalStateException().isThrownBy(scene::run).withMessage("broken");
         assertThat(new HillScene().run().complete()).isTrue();
-    }
-
-    private record Broken(Position position, double rate) implements SensorSettings<Sensor> {
-        @Override
-        public Broken withPosition(Position other) {
-            return new Broken(other, rate);
-        }
-
-        @Override
-        public String kind() {
-            return "broken";
-        }
-
-        @Override
-        public Sensor create() {
-            return (world, drones, look) -> {
-                throw new IllegalStateException("broken");
-            };
-        }
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
+import static org.dronewatch.sensor.acoustic.energy.Sites.readInFull;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -36,20 +37,13 @@ class EnergyModelTest {
 
     private static final Position SOURCE = new Position(2, 3, 1.5);
 
-    private static EnergyReading read(
-            World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
-        return new EnergyTracer(
-                        EnergyModel.DEFAULT.withRays(rays).withAccuracy(0.0).withRoulette(1e-3), sensor, radius, world)
-                .trace(Sites.sound(source, band), new SplittableRandom(seed), RayRecorder.NONE);
-    }
-
     @Test
     void inTheOpenTheLevelFallsBySpreadingAndAir() {
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             double a = Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
             for (double r : new double[] {1, 2, 10, 100, 1000}) {
                 EnergyReading reading =
-                        read(Sites.open(), new Position(0, r, 0), new Position(0, 0, 0), 0.5, 1, band, 1);
+                        readInFull(Sites.open(), new Position(0, r, 0), new Position(0, 0, 0), 0.5, 1, band, 1);
                 assertThat(reading.totalLevel())
                         .as("%d Hz at %f m", OctaveBands.nominal(band), r)
                         .isCloseTo(LW - 10.99 - 20 * Math.log10(r) - a * r, within(0.05));
@@ -82,7 +76,8 @@ class EnergyModelTest {
     @Test
     void aRigidPlaneAddsItsMirrorImage() {
         World plane = Sites.world(Sites.square(5000, 0), SurfaceMaterial.uniform("rigid", 0, 0));
-        EnergyReading reading = read(plane, new Position(100, 0, 50), new Position(0, 0, 1.5), 0.5, 1000, LOWEST, 1);
+        EnergyReading reading =
+                readInFull(plane, new Position(100, 0, 50), new Position(0, 0, 1.5), 0.5, 1000, LOWEST, 1);
 
         double gain = reading.totalLevel() - Levels.ofRatio(reading.direct().get(LOWEST));
         assertThat(gain).isCloseTo(2.9585, within(2e-3));
@@ -93,7 +88,7 @@ class EnergyModelTest {
     @Test
     void aReflectionOnTheEdgeOfTwoTrianglesCountsOnce() {
         World plane = Sites.world(Sites.square(50, 0), SurfaceMaterial.uniform("rigid", 0, 0));
-        EnergyReading reading = read(plane, new Position(-3, -3, 4), new Position(3, 3, 4), 0.5, 1, LOWEST, 1);
+        EnergyReading reading = readInFull(plane, new Position(-3, -3, 4), new Position(3, 3, 4), 0.5, 1, LOWEST, 1);
 
         double direct = 6 * Math.sqrt(2);
         assertThat(reading.mirrored().get(LOWEST) / reading.direct().get(LOWEST))
@@ -109,7 +104,7 @@ class EnergyModelTest {
     void aRoomOfMirrorsIsTheSumOfItsImages(double x, double y, double z, double level, double t30) {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0));
         Position sensor = new Position(x, y, z);
-        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 100_000, OctaveBands.ONE_KILOHERTZ, 7);
+        EnergyReading reading = readInFull(room, SOURCE, sensor, 0.4, 100_000, OctaveBands.ONE_KILOHERTZ, 7);
 
         double direct = LW - Levels.sphericalSpreading(SOURCE.distance(sensor));
         assertThat(reading.totalLevel() - direct)
@@ -159,7 +154,7 @@ class EnergyModelTest {
             double scattering, double x, double y, double z, double level, double error, double t30) {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, scattering));
         Position sensor = new Position(x, y, z);
-        EnergyReading reading = read(room, SOURCE, sensor, 0.4, 30_000, LOWEST, 11);
+        EnergyReading reading = readInFull(room, SOURCE, sensor, 0.4, 30_000, LOWEST, 11);
 
         double direct = LW - Levels.sphericalSpreading(SOURCE.distance(sensor));
         double both = Math.hypot(reading.standardError(), error);
@@ -179,7 +174,7 @@ class EnergyModelTest {
         double squares = 0;
         double stated = 0;
         for (int i = 0; i < runs; i++) {
-            EnergyReading reading = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 2000, LOWEST, 100 + i);
+            EnergyReading reading = readInFull(room, SOURCE, new Position(7, 5, 1.7), 0.4, 2000, LOWEST, 100 + i);
             sum += reading.totalLevel();
             squares += reading.totalLevel() * reading.totalLevel();
             stated += reading.standardError() / runs;
@@ -194,7 +189,7 @@ class EnergyModelTest {
     void theLevelDoesNotDependOnHowItIsEstimated() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.1, 0.3));
         Position sensor = new Position(7, 5, 1.7);
-        EnergyReading careful = read(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 21);
+        EnergyReading careful = readInFull(room, SOURCE, sensor, 0.4, 60_000, LOWEST, 21);
         for (EnergyModel model : List.of(
                 EnergyModel.DEFAULT,
                 EnergyModel.DEFAULT.withAccuracy(0.0),
@@ -211,8 +206,8 @@ class EnergyModelTest {
     void sourceAndSensorMayChangePlaces() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
         Position other = new Position(7.5, 6, 2.5);
-        EnergyReading there = read(room, SOURCE, other, 0.4, 60_000, LOWEST, 3);
-        EnergyReading back = read(room, other, SOURCE, 0.4, 60_000, LOWEST, 4);
+        EnergyReading there = readInFull(room, SOURCE, other, 0.4, 60_000, LOWEST, 3);
+        EnergyReading back = readInFull(room, other, SOURCE, 0.4, 60_000, LOWEST, 4);
 
         double both = Math.hypot(there.standardError(), back.standardError());
         assertThat(there.totalLevel()).isCloseTo(back.totalLevel(), within(4 * both));
@@ -223,7 +218,7 @@ class EnergyModelTest {
         double before = Double.POSITIVE_INFINITY;
         for (double absorption : new double[] {0.05, 0.2, 0.5, 0.9, 1.0}) {
             World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", absorption, 0.2));
-            double level = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 5000, LOWEST, 5)
+            double level = readInFull(room, SOURCE, new Position(7, 5, 1.7), 0.4, 5000, LOWEST, 5)
                     .totalLevel();
             assertThat(level).isLessThan(before);
             before = level;
@@ -292,7 +287,7 @@ class EnergyModelTest {
         World room = Sites.world(Sites.room(x, y, z), SurfaceMaterial.uniform("wall", absorption, 0));
         Position source = new Position(2, 0.4 * y, 1.5);
         Position sensor = new Position(x - 4, 0.7 * y, 1.2);
-        EnergyReading reading = read(room, source, sensor, 0.4, 100_000, band, 7);
+        EnergyReading reading = readInFull(room, source, sensor, 0.4, 100_000, band, 7);
 
         double loss = Atmosphere.STANDARD.attenuation(OctaveBands.midband(band));
         double sum = 0;

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
+import static org.dronewatch.sensor.acoustic.energy.Sites.readInFull;
 
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
@@ -23,18 +24,11 @@ import org.junit.jupiter.api.Test;
 class EnergyTracerTest {
     private static final Position SOURCE = new Position(2, 3, 1.5);
 
-    private static EnergyReading read(
-            World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
-        return new EnergyTracer(
-                        EnergyModel.DEFAULT.withRays(rays).withAccuracy(0.0).withRoulette(1e-3), sensor, radius, world)
-                .trace(Sites.sound(source, band), new SplittableRandom(seed), RayRecorder.NONE);
-    }
-
     @Test
     void theAuditClosesWithEverythingInIt() {
         SurfaceMaterial window = SurfaceMaterial.uniform("wall", 0.5, 0.4).withTransmissionLoss(6, Wall.SHEET);
-        EnergyReading reading =
-                read(Sites.world(Sites.room(10, 8, 4), window), SOURCE, new Position(7, 5, 1.7), 0.4, 20_000, 7, 9);
+        EnergyReading reading = readInFull(
+                Sites.world(Sites.room(10, 8, 4), window), SOURCE, new Position(7, 5, 1.7), 0.4, 20_000, 7, 9);
 
         EnergyAudit audit = reading.audit();
         assertThat(audit.imbalance()).isCloseTo(0.0, within(1e-9));
@@ -120,8 +114,8 @@ class EnergyTracerTest {
     @Test
     void theSameSeedGivesTheSame() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
-        EnergyReading first = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
-        EnergyReading second = read(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
+        EnergyReading first = readInFull(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
+        EnergyReading second = readInFull(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 5);
 
         assertThat(second.reverberant()).isEqualTo(first.reverberant());
         assertThat(second.audit()).isEqualTo(first.audit());

@@ -117,6 +117,14 @@ final class Sites {
         return new EnergyTracer(model, sensor, 0.4, world).trace(source, new SplittableRandom(seed), RayRecorder.NONE);
     }
 
+    /** Traces all of the rays, and follows them nearly to their ends, for sound of one band. */
+    static EnergyReading readInFull(
+            World world, Position source, Position sensor, double radius, int rays, int band, long seed) {
+        return new EnergyTracer(
+                        EnergyModel.DEFAULT.withRays(rays).withAccuracy(0.0).withRoulette(1e-3), sensor, radius, world)
+                .trace(sound(source, band), new SplittableRandom(seed), RayRecorder.NONE);
+    }
+
     /** A square of terrain of cells of some size about the origin. */
     static TriangleMesh terrain(double half, double cell, DoubleBinaryOperator height) {
         int count = (int) Math.round(2 * half / cell);
