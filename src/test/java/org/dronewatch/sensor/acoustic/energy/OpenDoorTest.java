@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
@@ -16,7 +17,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -32,6 +35,7 @@ class OpenDoorTest {
     private static final Position INSIDE = new Position(7.3, 2.1, 1.2);
     private static final Position OUTSIDE = new Position(4, -15, 3);
     private static final int READINGS = 6;
+    private static final List<Double> RATIOS = new CopyOnWriteArrayList<>();
 
     /** Levels relative to the sound power, dB, and their standard errors. */
     enum House {
@@ -87,35 +91,60 @@ class OpenDoorTest {
     @ParameterizedTest
     @EnumSource
     void readingsAgreeWithRandomWalksWhicheverEndIsInside(House house) {
-        check(house, OUTSIDE, INSIDE);
-        check(house, INSIDE, OUTSIDE);
+        RATIOS.add(check(house, OUTSIDE, INSIDE, READINGS));
+        RATIOS.add(check(house, INSIDE, OUTSIDE, READINGS));
     }
 
-    private static void check(House house, Position drone, Position microphone) {
+    /** Six readings each tell their standard deviation to a third, those of all houses and both ways to a ninth. */
+    @AfterAll
+    static void statedErrorsAreThoseOfTheReadings() {
+        if (RATIOS.size() == 2 * House.values().length) {
+            double squares = RATIOS.stream().mapToDouble(ratio -> ratio * ratio).sum();
+            assertThat(Math.sqrt(squares / RATIOS.size()))
+                    .as("standard deviation over stated error, of %s", RATIOS)
+                    .isBetween(0.7, 1.4);
+        }
+    }
+
+    /**
+     * The long form, of a hundred readings: {@code mvn -q test -Dtest=OpenDoorTest -Ddronewatch.long=true}. The closed
+     * house is left out: through its walls readings scatter by 1.14 times (microphone inside) and 1.36 times (outside)
+     * what they state, which is a limit of the estimate (microphone.md).
+     */
+    @ParameterizedTest
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "CLOSED")
+    @EnabledIfSystemProperty(named = "dronewatch.long", matches = "true")
+    void aHundredReadingsScatterAsTheyState(House house) {
+        assertThat(check(house, OUTSIDE, INSIDE, 100)).isBetween(0.8, 1.25);
+        assertThat(check(house, INSIDE, OUTSIDE, 100)).isBetween(0.8, 1.25);
+    }
+
+    /** Checks the mean of some readings, and gives their standard deviation over their stated error. */
+    private static double check(House house, Position drone, Position microphone, int readings) {
         SoundSites site = new SoundSites(house.world, Collections.nCopies(OctaveBands.COUNT, Sites.LW));
         EnergyTracer tracer = site.microphone(microphone);
         double sum = 0;
         double squares = 0;
         double stated = 0;
-        for (int seed = 0; seed < READINGS; seed++) {
+        for (int seed = 0; seed < readings; seed++) {
             EnergyReading reading =
                     tracer.trace(site.drone(drone), new SplittableRandom(1000 + seed), RayRecorder.NONE);
             assertThat(reading.isConverged()).isTrue();
             double mirrored = house.isOpaque ? 0 : reading.mirrored().get(Sites.LOWEST);
             double energy = mirrored + reading.reverberant().get(Sites.LOWEST);
-            sum += energy / READINGS;
-            squares += energy * energy / READINGS;
-            stated += reading.standardError() / READINGS;
+            sum += energy / readings;
+            squares += energy * energy / readings;
+            stated += reading.standardError() / readings;
         }
-        double relative = Math.sqrt((squares / (sum * sum) - 1) / (READINGS - 1));
+        double relative = Math.sqrt((squares / (sum * sum) - 1) / (readings - 1));
         double error = Math.hypot(Levels.ofRatio(1 + relative), house.error);
         assertThat(Levels.ofRatio(sum) - Sites.LW)
                 .as("%s, microphone at %s, standard error %.3f dB", house, microphone, error)
                 .isCloseTo(house.level, within(3 * error));
-        // Six readings tell their standard deviation to a third.
-        assertThat(Levels.ofRatio(1 + relative * Math.sqrt(READINGS)) / stated)
-                .as("%s, microphone at %s: standard deviation over stated error", house, microphone)
-                .isBetween(0.3, 2.0);
+        double ratio = Levels.ofRatio(1 + relative * Math.sqrt(readings)) / stated;
+        System.out.printf(
+                "%s, microphone at %s: standard deviation over stated error %.2f%n", house, microphone, ratio);
+        return ratio;
     }
 
     /** With opaque walls, nothing gets into a closed house or out of it. */
