@@ -44,6 +44,7 @@ final class BvhTraversal extends RayTracer {
 
     private final int[] pool;
     private final double reach;
+    private final int onlyLeaf;
     private final StackTraversal exact;
     private final int[] entries = new int[BvhNode.WIDTH];
     private final double[] parameters = new double[BvhNode.TRIANGLES];
@@ -72,6 +73,7 @@ final class BvhTraversal extends RayTracer {
         super(tree.triangles());
         this.pool = wide.pool();
         this.reach = wide.reach();
+        this.onlyLeaf = wide.onlyLeaf();
         this.exact = new StackTraversal(tree);
         this.stack = new long[(BvhNode.WIDTH - 1) * wide.depth() + 1];
     }
@@ -88,7 +90,11 @@ final class BvhTraversal extends RayTracer {
         first = tMin;
         nearest = tMax;
         winner = -1;
-        walk(tMin, tMax, anyHit);
+        if (onlyLeaf == BvhNode.NONE) {
+            walk(tMin, tMax, anyHit);
+        } else {
+            testBlocks(onlyLeaf, 0);
+        }
         if (winner >= 0) {
             setHit(winner, nearest);
         }
@@ -190,8 +196,7 @@ final class BvhTraversal extends RayTracer {
         while (true) {
             if (!BvhNode.isLeaf(reference)) {
                 // Where each child's box is entered and left. A negative parameter has a negative pattern of bits: it
-                // is
-                // behind the start, and more than that need not be known.
+                // is behind the start, and more than that need not be known.
                 IntVector ax = IntVector.fromArray(INTS_8, nodes, reference + nearX)
                         .reinterpretAsFloats()
                         .fma(inverseX, entryX)
@@ -308,8 +313,7 @@ final class BvhTraversal extends RayTracer {
                     doubles(blocks, block + 2 * BvhNode.CORNER + y).sub(oy).sub(cz.mul(sy));
 
             // The edge functions. Where two have opposite signs, their product has the sign bit: the triangle is
-            // missed.
-            // The zero that is added turns -0 into 0, which counts as inside.
+            // missed. The zero that is added turns -0 into 0, which counts as inside.
             DoubleVector a = cx.mul(by).sub(cy.mul(bx));
             DoubleVector b = ax.mul(cy).sub(ay.mul(cx));
             DoubleVector g = bx.mul(ay).sub(by.mul(ax));

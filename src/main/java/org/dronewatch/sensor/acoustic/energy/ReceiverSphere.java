@@ -54,6 +54,9 @@ final class ReceiverSphere {
     private Position centre;
     private double widest;
     private double wanted;
+    /** The square of the radius for the longest rays, which is the largest. */
+    private double farthestSquared;
+
     private double length;
     private double at;
     private double fraction;
@@ -100,6 +103,8 @@ final class ReceiverSphere {
             free[i] = cut ? tracer.distance() : Double.POSITIVE_INFINITY;
         }
         widest = Math.min(WIDEST, ROOM * Math.cbrt(volume(WIDEST) / ball(1.0)));
+        double farthestReach = reach(Double.POSITIVE_INFINITY);
+        farthestSquared = farthestReach * farthestReach;
     }
 
     /**
@@ -130,6 +135,9 @@ final class ReceiverSphere {
         double z = centre.z() - ray.originZ;
         double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
         double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
+        if (besideSquared >= farthestSquared) {
+            return false;
+        }
         // To the centre itself, so that the sphere is the same for all rays over these walls.
         double along = leg.length() + middle;
         length = Math.sqrt(along * along + besideSquared);

@@ -21,6 +21,11 @@ public final class SpecularLeg {
     private double fromZ;
     private double riseFromBeginning;
 
+    /** The last trees of image sources that the leg has left, walls from its beginning on. */
+    private ImageSources left;
+
+    private ImageSources leftBefore;
+
     /** Begins a leg at a ray's origin. */
     public void begin(AcousticRay ray) {
         fromX = ray.originX;
@@ -33,6 +38,8 @@ public final class SpecularLeg {
         weight = 1L;
         order = 0;
         isThroughWalls = false;
+        left = null;
+        leftBefore = null;
     }
 
     /** Records that the ray travelled a distance, m. */
@@ -101,7 +108,16 @@ public final class SpecularLeg {
 
     /** Whether it is reflected like sound of one of the image sources of the point where the ray began. */
     public boolean matchesFromStart(ImageSources imageSources) {
-        return !isThroughWalls && order > 0 && imageSources.contains(order, key);
+        // The parents of images are images, too: a leg that has left their tree never returns, and is not looked up.
+        if (isThroughWalls || order == 0 || imageSources == left || imageSources == leftBefore) {
+            return false;
+        }
+        if (imageSources.contains(order, key)) {
+            return true;
+        }
+        leftBefore = left;
+        left = imageSources;
+        return false;
     }
 
     /** Whether it is, backward, reflected like sound of one of the image sources of a point where the ray ends. */
