@@ -74,6 +74,46 @@ class BvhTraversalTest {
         assertThat(hits).isGreaterThan(20_000);
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 4, 5, 12, 15, 16, 17, 18, 40})
+    void fewTrianglesAreHitWithAndWithoutBoxes(int triangles) {
+        long seed = 20261125 + triangles;
+        Random random = new Random(seed);
+        float[] corners = new float[9 * triangles];
+        int[] numbers = new int[3 * triangles];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = 10 * random.nextFloat();
+        }
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = i;
+        }
+        KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
+        Bvh bvh = new BvhBuilder(tree.triangles()).build();
+        assertThat(bvh.onlyLeaf() != BvhNode.NONE).isEqualTo(triangles <= 16);
+        RayTracer wide = new BvhTraversal(tree, bvh);
+        RayTracer narrow = new StackTraversal(tree);
+        int hits = 0;
+        for (int i = 0; i < 5_000; i++) {
+            double[] o = {20 * random.nextDouble() - 5, 20 * random.nextDouble() - 5, 20 * random.nextDouble() - 5};
+            double[] d = {random.nextGaussian(), random.nextGaussian(), random.nextGaussian()};
+            double first = i % 2 == 0 ? 0.0 : 3.0 * random.nextDouble();
+            double last = i % 3 == 0 ? END : first + 10.0 * random.nextDouble();
+            boolean found = narrow.closestHit(o[0], o[1], o[2], d[0], d[1], d[2], first, last);
+            assertThat(wide.closestHit(o[0], o[1], o[2], d[0], d[1], d[2], first, last))
+                    .as("seed %d, ray %d", seed, i)
+                    .isEqualTo(found);
+            if (found) {
+                hits++;
+                assertThat(wide.triangle()).as("seed %d, ray %d", seed, i).isEqualTo(narrow.triangle());
+                assertThat(wide.distance()).as("seed %d, ray %d", seed, i).isEqualTo(narrow.distance());
+            }
+            assertThat(wide.isOccluded(o[0], o[1], o[2], d[0], d[1], d[2], first, last))
+                    .as("seed %d, ray %d", seed, i)
+                    .isEqualTo(narrow.isOccluded(o[0], o[1], o[2], d[0], d[1], d[2], first, last));
+        }
+        assertThat(hits).as("seed %d", seed).isGreaterThan(10);
+    }
+
     @Test
     void theTreeIsTheSameForAnyNumberOfThreads() {
         LeafOrderTriangles triangles = KDTree.of(Meshes.model("cathedral.obj")).triangles();
