@@ -66,7 +66,7 @@ public final class KDTree {
     }
 
     /**
-     * Builds the tree of a mesh, and tells how far that has come.
+     * Builds the tree of a mesh and reports its progress.
      *
      * @param task advances to the number of triangles
      * @throws CancellationException when the thread is interrupted meanwhile
