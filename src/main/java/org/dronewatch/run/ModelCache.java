@@ -211,7 +211,7 @@ public final class ModelCache {
             colours(model).forEach(colours::putIfAbsent);
         }
         Town.of(world).ifPresent(town -> buildings(town).colours().forEach(colours::putIfAbsent));
-        world.terrain().ifPresent(terrain -> colours.putIfAbsent(terrain.material(), TerrainSettings.COLOUR));
+        world.terrain().ifPresent(terrain -> colours.putIfAbsent(terrain.material(), terrain.colour()));
         return colours;
     }
 

@@ -122,6 +122,14 @@ public record TerrainSettings(
         return SettingsForm.with(DEFAULT, "files", files);
     }
 
+    /**
+     * The colour of the ground in daylight, which follows its material: red, green and blue in the lowest 24 bits.
+     * It is {@link #COLOUR}, that of meadows, for a material whose colour is not known.
+     */
+    public int colour() {
+        return GroundColours.of(material);
+    }
+
     /** The names of all files. */
     public List<String> allFiles() {
         List<String> all = new ArrayList<>(files);

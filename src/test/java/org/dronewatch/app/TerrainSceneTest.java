@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
@@ -107,6 +108,28 @@ class TerrainSceneTest {
         assertThat(notes)
                 .anyMatch(line -> line.contains("world.terrain.surface is dsm: its heights may include roofs")
                         && line.contains("house.obj"));
+    }
+
+    /** Pictures get the colour of the material, unless a model has a material of this name with a colour. */
+    @Test
+    void theGroundLooksLikeItsMaterial() throws IOException {
+        String water = SITE.replace("accuracy: 0", "accuracy: 0, material: water_surface");
+        assertThat(colours(SITE)).containsEntry("pasture_uncompacted", TerrainSettings.COLOUR);
+        assertThat(colours(water))
+                .containsEntry(
+                        "water_surface",
+                        TerrainSettings.DEFAULT.withMaterial("water_surface").colour());
+
+        Files.writeString(directory.resolve("pool.mtl"), "newmtl water_surface\nKd 1 0 0\n");
+        Files.writeString(
+                directory.resolve("pool.obj"),
+                "mtllib pool.mtl\nv 0 0 9\nv 5 0 9\nv 5 5 9\nusemtl water_surface\nf 1 2 3\n");
+        assertThat(colours(water + "  models: [pool.obj]\n")).containsEntry("water_surface", 0xFF0000);
+    }
+
+    private Map<String, Integer> colours(String text) throws IOException {
+        SceneRunner runner = new SceneRunner(new SceneFile(scene(text))).notes(note -> {});
+        return runner.stage(runner.settings()).colours();
     }
 
     @Test
