@@ -42,8 +42,8 @@ public final class House {
             new Storey("", "terrain", "buildings.io"),
             new Storey("", "terrain.io"),
             new Storey("", "geo.features"),
-            new Storey("", "mesh.io", "geo"),
-            new Storey("", "mesh.polygon"),
+            new Storey("", "mesh.io"),
+            new Storey("", "mesh.polygon", "geo"),
             new Storey("the ray kernel", "bvh", "raster"),
             new Storey("", "kdtree"),
             new Storey("the ground", "sound", "sound.surface", "geometry", "parallel", "setting.."));

@@ -5,7 +5,6 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
-import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
@@ -54,13 +53,7 @@ public record BuildingSettings(
         if (material.isBlank()) {
             throw new IllegalArgumentException("material is empty: it must be a name");
         }
-        if (crs.isPresent()) {
-            try {
-                CoordinateReferenceSystem.of(crs.get());
-            } catch (InputException e) {
-                throw new IllegalArgumentException(e.getMessage(), e);
-            }
-        }
+        CoordinateReferenceSystem.checkSetting(crs);
     }
 
     /** Buildings from a map. */

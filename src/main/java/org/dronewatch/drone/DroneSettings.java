@@ -114,6 +114,10 @@ public record DroneSettings(
                 label);
         spectrum.ifPresent(own -> Limits.check(
                 BandLevels.class, Arrays.stream(own.toArray()).boxed().toArray()));
+        if (model.crs().isPresent()) {
+            throw new IllegalArgumentException(
+                    "model.crs " + model.crs().get() + " applies to models of the site, not to that of a drone");
+        }
         checkSound(sound, spectrum.isPresent());
         if (label.role() == ThreatLabel.Role.BIRD) {
             checkBird(radar, radio, Math.max(soundLevel, soundPowerLevel));

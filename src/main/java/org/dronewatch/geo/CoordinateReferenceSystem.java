@@ -3,6 +3,7 @@ package org.dronewatch.geo;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -71,6 +72,19 @@ public final class CoordinateReferenceSystem {
         }
     }
 
+    /**
+     * Checks a code in a setting.
+     *
+     * @throws IllegalArgumentException when it is given but {@link #of} refuses it
+     */
+    public static void checkSetting(Optional<String> code) {
+        try {
+            code.ifPresent(CoordinateReferenceSystem::of);
+        } catch (InputException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
     /** Its code, such as {@code EPSG:25832}. */
     public String name() {
         return name;
@@ -79,6 +93,18 @@ public final class CoordinateReferenceSystem {
     /** Whether its coordinates are longitude and latitude in degrees. */
     public boolean isGeographic() {
         return system.getProjection().isGeographic();
+    }
+
+    /**
+     * The length of the unit of its coordinates, m: 1 for most grids, 0.3048 for those in feet.
+     *
+     * @throws IllegalStateException if its coordinates are {@linkplain #isGeographic() degrees}
+     */
+    public double unitLength() {
+        if (isGeographic()) {
+            throw new IllegalStateException(name + " has coordinates in degrees, not in a unit of length");
+        }
+        return 1.0 / system.getProjection().getFromMetres();
     }
 
     /** What PROJ4J calls it. */

@@ -12,14 +12,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.flight.file.FlightSource;
-import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.LoadedModel;
@@ -31,7 +29,6 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
-import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
@@ -46,40 +43,16 @@ public final class ModelCache {
 
     private final ModelLoader loader;
     private final Consumer<String> notes;
-    private final Map<ModelSettings, LoadedModel> models = new HashMap<>();
+    private final Map<SiteKeys.Model, LoadedModel> models = new HashMap<>();
     private final PreparedSites sites;
-    private final Map<Place, PreparedTerrain> terrains = new HashMap<>();
-    private final Map<Town, LoadedBuildings> towns = new HashMap<>();
-    private final Map<Site, TracingIndex> indexes = new HashMap<>();
+    private final Map<SiteKeys.Place, PreparedTerrain> terrains = new HashMap<>();
+    private final Map<SiteKeys.Town, LoadedBuildings> towns = new HashMap<>();
+    private final Map<SiteKeys.Site, TracingIndex> indexes = new HashMap<>();
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final FlightFiles flightFiles;
     private final Set<String> noted = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
-
-    /** What a terrain depends on. */
-    private record Place(TerrainSettings terrain, Origin origin) {
-        static Optional<Place> of(WorldSettings world) {
-            return world.terrain()
-                    .map(terrain -> new Place(terrain, world.origin().orElseThrow()));
-        }
-    }
-
-    /** What buildings depend on: they stand on the terrain. */
-    private record Town(BuildingSettings buildings, Origin origin, Optional<Place> terrain) {
-        static Optional<Town> of(WorldSettings world) {
-            return world.buildings()
-                    .map(buildings -> new Town(buildings, world.origin().orElseThrow(), Place.of(world)));
-        }
-    }
-
-    /** What an index depends on. */
-    private record Site(
-            Optional<Place> terrain, Optional<Town> town, List<ModelSettings> models, TracingSettings tracing) {
-        static Site of(WorldSettings world) {
-            return new Site(Place.of(world), Town.of(world), world.models(), world.tracing());
-        }
-    }
 
     /**
      * An empty cache.
@@ -94,9 +67,22 @@ public final class ModelCache {
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 
-    /** Reads a model, once. */
+    /** Reads a drone's model, once. */
     public synchronized void read(ModelSettings settings) {
-        models.computeIfAbsent(settings, this::load);
+        model(SiteKeys.Model.of(settings));
+    }
+
+    /**
+     * Reads one of the models of a world, once.
+     *
+     * @param number its index in the world's list
+     */
+    public synchronized void readModel(WorldSettings world, int number) {
+        model(SiteKeys.Model.of(world).get(number));
+    }
+
+    private LoadedModel model(SiteKeys.Model model) {
+        return models.computeIfAbsent(model, this::load);
     }
 
     /**
@@ -120,14 +106,14 @@ public final class ModelCache {
 
     /** Reads the terrain of a world, if it has one, once. */
     public synchronized void readTerrain(WorldSettings world) {
-        Place.of(world).ifPresent(this::terrain);
+        SiteKeys.Place.of(world).ifPresent(this::terrain);
     }
 
-    private LoadedTerrain terrain(Place place) {
+    private LoadedTerrain terrain(SiteKeys.Place place) {
         return prepared(place).terrain();
     }
 
-    private synchronized PreparedTerrain prepared(Place place) {
+    private synchronized PreparedTerrain prepared(SiteKeys.Place place) {
         PreparedTerrain prepared = terrains.get(place);
         if (prepared == null) {
             long start = System.nanoTime();
@@ -147,16 +133,16 @@ public final class ModelCache {
 
     /** Reads the buildings of a world, if it has a map of them, once. */
     public synchronized void readBuildings(WorldSettings world) {
-        Town.of(world).ifPresent(this::buildings);
+        SiteKeys.Town.of(world).ifPresent(this::buildings);
     }
 
-    private synchronized LoadedBuildings buildings(Town town) {
+    private synchronized LoadedBuildings buildings(SiteKeys.Town town) {
         LoadedBuildings known = towns.get(town);
         if (known == null) {
             Optional<PreparedTerrain> ground = town.terrain().map(this::prepared);
             long start = System.nanoTime();
             known = sites.buildings(
-                    town.buildings(), town.origin(), town.terrain().map(Place::terrain), ground);
+                    town.buildings(), town.origin(), town.terrain().map(SiteKeys.Place::terrain), ground);
             loadSeconds += NANO * (System.nanoTime() - start);
             towns.put(town, known);
             files.put(town.buildings().file().orElseThrow(), List.of(known.file()));
@@ -168,31 +154,30 @@ public final class ModelCache {
 
     /** Where the ground of a world is known; empty for a world without a terrain from files. */
     synchronized Optional<KnownGround> knownGround(WorldSettings world) {
-        return Place.of(world).map(place -> prepared(place).ground());
+        return SiteKeys.Place.of(world).map(place -> prepared(place).ground());
     }
 
     /** What was read of the terrain and the buildings of a world, a line for each thing. */
     synchronized List<String> siteNotes(WorldSettings world) {
         List<String> lines = new ArrayList<>();
-        Place.of(world).ifPresent(place -> lines.addAll(terrain(place).description()));
-        Town.of(world).ifPresent(town -> lines.addAll(buildings(town).description()));
+        SiteKeys.Place.of(world).ifPresent(place -> lines.addAll(terrain(place).description()));
+        SiteKeys.Town.of(world).ifPresent(town -> lines.addAll(buildings(town).description()));
         return lines;
     }
 
     /** The buildings of a world's map, if it has one. */
     synchronized Optional<LoadedBuildings> buildings(WorldSettings world) {
-        return Town.of(world).map(this::buildings);
+        return SiteKeys.Town.of(world).map(this::buildings);
     }
 
     /** The ray-tracing index over a world's terrain, buildings and models, merged into one mesh. */
     synchronized TracingIndex index(WorldSettings world) {
-        return indexes.computeIfAbsent(Site.of(world), this::build);
+        return indexes.computeIfAbsent(SiteKeys.Site.of(world), this::build);
     }
 
-    /** The ray-tracing index over one model. */
+    /** The ray-tracing index over a drone's model. */
     synchronized TracingIndex index(ModelSettings model, TracingSettings tracing) {
-        return indexes.computeIfAbsent(
-                new Site(Optional.empty(), Optional.empty(), List.of(model), tracing), this::build);
+        return indexes.computeIfAbsent(SiteKeys.Site.of(model, tracing), this::build);
     }
 
     /**
@@ -207,29 +192,29 @@ public final class ModelCache {
     /** The colours of a world's materials, by name: red, green and blue in the lowest 24 bits. */
     synchronized Map<String, Integer> colours(WorldSettings world) {
         Map<String, Integer> colours = new HashMap<>();
-        for (ModelSettings model : world.models()) {
-            colours(model).forEach(colours::putIfAbsent);
+        for (SiteKeys.Model model : SiteKeys.Model.of(world)) {
+            model(model).colours().forEach(colours::putIfAbsent);
         }
-        Town.of(world).ifPresent(town -> buildings(town).colours().forEach(colours::putIfAbsent));
+        SiteKeys.Town.of(world).ifPresent(town -> buildings(town).colours().forEach(colours::putIfAbsent));
         world.terrain().ifPresent(terrain -> colours.putIfAbsent(terrain.material(), terrain.colour()));
         return colours;
     }
 
-    /** The colours of a model's materials, by name. */
+    /** The colours of the materials of a drone's model, by name. */
     synchronized Map<String, Integer> colours(ModelSettings model) {
-        return models.computeIfAbsent(model, this::load).colours();
+        return model(SiteKeys.Model.of(model)).colours();
     }
 
     /** A world's terrain, buildings and models, in this order, by the first triangle of each in the tree's mesh. */
     synchronized NavigableMap<Integer, SiteModel> firstTriangles(WorldSettings world) {
         NavigableMap<Integer, SiteModel> starts = new TreeMap<>();
         int next = 0;
-        Optional<Place> place = Place.of(world);
+        Optional<SiteKeys.Place> place = SiteKeys.Place.of(world);
         if (place.isPresent()) {
             starts.put(next, SiteModel.of(place.get().terrain()));
             next += terrain(place.get()).mesh().triangleCount();
         }
-        Optional<Town> town = Town.of(world);
+        Optional<SiteKeys.Town> town = SiteKeys.Town.of(world);
         if (town.isPresent()) {
             starts.put(next, SiteModel.of(town.get().buildings()));
             next += buildings(town.get()).mesh().triangleCount();
@@ -239,9 +224,9 @@ public final class ModelCache {
                 next += woods;
             }
         }
-        for (ModelSettings model : world.models()) {
-            starts.put(next, SiteModel.of(model));
-            next += models.computeIfAbsent(model, this::load).mesh().triangleCount();
+        for (SiteKeys.Model model : SiteKeys.Model.of(world)) {
+            starts.put(next, SiteModel.of(model.settings()));
+            next += model(model).mesh().triangleCount();
         }
         return starts;
     }
@@ -253,7 +238,7 @@ public final class ModelCache {
         return new LinkedHashMap<>(files);
     }
 
-    private TracingIndex build(Site site) {
+    private TracingIndex build(SiteKeys.Site site) {
         List<TriangleMesh> meshes = new ArrayList<>();
         site.terrain().ifPresent(place -> meshes.add(terrain(place).mesh()));
         site.town().ifPresent(town -> {
@@ -262,9 +247,7 @@ public final class ModelCache {
                 meshes.add(buildings(town).woods());
             }
         });
-        for (ModelSettings model : site.models()) {
-            meshes.add(models.computeIfAbsent(model, this::load).mesh());
-        }
+        site.models().forEach(model -> meshes.add(model(model).mesh()));
         long start = System.nanoTime();
         KDTree tree = sites.tree(World.merge(meshes), site.tracing().costs());
         TracingIndex index = new TracingIndex(tree, site.tracing().traversal());
@@ -272,11 +255,11 @@ public final class ModelCache {
         return index;
     }
 
-    private synchronized LoadedModel load(ModelSettings settings) {
+    private LoadedModel load(SiteKeys.Model which) {
         long start = System.nanoTime();
-        LoadedModel model = loader.load(settings);
+        LoadedModel model = loader.load(which.settings(), which.origin());
         loadSeconds += NANO * (System.nanoTime() - start);
-        files.put(settings.file(), model.files());
+        files.put(which.settings().file(), model.files());
         notes.accept("read " + model.describe());
         model.warnings().forEach(warning -> notes.accept("warning: " + warning));
         return model;

@@ -86,6 +86,12 @@ public record SceneSettings(
             throw new IllegalArgumentException(
                     "world.models is empty: a world needs at least one, or a terrain, or buildings");
         }
+        for (int i = 0; i < world.models().size(); i++) {
+            if (world.models().get(i).crs().isPresent() && world.origin().isEmpty()) {
+                throw new IllegalArgumentException(
+                        "world.models." + i + ".crs needs a world.origin, the latitude and longitude of x = y = 0");
+            }
+        }
         world.terrain().ifPresent(terrain -> {
             if (terrain.allFiles().isEmpty()) {
                 throw new IllegalArgumentException("world.terrain needs a 'file' of elevations, or several 'files'");

@@ -1,6 +1,5 @@
 package org.dronewatch.scene;
 
-import java.util.List;
 import java.util.function.Consumer;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightsFile;
@@ -61,9 +60,9 @@ final class SceneModels {
     void loadSite(SceneSettings settings) {
         placing("world.terrain", () -> models.readTerrain(settings.world()));
         placing("world.buildings", () -> models.readBuildings(settings.world()));
-        List<ModelSettings> world = settings.world().models();
-        for (int i = 0; i < world.size(); i++) {
-            load("world.models." + i, world.get(i));
+        for (int i = 0; i < settings.world().models().size(); i++) {
+            int number = i;
+            placing("world.models." + i, () -> models.readModel(settings.world(), number));
         }
     }
 

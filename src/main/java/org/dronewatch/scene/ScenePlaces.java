@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
@@ -133,10 +132,9 @@ final class ScenePlaces {
         loaded = true;
         placing("world.terrain", document, () -> models.readTerrain(world));
         placing("world.buildings", document, () -> models.readBuildings(world));
-        List<ModelSettings> all = world.models();
-        for (int i = 0; i < all.size(); i++) {
-            ModelSettings model = all.get(i);
-            placing("world.models." + i, document, () -> models.read(model));
+        for (int i = 0; i < world.models().size(); i++) {
+            int number = i;
+            placing("world.models." + i, document, () -> models.readModel(world, number));
         }
         return Workers.available() > 1 ? models.ground(world) : inParallel(world);
     }

@@ -7,7 +7,6 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
-import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
@@ -96,13 +95,7 @@ public record TerrainSettings(
             throw new IllegalArgumentException("material is empty: it must be a name");
         }
         attribution.ifPresent(TerrainSettings::checkAttribution);
-        if (crs.isPresent()) {
-            try {
-                CoordinateReferenceSystem.of(crs.get());
-            } catch (InputException e) {
-                throw new IllegalArgumentException(e.getMessage(), e);
-            }
-        }
+        CoordinateReferenceSystem.checkSetting(crs);
     }
 
     private static void checkAttribution(String text) {

@@ -26,22 +26,31 @@ public final class ModelCollector {
     private long stated;
     private long faces;
 
-    /** A collector for one file. */
+    /**
+     * A collector for one file.
+     *
+     * @throws InputException when the coordinates are those of a national grid, and the scene's origin is not known
+     */
     public ModelCollector(ModelFile file, ModelSettings settings) {
         this.file = file;
-        this.placement = new Placement(settings);
+        this.placement = file.placement(settings);
     }
 
     /**
      * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed:
-     * coordinates of a national grid remain exact if the model's {@linkplain ModelSettings#origin() origin} lies on the
-     * site.
+     * coordinates of a national grid remain exact if the model has a {@linkplain ModelSettings#crs() crs}, or if its
+     * {@linkplain ModelSettings#origin() origin} lies on the site.
      *
      * @return its index, from 0 on
-     * @throws InputException when it is not finite, or placed too far from the origin
+     * @throws InputException when it is not finite, or placed too far from the origin, or lies where the model's grid
+     *     has no coordinates
      */
     public int addVertex(double x, double y, double z) {
-        placement.place(x, y, z, vertices);
+        try {
+            placement.place(x, y, z, vertices);
+        } catch (InputException e) {
+            throw new InputException(file.name() + ": vertex " + vertices.size() / 3 + ": " + e.getMessage(), e);
+        }
         for (int i = vertices.size() - 3; i < vertices.size(); i++) {
             if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {
                 throw new InputException(

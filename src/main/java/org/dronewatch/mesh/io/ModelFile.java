@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
@@ -39,11 +40,31 @@ public final class ModelFile {
     private final String name;
     private final Path path;
     private final URL resource;
+    private final Optional<Origin> sceneOrigin;
 
     private ModelFile(String name, Path path, URL resource) {
+        this(name, path, resource, Optional.empty());
+    }
+
+    private ModelFile(String name, Path path, URL resource, Optional<Origin> sceneOrigin) {
         this.name = name;
         this.path = path;
         this.resource = resource;
+        this.sceneOrigin = sceneOrigin;
+    }
+
+    /** This file as a model of a scene whose origin lies there, which coordinates of a national grid need. */
+    ModelFile inScene(Optional<Origin> origin) {
+        return new ModelFile(name, path, resource, origin);
+    }
+
+    /**
+     * The placement of its coordinates in the scene.
+     *
+     * @throws InputException when they are those of a national grid, and the scene's origin is not known
+     */
+    Placement placement(ModelSettings settings) {
+        return new Placement(settings, sceneOrigin);
     }
 
     /**

@@ -1,5 +1,7 @@
 package org.dronewatch.mesh.io;
 
+import java.util.Optional;
+import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.AsNumbers;
 import org.dronewatch.setting.Defaults;
@@ -12,16 +14,22 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * A model file and its placement. The model is first moved so that the file's {@code origin} is at zero, then rotated
- * to stand upright, scaled, rotated to its heading, and moved to its position, all in double precision.
+ * to stand upright, scaled, rotated to its heading, and moved to its position, all in double precision. With a {@code
+ * crs}, the coordinates after scaling are those of a national grid: they are transformed to the scene's frame by way of
+ * latitude and longitude, which takes care of the angle between grid north and true north, the scale of the grid, and
+ * the curvature of the earth; {@code position} then moves the model from there.
  *
  * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model of the library
  * @param upAxis axis of the file that points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
- * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; for a file
- *     in coordinates of a national grid, use a point on the site, so that no precision is lost when coordinates are
- *     stored as floats
- * @param position position of the model's origin, m
- * @param heading rotation about the vertical, clockwise as seen from above, rad
+ * @param crs national grid of the file's coordinates by its EPSG code, such as EPSG:28992, with heights above the level
+ *     of {@code world.origin.height}; omit it for a model with coordinates of its own
+ * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; with a
+ *     {@code crs}, the point at which the coordinates of the grid are zero, which matters only if the file's
+ *     coordinates are shifted: (-155000, -463000, 0) if these numbers were subtracted from them
+ * @param position position of the model's origin, m; with a {@code crs}, a correction of the model's position
+ * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which states the
+ *     direction of north
  * @param role its role on the site, by which reports name the obstacles that hide drones; of no effect for a drone's
  *     model
  */
@@ -29,6 +37,7 @@ public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
         UpAxis upAxis,
         @In(value = Quantity.NUMBER, from = 1e-6, to = 1e6) double scale,
+        @Minor Optional<String> crs,
         @Minor FilePoint origin,
         @AsNumbers Position position,
         @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double heading,
@@ -41,12 +50,24 @@ public record ModelSettings(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException if a value is out of range
+     * @throws IllegalArgumentException if a value is out of range, the code of the coordinate reference system is not
+     *     that of a grid, or both it and a heading are given
      */
     public ModelSettings {
-        Limits.check(ModelSettings.class, file, upAxis, scale, origin, position, heading, role);
+        Limits.check(ModelSettings.class, file, upAxis, scale, crs, origin, position, heading, role);
         if (file.isBlank()) {
             throw new IllegalArgumentException("file is empty: it must name a model file");
+        }
+        CoordinateReferenceSystem.checkSetting(crs);
+        if (crs.map(CoordinateReferenceSystem::of)
+                .filter(CoordinateReferenceSystem::isGeographic)
+                .isPresent()) {
+            throw new IllegalArgumentException(
+                    "crs " + crs.get() + " has coordinates in degrees: a model needs a grid in metres or feet");
+        }
+        if (crs.isPresent() && heading != 0.0) {
+            throw new IllegalArgumentException("heading must be 0 deg if 'crs' is given, is "
+                    + Quantity.ANGLE.inWords(heading) + ": the grid states the direction of north");
         }
     }
 
@@ -57,7 +78,8 @@ public record ModelSettings(
     @Defaults("file")
     public static ModelSettings of(String file) {
         ModelRole role = file.equals(HILL) ? ModelRole.TERRAIN : ModelRole.BUILDING;
-        return new ModelSettings(file, UpAxis.Y, 1.0, FilePoint.ZERO, new Position(0, 0, 0), 0.0, role);
+        return new ModelSettings(
+                file, UpAxis.Y, 1.0, Optional.empty(), FilePoint.ZERO, new Position(0, 0, 0), 0.0, role);
     }
 
     /** A model of the library, such as {@code hill.obj}. */
@@ -73,6 +95,11 @@ public record ModelSettings(
     /** These settings with another scale, metres for each unit of the file. */
     public ModelSettings withScale(double factor) {
         return SettingsForm.with(this, "scale", factor);
+    }
+
+    /** These settings with coordinates of a national grid, such as {@code EPSG:28992}. */
+    public ModelSettings withCrs(String code) {
+        return SettingsForm.with(this, "crs", Optional.of(code));
     }
 
     /** These settings with another point of the file placed at the position, in the file's unit and along its axes. */

@@ -41,7 +41,11 @@ final class ObjMeshCollector {
     }
 
     void addVertex(double x, double y, double z) {
-        placement.place(x, y, z, vertices);
+        try {
+            placement.place(x, y, z, vertices);
+        } catch (InputException e) {
+            throw new InputException(lines.at(file) + "vertex: " + e.getMessage(), e);
+        }
         for (int i = vertices.size() - 3; i < vertices.size(); i++) {
             if (!(Math.abs(vertices.get(i)) <= TriangleMesh.MAX_COORDINATE)) {
                 throw new InputException(lines.at(file) + "vertex (" + x + ", " + y + ", " + z

@@ -28,7 +28,7 @@ public final class ObjReader implements MeshReader {
 
     @Override
     public LoadedModel read(ModelFile file, ModelSettings settings) {
-        ObjMeshCollector collector = collect(file, new Placement(settings));
+        ObjMeshCollector collector = collect(file, file.placement(settings));
         List<String> warnings = new ArrayList<>(collector.warnings());
         TriangleMesh mesh = collector.toMesh(warnings);
         List<FileHash> files = new ArrayList<>(List.of(file.hash()));

@@ -70,7 +70,6 @@ record SoundSites(World world, List<Double> power) {
         SceneFile scene = new SceneFile(file);
         SceneSettings settings = scene.describe();
         ModelCache models = new ModelCache(scene.directory(), note -> {});
-        settings.world().models().forEach(models::read);
         settings.individualDrones().values().forEach(drone -> models.read(drone.model()));
         Stage stage = new Stage(settings, models, 1);
         Drone drone = stage.dronesAt(0).get(0);
