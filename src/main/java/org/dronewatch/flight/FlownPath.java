@@ -6,18 +6,20 @@ import org.dronewatch.geometry.Position;
 
 /** A flight that consists of legs. */
 public interface FlownPath extends FlightPath {
+    /** Over less time no acceleration is computed, s: the quotient of two vanishing numbers is not one. */
+    double SHORTEST_INTERVAL = 1e-9;
 
     /** The legs that have begun so far, in order of time; at least one, of which the first begins at time 0. */
     List<Leg> legs();
 
     /**
      * The mean acceleration over the half second before a time, or since the start: the future of a steered drone is
-     * not known, and a recorded flight must tilt like the steered one.
+     * not known, and a recorded flight must tilt like the steered one. Zero within the first nanosecond.
      */
     @Override
     default Position acceleration(double time) {
         double from = Math.max(0.0, time - 2.0 * HALF_INTERVAL);
-        return time > from
+        return time - from > SHORTEST_INTERVAL
                 ? at(time).velocity().minus(at(from).velocity()).times(1.0 / (time - from))
                 : new Position(0, 0, 0);
     }

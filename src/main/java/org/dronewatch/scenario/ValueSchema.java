@@ -23,6 +23,7 @@ import tools.jackson.databind.node.ObjectNode;
 final class ValueSchema {
     private static final Set<Class<?>> FRACTIONS = Set.of(double.class, Double.class);
     private static final Set<Class<?>> WHOLE = Set.of(int.class, long.class);
+    private static final Set<Class<?>> SWITCHES = Set.of(boolean.class, Boolean.class);
 
     private final Kinds kinds;
     private final Function<Class<?>, String> reference;
@@ -49,7 +50,7 @@ final class ValueSchema {
                 && (FRACTIONS.contains(plain)
                         || WHOLE.contains(plain)
                         || plain == String.class
-                        || plain == boolean.class
+                        || SWITCHES.contains(plain)
                         || plain.isEnum()
                         || plain.isRecord()
                         || kinds.isChoice(plain));
@@ -79,7 +80,7 @@ final class ValueSchema {
             limits.ifPresent(range -> putLimits(schema, range));
         } else if (plain == String.class) {
             schema.putArray("type").add("string").add("number");
-        } else if (plain == boolean.class) {
+        } else if (SWITCHES.contains(plain)) {
             schema.put("type", "boolean");
         } else if (plain.isEnum()) {
             return constants(plain);

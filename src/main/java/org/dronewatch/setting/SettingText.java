@@ -53,7 +53,7 @@ public final class SettingText {
         if (plain == long.class) {
             return longNumber(text);
         }
-        if (plain == boolean.class) {
+        if (plain == boolean.class || plain == Boolean.class) {
             return yesOrNo(text);
         }
         if (plain == String.class) {

@@ -53,6 +53,15 @@ class SteeredFlightTest {
         assertThat(flight.at(100.0).position().distance(expected)).isLessThan(1e-9);
     }
 
+    /** A run may be as short as the smallest number: a quotient of two differences over it is not a number. */
+    @Test
+    void withinTheFirstNanosecondNothingAccelerates() {
+        flight.fly(0.0, new Position(10, 0, 1));
+        assertThat(flight.acceleration(Double.MIN_VALUE)).isEqualTo(new Position(0, 0, 0));
+        RecordedFlight recorded = new RecordedFlight(flight.legs());
+        assertThat(recorded.acceleration(Double.MIN_VALUE)).isEqualTo(new Position(0, 0, 0));
+    }
+
     @Test
     void thePastStaysAsItWasFlown() {
         flight.fly(0.0, new Position(10, 0, 0));

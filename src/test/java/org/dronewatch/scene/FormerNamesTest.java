@@ -92,8 +92,7 @@ class FormerNamesTest {
     @Test
     void aSceneWrittenByFormerNamesReadsToTheSameSettings() throws IOException {
         System.out.println("scenes by former names from seed " + SEED);
-        Files.writeString(directory.resolve(RandomScenes.MODEL), RandomScenes.MODEL_TEXT);
-        Files.writeString(directory.resolve(RandomScenes.BOX), RandomScenes.BOX_TEXT);
+        RandomScenes.writeFiles(directory);
         Set<String> used = new HashSet<>();
         for (long seed = SEED; seed < SEED + SCENES; seed++) {
             SceneSettings settings = RandomScenes.of(seed);

@@ -1,8 +1,11 @@
 package org.dronewatch.scene;
 
+import java.io.IOException;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,6 +16,8 @@ import java.util.SplittableRandom;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.mission.Mission;
+import org.dronewatch.flight.track.Track;
 import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -20,12 +25,14 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
+import org.dronewatch.sensor.rf.OccupiedBand;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.sound.BandFractions;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.DroneSounds;
+import org.dronewatch.sound.surface.OwnSurface;
 import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.NoiseSource;
@@ -35,9 +42,9 @@ import org.dronewatch.world.NoiseSource;
  * the settings records' own components and limits. Ordinary values, values at a limit and values near it are mixed.
  * They are small, so that thousands can run: few pixels, few rays, a handful of looks.
  *
- * <p>The same seed gives the same scene. A scene names the models {@link #MODEL} and {@link #BOX}, whose texts are
- * here, too. It may still break a rule between several settings (a mount that listens to itself), which reading
- * reports.
+ * <p>The same seed gives the same scene. A scene names the files that {@link #writeFiles} writes: models of the world
+ * and of a drone, and a recorded flight. It may still break a rule between several settings (a mount that listens to
+ * itself), which reading reports.
  */
 public final class RandomScenes {
     /** Name of the file of the world's model. */
@@ -55,6 +62,14 @@ public final class RandomScenes {
     public static final String BOX_TEXT = "v -0.3 -0.15 -0.2\nv 0.3 -0.15 -0.2\nv 0.3 0.15 -0.2\nv -0.3 0.15 -0.2\n"
             + "v -0.3 -0.15 0.2\nv 0.3 -0.15 0.2\nv 0.3 0.15 0.2\nv -0.3 0.15 0.2\n"
             + "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+    /** Name of the file of a recorded flight. */
+    public static final String FLIGHTS = "flights.csv";
+
+    /** A flight of five seconds over the square, by way of one corner. */
+    public static final String FLIGHTS_TEXT =
+            "run,drone,time_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,yaw_rad,pitch_rad,roll_rad,gliding_s\n"
+                    + "0,d,0,-20,5,10,10,0,1,0,0,0,\n0,d,2,0,5,12,0,-5,0,0,0,0,\n0,d,5,0,-10,12,0,0,0,0,0,0,\n";
 
     private static final int ATTEMPTS = 60;
     private static final int LOOKS = 3;
@@ -77,6 +92,9 @@ public final class RandomScenes {
     /** What would need files of its own. */
     private static final Set<String> LEFT_OUT = Set.of("WorldSettings.terrain", "WorldSettings.buildings");
 
+    /** Flights whose files state latitudes and longitudes: most are nowhere near a site with a random origin. */
+    private static final Set<Class<?>> PLACED_FLIGHTS = Set.of(Mission.class, Track.class);
+
     private final SplittableRandom random;
     private final Kinds kinds = SensorKinds.kinds(Catalog.packaged());
     private final List<String> sensorIds = new ArrayList<>();
@@ -95,11 +113,19 @@ public final class RandomScenes {
         return SettingsText.of(of(seed), SensorKinds.kinds(Catalog.packaged()));
     }
 
+    /** Writes the files that the scenes name into the directory of a scene. */
+    public static void writeFiles(Path directory) throws IOException {
+        Files.writeString(directory.resolve(MODEL), MODEL_TEXT);
+        Files.writeString(directory.resolve(BOX), BOX_TEXT);
+        Files.writeString(directory.resolve(FLIGHTS), FLIGHTS_TEXT);
+    }
+
     private SceneSettings scene() {
         int sensors = 1 + random.nextInt(3);
         for (int i = 0; i < sensors; i++) {
             sensorIds.add("s" + i);
         }
+        IllegalArgumentException last = null;
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
             try {
                 SceneSettings drawn = (SceneSettings) record(SceneSettings.class);
@@ -109,10 +135,10 @@ public final class RandomScenes {
                 return SceneSettingsDuration.of(drawn, duration(drawn));
             } catch (IllegalArgumentException e) {
                 // A rule between settings was broken: draw again.
-                continue;
+                last = e;
             }
         }
-        throw new IllegalStateException("no valid scene in " + ATTEMPTS + " attempts");
+        throw new IllegalStateException("no valid scene in " + ATTEMPTS + " attempts", last);
     }
 
     /** As long as the fastest sensor needs for some looks, within the limits. */
@@ -177,6 +203,11 @@ public final class RandomScenes {
             case "DroneSettings.model" -> Optional.of(model(BOX));
             case "DroneSettings.sound" -> Optional.of(oneOf(List.copyOf(DroneSounds.names())));
             case "SurfaceSettings.materials" -> Optional.of(Map.of("grass", surface()));
+            case "SurfaceSettings.own" -> Optional.of(Map.of("brick_rough", record(OwnSurface.class)));
+            case "RfSettings.occupied" -> Optional.of(Map.of("lan", record(OccupiedBand.class)));
+            case "Recorded.file" -> Optional.of(FLIGHTS);
+            case "Recorded.drone" -> Optional.of(Optional.of("d"));
+            case "Recorded.run" -> Optional.of(0);
             case "AlertSettings.zones" -> Optional.of(zones());
             case "WorldSettings.noiseSources" -> Optional.of(noiseSources());
             case "OwnSurface.absorption" ->
@@ -268,7 +299,7 @@ public final class RandomScenes {
                 }
                 return values;
             }
-            return oneOfType((Class<?>) several.getRawType());
+            return value(several.getRawType(), part, owner);
         }
         Class<?> plain = (Class<?>) type;
         if (plain == double.class || plain == Double.class) {
@@ -280,7 +311,7 @@ public final class RandomScenes {
         if (plain == long.class) {
             return random.nextLong();
         }
-        if (plain == boolean.class) {
+        if (plain == boolean.class || plain == Boolean.class) {
             return random.nextBoolean();
         }
         if (plain.isEnum()) {
@@ -292,12 +323,20 @@ public final class RandomScenes {
         if (plain == GroundPoint.class && random.nextInt(12) > 0) {
             return new GroundPoint(number(FAR), number(FAR));
         }
+        if (!kinds.isChoice(plain) && !plain.isRecord()) {
+            throw new IllegalStateException(owner.getSimpleName() + "." + part.getName() + ": draw a value for it");
+        }
         return oneOfType(plain);
     }
 
     /** A record of a type, or of one of the kinds of an interface. */
     private Record oneOfType(Class<?> type) {
-        return kinds.isChoice(type) ? record(oneOf(List.copyOf(kinds.of(type).values()))) : record(type);
+        if (kinds.isChoice(type)) {
+            return record(oneOf(kinds.of(type).values().stream()
+                    .filter(kind -> !PLACED_FLIGHTS.contains(kind))
+                    .toList()));
+        }
+        return record(type);
     }
 
     /** A number within limits: at one, next to one, anywhere between, or of any order of size. */

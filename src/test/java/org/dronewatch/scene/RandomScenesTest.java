@@ -80,8 +80,7 @@ class RandomScenesTest {
     @Test
     void whatIsAcceptedRunsToItsEnd() throws IOException {
         System.out.println("random scenes from seed " + SEED);
-        Files.writeString(directory.resolve(RandomScenes.MODEL), RandomScenes.MODEL_TEXT);
-        Files.writeString(directory.resolve(RandomScenes.BOX), RandomScenes.BOX_TEXT);
+        RandomScenes.writeFiles(directory);
         Map<String, Integer> kinds = new LinkedHashMap<>();
         int accepted = 0;
         int refused = 0;
