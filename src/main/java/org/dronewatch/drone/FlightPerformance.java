@@ -10,7 +10,7 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * A drone's flight performance, as far as it is known; limits that are not stated are
  * {@linkplain FlightLimits#typical typical} of its type of airframe. A flight that exceeds it gives a warning, but is
- * flown as described.
+ * flown as described; missions from files climb and descend at these rates unless they state others.
  *
  * @param climb largest rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors, 5 m/s
  *     for fixed-wing drones and hybrids

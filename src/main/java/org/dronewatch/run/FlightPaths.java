@@ -4,12 +4,14 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.flight.Displaced;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlownPath;
 import org.dronewatch.flight.Leg;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.Steered;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.world.Places;
@@ -76,11 +78,11 @@ final class FlightPaths {
     }
 
     private FlightPath fromFile(String id, DroneSettings drone, FlightFromFile settings) {
+        FlightLimits limits = drone.flightLimits();
         FlightPath path = files.flight(settings)
                 .path(
                         places,
-                        drone.speed(),
-                        drone.acceleration(),
+                        new DroneSpeeds(drone.speed(), drone.acceleration(), limits.climb(), limits.sink()),
                         line -> files.warn("drone '" + id + "': flight: " + line));
         if (path instanceof FlownPath flown) {
             warnOfEnd(id, flown);

@@ -45,6 +45,20 @@ class FlightFileSceneTest extends CommandLines {
         assertThat(commandIn("check DIR/saved.yaml").code()).isZero();
     }
 
+    /** Its plan climbs and descends by more than 100 m: at a metre a second, if that is what the drone can do. */
+    @Test
+    void aMissionKeepsToThePerformanceOfItsDrone() throws IOException {
+        String slow = "performance: {climb: 1 m/s, sink: 0.5 m/s}, ";
+        write(slow + FLIGHT);
+        assertThat(commandIn("check DIR/scene.yaml --set run.duration=400").err())
+                .doesNotContain("climbs at")
+                .doesNotContain("descends at");
+        write(slow + FLIGHT.replace("approach.plan", "approach.plan, climbRate: 3, descentRate: 1.5"));
+        assertThat(commandIn("check DIR/scene.yaml --set run.duration=400").err())
+                .contains("climbs at 3 m/s")
+                .contains("descends at 1.5 m/s");
+    }
+
     @Test
     void aTrackIsFlown() throws IOException {
         write("flight: {log: approach.gpx}");

@@ -18,10 +18,9 @@ public interface FlightSource {
      * The flight over a site.
      *
      * @param places of the site; queried only before this method returns
-     * @param speed the drone's own speed, for files without one, m/s
-     * @param acceleration the drone's largest acceleration along the path, m/s2
+     * @param drone how the drone flies where the file does not state it
      * @param warnings receives a line for each item that is not flown as the file states
      * @throws IllegalArgumentException when a place of the file has no position on this site; the message names it
      */
-    FlightPath path(Places places, double speed, double acceleration, Consumer<String> warnings);
+    FlightPath path(Places places, DroneSpeeds drone, Consumer<String> warnings);
 }

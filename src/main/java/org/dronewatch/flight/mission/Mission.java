@@ -1,6 +1,7 @@
 package org.dronewatch.flight.mission;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.Defaults;
@@ -13,15 +14,16 @@ import org.dronewatch.setting.file.BoundedFile;
 /**
  * A mission planned with QGroundControl: take-off, waypoints, changes of speed, landing. It stops wherever its path
  * bends, as with {@code waypoints}. The speeds are those of the plan; where it states none, the drone's speed applies.
+ * The drone climbs and descends as its {@code performance} allows, unless the rates are stated here.
  *
  * @param plan path of the {@code .plan} file
- * @param climbRate largest vertical speed upwards, 0.1 to 100 m/s; 3 m/s by default, as in PX4 (MPC_Z_VEL_MAX_UP)
- * @param descentRate largest vertical speed downwards, 0.1 to 100 m/s; 1.5 m/s by default, as in PX4 (MPC_Z_VEL_MAX_DN)
+ * @param climbRate largest vertical speed upwards, 0.1 to 100 m/s; the drone's {@code performance.climb} if left out
+ * @param descentRate largest vertical speed downwards, 0.1 to 100 m/s; the drone's {@code performance.sink} if left out
  */
 public record Mission(
         @FileName String plan,
-        @In(value = Quantity.SPEED, from = 0.1, to = 100) double climbRate,
-        @In(value = Quantity.SPEED, from = 0.1, to = 100) double descentRate)
+        @In(value = Quantity.SPEED, from = 0.1, to = 100) Optional<Double> climbRate,
+        @In(value = Quantity.SPEED, from = 0.1, to = 100) Optional<Double> descentRate)
         implements FlightFromFile {
     /** The largest file that is read, bytes. */
     static final int LARGEST = 16 << 20;
@@ -34,10 +36,10 @@ public record Mission(
         }
     }
 
-    /** A mission flown with the vertical speeds of PX4. */
+    /** A mission flown with the vertical speeds of the drone. */
     @Defaults("plan")
     public static Mission of(String plan) {
-        return new Mission(plan, 3.0, 1.5);
+        return new Mission(plan, Optional.empty(), Optional.empty());
     }
 
     @Override

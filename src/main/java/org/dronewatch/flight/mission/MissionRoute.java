@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.geo.EarthPlace;
 import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geometry.Position;
@@ -30,21 +31,19 @@ final class MissionRoute {
     /**
      * A route.
      *
-     * @param speed at the start, m/s
+     * @param drone how it flies where neither plan nor settings state it
      */
-    MissionRoute(
-            Mission settings,
-            PlanFile plan,
-            Places places,
-            double speed,
-            double acceleration,
-            Consumer<String> warnings) {
+    MissionRoute(Mission settings, PlanFile plan, Places places, DroneSpeeds drone, Consumer<String> warnings) {
         this.settings = settings;
         this.plan = plan;
         this.places = places;
         this.warnings = warnings;
-        this.speed = speed;
-        this.legs = new MissionLegs(acceleration, settings.climbRate(), settings.descentRate(), places);
+        this.speed = plan.speed().orElse(drone.cruise());
+        this.legs = new MissionLegs(
+                drone.acceleration(),
+                settings.climbRate().orElse(drone.climb()),
+                settings.descentRate().orElse(drone.sink()),
+                places);
     }
 
     MissionPath path() {

@@ -3,6 +3,7 @@ package org.dronewatch.flight.mission;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.Places;
@@ -25,8 +26,8 @@ record PlannedFlight(Mission settings, PlanFile plan) implements FlightSource {
     }
 
     @Override
-    public FlightPath path(Places places, double speed, double acceleration, Consumer<String> warnings) {
+    public FlightPath path(Places places, DroneSpeeds drone, Consumer<String> warnings) {
         plan.warnings().forEach(line -> warnings.accept(settings.plan() + ": " + line));
-        return new MissionRoute(settings, plan, places, plan.speed().orElse(speed), acceleration, warnings).path();
+        return new MissionRoute(settings, plan, places, drone, warnings).path();
     }
 }

@@ -13,6 +13,7 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.Leg;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.geo.EarthPlace;
 import org.dronewatch.geo.EarthPoint;
@@ -76,7 +77,7 @@ final class TrackedFlight implements FlightSource {
     }
 
     @Override
-    public FlightPath path(Places places, double speed, double acceleration, Consumer<String> warnings) {
+    public FlightPath path(Places places, DroneSpeeds drone, Consumer<String> warnings) {
         double launch = settings.heights() == Track.Heights.START ? launch(places) : 0.0;
         List<Position> positions = new ArrayList<>();
         for (Fixes.Fix fix : points.fixes()) {
@@ -88,16 +89,17 @@ final class TrackedFlight implements FlightSource {
         warnings.accept(name + ": has no times: the drone flies through its points at its own speed");
         List<Position> apart = apart(positions);
         return apart.size() == 1
-                ? FlightPathSettings.Hover.at(apart.get(0)).create(speed, acceleration, places.ground())
-                : waypoints(apart, speed, acceleration, places);
+                ? FlightPathSettings.Hover.at(apart.get(0))
+                        .create(drone.cruise(), drone.acceleration(), places.ground())
+                : waypoints(apart, drone, places);
     }
 
-    private FlightPath waypoints(List<Position> apart, double speed, double acceleration, Places places) {
+    private FlightPath waypoints(List<Position> apart, DroneSpeeds drone, Places places) {
         if (apart.size() > FlightPathSettings.MOST_WAYPOINTS) {
             throw new IllegalArgumentException(name + ": has " + apart.size()
                     + " points without times, must have at most " + FlightPathSettings.MOST_WAYPOINTS);
         }
-        return new FlightPathSettings.Waypoints(apart).create(speed, acceleration, places.ground());
+        return new FlightPathSettings.Waypoints(apart).create(drone.cruise(), drone.acceleration(), places.ground());
     }
 
     private static List<Position> apart(List<Position> positions) {

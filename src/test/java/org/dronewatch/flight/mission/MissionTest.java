@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.file.DamagedFiles;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.EquatorSite;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
@@ -63,6 +65,30 @@ class MissionTest {
         assertAt(path.at(time), landed);
         assertAt(path.at(time + 1000.0), landed);
         assertThat(path.at(time - 5.0).heading()).isEqualTo(Math.PI / 2, within(1e-3));
+    }
+
+    /** Up 30 m and down again, at the drone's own rates unless the settings state others. */
+    @ParameterizedTest
+    @CsvSource({"NaN, NaN, 6, 2", "4, NaN, 4, 2", "NaN, 1, 6, 1", "0.5, 5, 0.5, 5"})
+    void theDroneClimbsAndDescendsAsItCan(double climbRate, double descentRate, double up, double down) {
+        Plans plan = new Plans().item(22, 3, 0, 0, 0, "null", 0, 0, 30).item(21, 3, 0, 0, 0, "null", 0, 0, 0);
+        plan.drone = new DroneSpeeds(5.0, 2.5, 6.0, 2.0);
+        plan.settings = new Mission("a.plan", stated(climbRate), stated(descentRate));
+        FlightPath path = plan.fly();
+
+        Position home = EquatorSite.at(1.0, 2.0, 100.0);
+        Position top = EquatorSite.at(1.0, 2.0, 130.0);
+        double time = duration(home, top, up);
+        assertAt(path.at(time), top);
+        assertThat(path.at(0.5 * time).velocity().z()).isEqualTo(up, within(1e-9));
+        Position landed = new Position(top.x(), top.y(), 0.0);
+        double fall = duration(top, landed, down);
+        assertThat(path.at(time + 0.5 * fall).velocity().z()).isEqualTo(-down, within(1e-9));
+        assertAt(path.at(time + fall), landed);
+    }
+
+    private static Optional<Double> stated(double rate) {
+        return Double.isNaN(rate) ? Optional.empty() : Optional.of(rate);
     }
 
     /** What heights count from: the sea, the site's ground at the launch whatever the plan has, the surface below. */
@@ -337,7 +363,7 @@ class MissionTest {
                 .waypoint(10, 1.001, 2.001, 30);
         int refused =
                 DamagedFiles.refused(plan.text(), bytes -> new PlannedFlight(plan.settings, PlanFile.read("a", bytes))
-                        .path(plan.places(), 5.0, 2.5, line -> {}));
+                        .path(plan.places(), Plans.DRONE, line -> {}));
         assertThat(refused).isBetween(150, 590);
     }
 

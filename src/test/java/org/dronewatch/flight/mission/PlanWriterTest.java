@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.dronewatch.flight.Dive;
@@ -37,9 +38,9 @@ class PlanWriterTest {
     }
 
     private static FlightPath back(PlanWriter.Written written) {
-        Mission settings = new Mission("a.plan", 100.0, 100.0);
+        Mission settings = new Mission("a.plan", Optional.of(100.0), Optional.of(100.0));
         List<String> warnings = new ArrayList<>();
-        FlightPath path = new PlannedFlight(settings, read(written)).path(PLACES, 5.0, 2.5, warnings::add);
+        FlightPath path = new PlannedFlight(settings, read(written)).path(PLACES, Plans.DRONE, warnings::add);
         assertThat(warnings).isEmpty();
         return path;
     }
@@ -120,7 +121,7 @@ class PlanWriterTest {
         PlanWriter.Written written = written(path, 400.0);
         assertThat(read(written).steps().stream().map(step -> step.getClass().getSimpleName()))
                 .containsExactly("TakeOff", "FlyTo", "Speed", "FlyTo", "Land");
-        FlightPath back = new PlannedFlight(Mission.of("a.plan"), read(written)).path(PLACES, 5.0, 2.5, line -> {});
+        FlightPath back = new PlannedFlight(Mission.of("a.plan"), read(written)).path(PLACES, Plans.DRONE, line -> {});
         for (int i = 0; i <= 800; i++) {
             assertThat(back.at(0.5 * i).position().distance(path.at(0.5 * i).position()))
                     .as("%s s", 0.5 * i)

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.EquatorSite;
 import org.dronewatch.world.Ground;
 import org.dronewatch.world.Places;
@@ -12,12 +13,15 @@ import org.dronewatch.world.WorldSettings;
 
 /** Writes plans as QGroundControl does, and flies them over a site near the equator. */
 final class Plans {
+    static final DroneSpeeds DRONE = new DroneSpeeds(5.0, 2.5, 3.0, 1.5);
+
     final List<String> items = new ArrayList<>();
     final List<String> warnings = new ArrayList<>();
     String home = "[1.0, 2.0, 100]";
     String mission = "\"hoverSpeed\": 8, \"cruiseSpeed\": 20, \"vehicleType\": 2";
     String others = "";
     Ground ground = (x, y) -> java.util.OptionalDouble.of(0.0);
+    DroneSpeeds drone = DRONE;
     Mission settings = Mission.of("a.plan");
 
     /** An item with seven parameters, of which the last three are latitude, longitude and height. */
@@ -53,8 +57,8 @@ final class Plans {
         return new Places(WorldSettings.EMPTY.withOrigin(EquatorSite.ORIGIN), () -> ground);
     }
 
-    /** The flight of a drone that accelerates by 2.5 m/s2. */
+    /** The flight of the drone. */
     FlightPath fly() {
-        return read().path(places(), 5.0, 2.5, warnings::add);
+        return read().path(places(), drone, warnings::add);
     }
 }

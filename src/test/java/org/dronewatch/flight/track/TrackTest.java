@@ -14,6 +14,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.file.DamagedFiles;
+import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.EquatorSite;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.geometry.Position;
@@ -27,6 +28,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class TrackTest {
+    private static final DroneSpeeds DRONE = new DroneSpeeds(5.0, 2.5, 3.0, 1.5);
+
     private static final String GPX =
             """
             <?xml version="1.0" encoding="UTF-8"?>
@@ -62,7 +65,7 @@ class TrackTest {
 
     private FlightPath fly(Track settings, String text) throws IOException {
         Places places = new Places(WorldSettings.EMPTY.withOrigin(EquatorSite.ORIGIN), () -> ground);
-        return read(settings, text).path(places, 5.0, 2.5, warnings::add);
+        return read(settings, text).path(places, DRONE, warnings::add);
     }
 
     private static Track track(String log, Track.Heights heights, double offset) {
@@ -227,11 +230,11 @@ class TrackTest {
         Track settings = Track.of("a");
         int refused = DamagedFiles.refused(
                 GPX, bytes -> new TrackedFlight(settings, GpxFile.read("a", bytes, Optional.empty()), bytes)
-                        .path(places, 5.0, 2.5, line -> {}));
+                        .path(places, DRONE, line -> {}));
         assertThat(refused).isBetween(150, 590);
         refused = DamagedFiles.refused(DJI, bytes -> new TrackedFlight(
                         settings, CsvLog.read("a", bytes, Track.Heights.SEA, Optional.empty()), bytes)
-                .path(places, 5.0, 2.5, line -> {}));
+                .path(places, DRONE, line -> {}));
         assertThat(refused).isBetween(150, 590);
     }
 

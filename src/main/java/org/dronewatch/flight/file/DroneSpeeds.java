@@ -1,0 +1,11 @@
+package org.dronewatch.flight.file;
+
+/**
+ * How a drone flies where a file does not state it.
+ *
+ * @param cruise its speed, above 0, m/s
+ * @param acceleration its largest acceleration along the path, above 0, m/s2
+ * @param climb its largest rate of climb, above 0, m/s
+ * @param sink its largest rate of descent, above 0, m/s
+ */
+public record DroneSpeeds(double cruise, double acceleration, double climb, double sink) {}
