@@ -37,7 +37,7 @@ import org.dronewatch.world.WorldSettings;
  *
  * @param scene name of the scene whose conditions are used
  * @param run the run of its sweep, in words; empty if it has none
- * @param settings of the scene, or of that run
+ * @param settings settings of the scene, or of that run
  * @param sensor name of the sensor
  * @param drone name of the drone
  * @param range the requested range, m

@@ -60,7 +60,7 @@ public record Calibration(
      * @param sensor name of the sensor, one of the scene's
      * @param range at which the drone is to be detected, but no farther, {@link #NEAREST} to {@link #FARTHEST}, m
      * @param probability minimum probability that a look at this range detects it, above 0 and at most 1
-     * @throws InputException when the sensor has no threshold to fit, or none of its values gives the range
+     * @throws InputException when the sensor has no threshold to fit, or none of its values results in the range
      */
     public static Calibration of(SceneSettings settings, Drone drone, String sensor, double range, double probability) {
         SensorSettings<?> own = settings.sensors().get(sensor);

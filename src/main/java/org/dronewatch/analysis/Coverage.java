@@ -46,7 +46,7 @@ public final class Coverage {
      * Evaluates all sensors of a scene at all points, on the threads of the {@link Workers} that call; the same for any
      * number of them.
      *
-     * @param settings of one run
+     * @param settings settings of one run
      * @param stage its world and drones
      * @param drone id of the drone that is placed at the points
      * @param progress receives the number of points that a sensor has looked at since the last call; from any thread
@@ -110,9 +110,9 @@ public final class Coverage {
     }
 
     /**
-     * Whether it is unknown if a sensor detects the drone in a cell: none does where the ground is known, but the
-     * ground there, or below the line of sight, is not. In a world of models, cells without ground are not unknown, but
-     * empty.
+     * Whether detection in a cell is unknown: no sensor certainly detects the drone there, and the ground
+     * in the cell, or below the line of sight from some sensor, is not known. In a world of models, cells without
+     * ground are not unknown, but empty.
      */
     public boolean isUnknown(int column, int row) {
         if (sensors.keySet().stream().anyMatch(sensor -> isReached(sensor, column, row))) {
@@ -163,8 +163,8 @@ public final class Coverage {
     }
 
     /**
-     * The number of cells for each cause, by sensor as {@link #causes(String)}, on the threads of the {@link Workers}
-     * that call; the same for any number of them.
+     * The number of cells for each cause, by sensor, as given by {@link #causes(String)}; computed on the threads of
+     * the {@link Workers} that call, and the same for any number of them.
      */
     public Map<String, Map<Cause, Integer>> causes() {
         List<String> ids = List.copyOf(sensors.keySet());

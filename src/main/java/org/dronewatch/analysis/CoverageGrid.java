@@ -7,11 +7,11 @@ import org.dronewatch.setting.Quantity;
 /**
  * A square grid of points at one height above the ground, at each of which a drone is placed.
  *
- * @param east of the middle, -100 to 100 km, m
- * @param north of the middle, -100 to 100 km, m
+ * @param east east coordinate of the middle, -100 to 100 km, m
+ * @param north north coordinate of the middle, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m
  * @param cells number of points along a side, 2 to 2000
- * @param height of the points over the highest surface below, above 0 and at most 10 km, m
+ * @param height height of the points over the highest surface below, above 0 and at most 10 km, m
  */
 public record CoverageGrid(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,

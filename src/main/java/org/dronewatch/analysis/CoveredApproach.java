@@ -19,11 +19,11 @@ public record CoveredApproach(double azimuth, Position start, double hidden) {
     private static final int STEPS = 60;
 
     /**
-     * Compares sixteen directions.
+     * Finds the approach by comparing sixteen directions.
      *
      * @param watcher the point from which the drone would be seen, m
-     * @param length of the approach, m
-     * @param height of the drone over the highest surface below it, m
+     * @param length length of the approach, m
+     * @param height height of the drone over the highest surface below it, m
      * @return empty if there is no direction with ground below all of the approach
      */
     public static Optional<CoveredApproach> to(World world, Position watcher, double length, double height) {

@@ -40,7 +40,7 @@ public final class BuildingLoader {
     /**
      * A loader of files by name.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      */
     public BuildingLoader(Path directory) {
         this(directory, line -> {});
@@ -49,7 +49,7 @@ public final class BuildingLoader {
     /**
      * A loader of files by name.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      * @param progress receives a line before each step that takes seconds, unless it is watched as a
      *     {@link LongTask}
      */
@@ -62,7 +62,7 @@ public final class BuildingLoader {
      * Reads the buildings of a map.
      *
      * @param settings with a file
-     * @param origin of the world frame
+     * @param origin origin of the world frame
      * @param terrain the ground on which they stand; if empty, the level of the origin
      * @throws InputException in one line when the file is missing, of no known format or damaged, or has no building
      *     near the origin

@@ -11,14 +11,14 @@ import org.dronewatch.setting.file.FileHash;
  *
  * @param mesh closed solids in the world frame, whose triangles face outwards
  * @param woods canopies in the world frame; without triangles if there are none
- * @param colours of the materials in daylight, by name: red, green and blue in the lowest 24 bits
- * @param outlines of all buildings and parts
+ * @param colours colours of the materials in daylight, by name: red, green and blue in the lowest 24 bits
+ * @param outlines outlines of all buildings and parts
  * @param attribution the text that the map requires wherever its data are shown; empty if it requires none
  * @param count number of buildings and parts
- * @param area of their outlines, without courtyards, m2
+ * @param area area of their outlines, without courtyards, m2
  * @param assumed number of those with an assumed height
  * @param file the map, with the hash of its bytes as read
- * @param description of the map, in lines for the report
+ * @param description description of the map, in lines for the report
  * @param warnings about suspicious content, one line each
  */
 public record LoadedBuildings(

@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * A level and straight flight towards a point, then a dive onto it, from the beginning at cruise speed; the drone stays
- * at the point.
+ * A level and straight flight towards a point, followed by a dive onto it, at cruise speed from the beginning; the
+ * drone stays at the point.
  *
  * @param target the point, m
  * @param bearing direction of the approach, from the target: clockwise from north, rad

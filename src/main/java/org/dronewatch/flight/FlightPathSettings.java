@@ -64,7 +64,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A straight flight from one point to another, from the beginning at cruise speed; at the end the drone stays in
+     * A straight flight from one point to another, at cruise speed from the beginning; at the end the drone stays in
      * place.
      *
      * @param from position at time 0, m
@@ -93,7 +93,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A level and straight flight towards a point, from the beginning at cruise speed; the drone stops at the point, or
+     * A level and straight flight towards a point, at cruise speed from the beginning; the drone stops at the point, or
      * at the standoff distance.
      *
      * @param target the point, m

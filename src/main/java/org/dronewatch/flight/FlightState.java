@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 /**
  * The state of a drone at one time: position, velocity and attitude.
  *
- * @param position of the drone's origin, m
+ * @param position position of the drone's origin, m
  * @param velocity m/s
  * @param attitude yaw, pitch and roll; independent of the velocity, since a multirotor can fly sideways
  * @param gliding time since its motors were stopped, s; empty while they run

@@ -36,7 +36,7 @@ public final class SteeredFlight implements FlownPath {
      * At rest at the start of a run, steered by the calling thread.
      *
      * @param start where it is, m
-     * @param heading of its nose, clockwise from north, rad
+     * @param heading heading of its nose, clockwise from north, rad
      * @param fastest largest speed that may be commanded, m/s
      */
     SteeredFlight(Position start, double heading, double fastest) {

@@ -14,8 +14,8 @@ import org.dronewatch.fusion.Alert;
  *     view and range, s; empty if there was none, and where no sensor has a field of view
  * @param alert the alert, or empty when there was none
  * @param zoneDistance the drone's distance to the protected zone at the alert, m; empty without zone or alert
- * @param warning warning time: straight-line flight time from there to the zone at cruise speed, s; 0 if it had already
- *     reached the zone; empty without zone or alert
+ * @param warning warning time: straight-line flight time from the drone's position at the alert to the zone at cruise
+ *     speed, s; 0 if the drone had already reached the zone; empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
  * @param zone name of the protected zone that it enters first, or is nearest to at its alert if it enters none; empty
  *     without named zones, or without both

@@ -48,7 +48,7 @@ public final class AlertWatch {
     /**
      * A watch over a run at its start.
      *
-     * @param stage of the run
+     * @param stage stage of the run
      */
     AlertWatch(int run, SceneSettings settings, Stage stage) {
         this.run = run;
@@ -133,7 +133,7 @@ public final class AlertWatch {
         return drones;
     }
 
-    /** What no drone caused. */
+    /** The false alarms and the false alerts of the run, which no drone caused. */
     FalseAlarmResult falseAlarms() {
         List<String> drones = settings.individualDrones().keySet().stream()
                 .filter(id -> !birds.contains(id))

@@ -16,7 +16,7 @@ public final class EmissionTime {
      * several solutions, of which this is one.
      *
      * @param time when the signal arrives, s
-     * @param speed of the signal, m/s
+     * @param speed speed of the signal, m/s
      * @return seconds since the start of the run; empty when nothing since the start has arrived yet
      */
     public static OptionalDouble of(FlightPath path, Position sensor, double speed, double time) {

@@ -9,8 +9,8 @@ import org.dronewatch.fusion.Alert;
 /**
  * The false alarms of one run.
  *
- * @param counted their number by name of the sensor; one that lasts counts once, and a bird each time the sensor begins
- *     to detect it
+ * @param counted their number by name of the sensor; a false alarm that lasts for several looks counts once, and a bird
+ *     counts each time the sensor begins to detect it
  * @param alertCount number of false alerts that they raised with the scene's rule
  * @param alerts these alerts in order of time, at most the first {@link #MOST_ALERTS}
  * @param birds the false alerts for birds, by name of the bird

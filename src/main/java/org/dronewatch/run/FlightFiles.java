@@ -26,7 +26,7 @@ final class FlightFiles {
     /**
      * No files yet.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      * @param hashes receives the name and the hash of each file that is read
      * @param notes receives a line for each
      */

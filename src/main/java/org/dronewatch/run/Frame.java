@@ -14,7 +14,7 @@ import org.dronewatch.sensor.Observation;
  * @param run number of the run in a sweep, from 0
  * @param time seconds since the start of the run
  * @param drones the drones as they are now
- * @param observations of the sensors that looked at this time
+ * @param observations observations of the sensors that looked at this time
  * @param pointings where the positioners of the sensors that looked at this time pointed, by name of the sensor
  */
 public record Frame(

@@ -57,7 +57,7 @@ public final class ModelCache {
     /**
      * An empty cache.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      * @param notes receives a line for each file read, and each warning
      */
     public ModelCache(Path directory, Consumer<String> notes) {

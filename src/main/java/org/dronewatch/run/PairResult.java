@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
  * @param drone name of the drone
  * @param firstDetected when it was first detected, s; empty for never
  * @param range its distance then, m
- * @param isUnknown whether the line of sight to it left the ground that is known then, so that something may have
+ * @param isUnknown whether the line of sight to it left the known ground at that time, so that something may have
  *     hidden it
  * @param maxRange the largest distance at which it was detected, m
  */

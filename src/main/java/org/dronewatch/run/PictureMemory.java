@@ -14,7 +14,7 @@ public final class PictureMemory {
     private PictureMemory() {}
 
     /**
-     * Checks it before anything is created.
+     * Checks that they fit, before anything is created.
      *
      * @param most maximum size of the heap, bytes
      * @throws InputException when there are too many pixels

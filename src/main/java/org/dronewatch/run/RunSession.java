@@ -40,8 +40,8 @@ public final class RunSession implements AutoCloseable {
     /**
      * Opens a run with the duration in its settings: builds the world, creates drones and sensors.
      *
-     * @param settings of the run; their sweep is ignored
-     * @param seed of all random numbers, instead of that of the settings
+     * @param settings settings of the run; their sweep is ignored
+     * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
      */
@@ -57,7 +57,7 @@ public final class RunSession implements AutoCloseable {
      * Opens one run of several.
      *
      * @param info number and settings of the run
-     * @param seed of all random numbers, instead of that of the settings
+     * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
      * @param control when it ends, and how it is driven
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
@@ -78,8 +78,8 @@ public final class RunSession implements AutoCloseable {
     /**
      * Runs a scene to its end, as fast as possible.
      *
-     * @param settings of the run; their sweep is ignored
-     * @param seed of all random numbers, instead of that of the settings
+     * @param settings settings of the run; their sweep is ignored
+     * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
      * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
      */

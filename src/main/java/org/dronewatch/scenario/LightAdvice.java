@@ -9,9 +9,9 @@ import org.dronewatch.world.ClearSky;
 import org.dronewatch.world.Light;
 
 /**
- * Warns of a site's light if it is implausible: an illuminance that no weather causes at that elevation of the sun.
+ * Warns of a site's light if it is implausible: an illuminance that no weather causes at the sun's elevation.
  *
- * @param light of the site
+ * @param light light of the site
  */
 public record LightAdvice(Light light) {
     /** The thickest clouds leave this fraction of the light of a clear sky: assumed. */
@@ -28,7 +28,7 @@ public record LightAdvice(Light light) {
     /** A full moon at the zenith, lx (Seidelmann, ed., Explanatory Supplement to the Astronomical Almanac, 1992). */
     private static final double MOON = 0.27;
 
-    /** Gives a line if the two do not fit. */
+    /** Gives a warning line if the illuminance does not fit the sun's elevation. */
     public void giveTo(Consumer<String> target) {
         light.sun().ifPresent(sun -> {
             double clear = ClearSky.illuminance(sun.elevation());

@@ -50,7 +50,7 @@ public final class Overrides {
     }
 
     /**
-     * The scene with one more setting changed, and the same sensors by name, as in a sweep.
+     * The scene with one more setting changed, but with sensors of the same names as before, as a sweep requires.
      *
      * @throws InputException when the path leads nowhere or the value does not fit
      */

@@ -35,7 +35,7 @@ public final class PlaceForms {
     /**
      * Kinds of settings, with the forms of positions.
      *
-     * @param places of the scene; empty when they cannot be known, since the site's own settings are wrong
+     * @param places places of the scene; empty when they cannot be known, since the site's own settings are wrong
      * @param maps gives the features of a map by the name of its file, or of the one with the scene's name
      */
     public static Kinds in(Kinds kinds, Supplier<Optional<Places>> places, Function<Optional<String>, Features> maps) {
@@ -58,7 +58,7 @@ public final class PlaceForms {
                                         known.at(maps.apply(point.file()).point(point.feature()))));
     }
 
-    /** The kinds with these forms, only to describe them: without places and maps. */
+    /** The kinds with these forms, without places and maps: only for describing the forms. */
     public static Kinds in(Kinds kinds) {
         return in(kinds, Optional::empty, file -> {
             throw new IllegalArgumentException("no map is known");

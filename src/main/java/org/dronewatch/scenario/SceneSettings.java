@@ -177,7 +177,7 @@ public record SceneSettings(
         return SwarmExpansion.of(drones);
     }
 
-    /** The ids of those that are birds, and no drones. */
+    /** The ids of those that are birds instead of drones. */
     public Set<String> birds() {
         Set<String> birds = new LinkedHashSet<>();
         individualDrones().forEach((id, drone) -> {

@@ -20,14 +20,15 @@ public enum Cause {
     /** Its radial speed is more than the sensor can follow. */
     TOO_FAST,
     /**
-     * Nothing of it is visible, or it would be detected if nothing hid it, and the line of sight hits terrain first.
+     * It is hidden, and terrain is the first obstacle on the line of sight. A drone counts as hidden if no part of it
+     * is visible, or if it would be detected without the obstacle.
      */
     HIDDEN_BY_TERRAIN,
-    /** The same with a building. */
+    /** It is hidden by a building, in the same sense. */
     HIDDEN_BY_BUILDING,
-    /** The same with plants. */
+    /** It is hidden by plants, in the same sense. */
     HIDDEN_BY_VEGETATION,
-    /** The same with any other model. */
+    /** It is hidden by any other model, in the same sense. */
     HIDDEN_BY_OTHER,
     /** Its signal at the sensor is insufficient: too small, too faint, too quiet. */
     TOO_WEAK,

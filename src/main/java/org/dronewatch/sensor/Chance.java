@@ -31,7 +31,7 @@ public enum Chance {
      * some time is {@code 1 - exp(-integral of the hazard)}; where chance decides once per encounter, that is the
      * probability for one observer, and its mean over all draws is the probability for an observer drawn at random.
      *
-     * @param probability of the sensor's {@link Signal}, 0 to 1
+     * @param probability probability of the sensor's {@link Signal}, 0 to 1
      * @param rate looks per second, Hz
      * @param draw the observer's number in this encounter, above 0 and at most 1, uniformly distributed; of no effect
      *     where each look decides

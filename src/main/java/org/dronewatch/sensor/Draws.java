@@ -30,7 +30,7 @@ public final class Draws {
     /**
      * The stream of one purpose, from its beginning: the same numbers each time.
      *
-     * @param seed of the run
+     * @param seed seed of the run
      * @param sensor name of the sensor
      * @param drone name of the drone; empty if no drone is concerned
      * @param look index of the look, from 0

@@ -12,14 +12,14 @@ package org.dronewatch.sensor;
  * </pre>
  *
  * <p>at any frame rate: each picture covers the time since the last one, and the search is memoryless, so the success
- * in each picture can be drawn independently. Search time as in the ACQUIRE model (Howe, in "The Infrared and
+ * in each picture can be drawn independently. The search time is that of the ACQUIRE model (Howe, in "The Infrared and
  * Electro-Optical Systems Handbook", vol. 4, 1993). That observers differ, and that each of them searches at random,
  * are two sources of chance, and tests of observers show both ("Modeling the observer in target acquisition", SPIE).
  *
  * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can
  * be seen at all (P above 0), and ends when it could not be seen for more than {@link #GAP}: if it comes back later,
- * that is a new encounter with a new draw. A drone that passes behind a tree is met once, one that is behind a hill for
- * a minute twice.
+ * that is a new encounter with a new draw. A drone that passes behind a tree is met once; one that spends a minute
+ * behind a hill is met twice.
  *
  * @param index number of the encounter of this sensor with this drone, from 0
  * @param isFollowed whether the observer knows where the drone is, so that a positioner can follow it: it is detected,
@@ -58,7 +58,7 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
         return or(new Encounter(index, seen.sighting().isPresent(), seen.isDetected()));
     }
 
-    /** What two observations of one look make of this encounter. */
+    /** This encounter after a look with two observations of the drone. */
     Encounter or(Encounter other) {
         return new Encounter(index, isFollowed || other.isFollowed, isFound || other.isFound);
     }
@@ -85,7 +85,7 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
      * @param isKnown whether he need not search
      * @param drone name of the drone
      * @param rate looks per second, Hz
-     * @param probability of the look, 0 to 1
+     * @param probability probability of the look, 0 to 1
      */
     double threshold(boolean isKnown, Look look, String drone, double rate, double probability) {
         double able = draw(look.seed(), look.sensor(), drone);

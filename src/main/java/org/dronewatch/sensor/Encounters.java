@@ -32,7 +32,7 @@ public final class Encounters {
      * long since.
      *
      * @param drone name of the drone
-     * @param time of the look, seconds since the start of the run
+     * @param time time of the look, seconds since the start of the run
      * @param rate looks per second, Hz
      */
     Encounter with(String drone, double time, double rate) {
@@ -48,7 +48,7 @@ public final class Encounters {
      *
      * @param look the look, with the encounters before it
      * @param rate looks per second, Hz
-     * @param observations of the look
+     * @param observations observations of the look
      */
     public static Encounters after(Look look, double rate, List<Observation> observations) {
         Map<String, Met> next = new HashMap<>(look.encounters().latest);

@@ -11,7 +11,7 @@ import org.dronewatch.positioner.Pointing;
  * @param sensor name of the sensor in the scene
  * @param index number of the look, from 0
  * @param time seconds since the start of the run
- * @param seed of the run
+ * @param seed seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
  *     along its own aim
  * @param encounters the sensor's encounters with drones before this look: only used where chance decides once per
@@ -43,7 +43,7 @@ public record Look(
     /**
      * The identity of this look, for its observations.
      *
-     * @param kind of the sensor
+     * @param kind kind of the sensor
      */
     public LookId id(String kind) {
         return new LookId(sensor, kind, index, time);
@@ -75,7 +75,7 @@ public record Look(
      *
      * @param drone name of the drone
      * @param rate looks per second of the sensor, Hz
-     * @param probability of the sensor's {@link Signal}, 0 to 1
+     * @param probability probability of the sensor's {@link Signal}, 0 to 1
      * @return above 0; infinite while the observer could find the drone, but has not
      */
     public double observerThreshold(String drone, double rate, double probability) {
@@ -87,7 +87,7 @@ public record Look(
      * The probability that this look at a drone must reach for the observer to locate it, so that a positioner can
      * follow it; otherwise as {@link #observerThreshold}.
      *
-     * @param probability of the task of detection, 0 to 1
+     * @param probability probability of the task of detection, 0 to 1
      */
     public double followingThreshold(String drone, double rate, double probability) {
         Encounter encounter = encounter(drone, rate);

@@ -42,7 +42,7 @@ public record Observation(
     /**
      * An observation of a signal that arrives at once, without further figures and without a sighting.
      *
-     * @param look of the sensor: {@link Look#id}
+     * @param look identity of the sensor's look, from {@link Look#id}
      * @param drone name of the drone
      * @param range distance from the sensor to the drone's origin, m
      */
@@ -53,7 +53,7 @@ public record Observation(
     /**
      * A false alarm: a report caused not by a drone but by noise, a bird or an echo.
      *
-     * @param look of the sensor: {@link Look#id}
+     * @param look identity of the sensor's look, from {@link Look#id}
      * @param sighting the estimated position or direction of its source
      */
     public static Observation ofNothing(LookId look, Reading reading, Optional<Sighting> sighting) {
@@ -121,7 +121,7 @@ public record Observation(
     }
 
     /**
-     * The measurements that the sensor reports from this look: none of a drone that it neither detected nor sighted.
+     * The measurements that the sensor reports from this look; none for a drone that it neither detected nor sighted.
      */
     public List<Measurement> measurements() {
         return isDetected() || sighting.isPresent() ? List.of(new Measurement(look, reading, sighting)) : List.of();
@@ -135,7 +135,7 @@ public record Observation(
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
     }
 
-    /** This observation as one whose line of sight leaves the known ground. */
+    /** This observation, marked as one whose line of sight leaves the known ground. */
     public Observation asUnknown() {
         return with(UNKNOWN);
     }
@@ -146,7 +146,7 @@ public record Observation(
         return withFigures(more);
     }
 
-    /** This observation as one of a bird. */
+    /** This observation, marked as one of a bird. */
     public Observation asBird() {
         return with(BIRD);
     }

@@ -82,8 +82,8 @@ public sealed interface Outline {
     /**
      * A field of view within given angles of a direction and between two distances.
      *
-     * @param azimuth of its centre, clockwise from north, rad
-     * @param elevation of its centre, above the horizon, rad
+     * @param azimuth azimuth of its centre, clockwise from north, rad
+     * @param elevation elevation of its centre, above the horizon, rad
      * @param azimuthWidth its width, rad; 2 pi for all round
      * @param elevationWidth its height, rad
      * @param minRange where it begins, m

@@ -10,7 +10,7 @@ import java.util.Map;
  * @param weakness the words for a drone whose signal is insufficient, such as {@code too quiet}
  * @param leavesOut effects that the model of this sensor leaves out, in sentences for a report
  * @param ignoredConditions conditions of the site that would matter to a real sensor of this kind, but that its model
- *     does not take into account; by condition the advice for the user, such as
+ *     does not take into account, each with advice for the user, such as
  *     {@code set its 'transmission' for such weather}. A scene that sets one of them gets a warning
  */
 public record SensorDescription(

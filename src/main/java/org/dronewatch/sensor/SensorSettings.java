@@ -35,7 +35,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     /** The name of its kind in results, such as {@code camera}. */
     String kind();
 
-    /** How often a random draw decides whether it detects a drone: in each look unless overridden. */
+    /** Whether chance decides anew in each look, as it does unless overridden, or once per encounter. */
     default Chance chance() {
         return Chance.PER_LOOK;
     }

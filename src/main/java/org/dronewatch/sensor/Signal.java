@@ -7,10 +7,10 @@ package org.dronewatch.sensor;
  *     observer can detect it, given time, 0 to 1
  * @param quantity the measured quantity, in the unit; minus infinity where nothing reaches the sensor and the unit is
  *     dB
- * @param unit of quantity, threshold and standard error; empty for a ratio
+ * @param unit unit of quantity, threshold and standard error; empty for a ratio
  * @param threshold that the quantity must reach; for a probabilistic sensor, the value at which the detection
  *     probability is 0.5
- * @param standardError of the quantity, in its unit; 0 where it is exact
+ * @param standardError standard error of the quantity, in its unit; 0 where it is exact
  * @param probabilityError standard error of the probability; 0 where it is exact
  */
 public record Signal(

@@ -43,12 +43,12 @@ public interface Thresholded {
             }
         }
 
-        /** The number of its highest value; the lowest has number 0. */
+        /** The index of its highest value; the lowest value has index 0. */
         public long last() {
             return Math.round((highest - lowest) / step);
         }
 
-        /** The value of a number from 0 to {@link #last()}, without the error of adding up steps. */
+        /** The value at an index from 0 to {@link #last()}, without the rounding error of added steps. */
         public double value(long number) {
             double perUnit = 1.0 / step;
             return (Math.rint(lowest * perUnit) + number) / perUnit;

@@ -9,7 +9,10 @@ public final class Barrier {
     /** Upper limit of the attenuation by a single edge in ISO 9613-2, dB. */
     public static final double ISO_SINGLE_EDGE_LIMIT = 20.0;
 
-    /** Upper limit of the attenuation by several edges in ISO 9613-2, and by any in the other methods, dB. */
+    /**
+     * Upper limit of the attenuation by several edges in ISO 9613-2, and by any number of edges in the other methods,
+     * dB.
+     */
     public static final double LIMIT = 25.0;
 
     /** Distance from the first edge to the last, m, up to which CNOSSOS-EU, section 2.5.6, counts several as one. */
@@ -41,8 +44,8 @@ public final class Barrier {
 
     /**
      * Attenuation by a thin half-plane, {@code 10 lg(3 + 20 N)}: the curve through Maekawa's measurements (Applied
-     * Acoustics 1, 157, 1968) for a point source. Nothing below N = -0.1, where the formula reaches 0; at most {@value
-     * #LIMIT} dB, the limit of the standards, since scattering and turbulence fill deeper shadows.
+     * Acoustics 1, 157, 1968) for a point source. The attenuation is 0 below N = -0.1, where the formula reaches 0, and
+     * at most {@value #LIMIT} dB, the limit of the standards, since scattering and turbulence fill deeper shadows.
      *
      * @param pathDifference m
      * @param wavelength above 0, m

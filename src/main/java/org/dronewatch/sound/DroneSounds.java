@@ -28,7 +28,7 @@ public final class DroneSounds {
     /**
      * The sound with this name.
      *
-     * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
+     * @throws org.dronewatch.setting.InputException when there is none; its message names the closest matches
      */
     public static DroneSound get(String name) {
         return TABLE.get(name);

@@ -23,7 +23,7 @@ public final class Media {
     /**
      * The medium with this name.
      *
-     * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
+     * @throws org.dronewatch.setting.InputException when there is none; its message names the closest matches
      */
     public static Medium get(String name) {
         return TABLE.get(name);

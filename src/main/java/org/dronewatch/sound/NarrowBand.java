@@ -5,7 +5,7 @@ import java.util.Optional;
 /**
  * The band in which a tone is searched for: as wide as the tone, within one octave band.
  *
- * @param frequency of its middle, Hz
+ * @param frequency frequency of its middle, Hz
  * @param width Hz, above 0 and at most that of the octave band
  * @param octave the octave band in which its middle lies, 0 for 63 Hz to 7 for 8 kHz
  */

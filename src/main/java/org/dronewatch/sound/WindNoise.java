@@ -19,7 +19,7 @@ public final class WindNoise {
      * The level in an octave band, dB re 20 uPa; minus infinity in still air.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
-     * @param speed of the wind at the microphone, m/s, 0 or more
+     * @param speed speed of the wind at the microphone, m/s, 0 or more
      */
     public static double level(int band, double speed) {
         if (!(speed > 0.0)) {

@@ -13,7 +13,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param all number of triangles with every post kept
  * @param error the greatest vertical distance of a post from the triangle under or over it, m
  * @param files the files, with hashes of their bytes as read
- * @param description of the files, in lines for the report
+ * @param description description of the files, in lines for the report
  * @param warnings about suspicious content, one line each
  */
 public record LoadedTerrain(

@@ -28,7 +28,7 @@ public final class TerrainGround {
     /**
      * Sorts the triangles of a terrain into square cells.
      *
-     * @param mesh of the terrain
+     * @param mesh mesh of the terrain
      */
     public TerrainGround(TriangleMesh mesh) {
         this.mesh = mesh;

@@ -30,7 +30,7 @@ public final class TerrainLoader {
     /**
      * A loader of files by name.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      * @param progress receives a line before each step that takes seconds
      */
     public TerrainLoader(Path directory, Consumer<String> progress) {
@@ -42,7 +42,7 @@ public final class TerrainLoader {
      * Reads a terrain.
      *
      * @param settings with at least one file
-     * @param origin of the world frame; if its height is not known, z is the height that the files state
+     * @param origin origin of the world frame; if its height is not known, z is the height that the files state
      * @throws InputException in one line when a file is missing, of no known format or damaged, has no posts near the
      *     origin or too many, or does not match the others
      * @throws java.util.concurrent.CancellationException when the thread is interrupted

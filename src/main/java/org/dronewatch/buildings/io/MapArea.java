@@ -19,7 +19,7 @@ public record MapArea(double west, double east, double south, double north) {
     /**
      * The square around an origin.
      *
-     * @param half of its side, m
+     * @param half half its side, m
      */
     public static MapArea about(Origin origin, double half) {
         Geodesy geodesy = new Geodesy(origin);

@@ -13,9 +13,9 @@ import org.dronewatch.setting.file.FileHash;
  * @param features outlines of buildings and parts of buildings, in the order of the file
  * @param model buildings with their walls and roofs instead, from a city model
  * @param leftOut features that could not be used, and their number, in words
- * @param format of the file, in words
+ * @param format format of the file, in words
  * @param crs the system of its coordinates, if the file or its format states one
- * @param hash of the file
+ * @param hash hash of the file
  */
 public record MapFeatures(
         List<MapFeature> features,

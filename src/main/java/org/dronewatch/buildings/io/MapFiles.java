@@ -44,7 +44,8 @@ public final class MapFiles {
     /**
      * Reads files by name.
      *
-     * @param directory of relative paths, that of a scene file or empty for the working directory
+     * @param directory directory against which relative paths are resolved, that of a scene file or empty for the
+     *     working directory
      */
     public MapFiles(Path directory) {
         this(directory, line -> {});
@@ -53,7 +54,8 @@ public final class MapFiles {
     /**
      * Reads files by name.
      *
-     * @param directory of relative paths, that of a scene file or empty for the working directory
+     * @param directory directory against which relative paths are resolved, that of a scene file or empty for the
+     *     working directory
      * @param progress receives a line before a file that takes seconds, unless it is watched as a {@link LongTask}
      */
     public MapFiles(Path directory, Consumer<String> progress) {
@@ -64,7 +66,7 @@ public final class MapFiles {
     /**
      * Reads a map.
      *
-     * @param name of the file
+     * @param name name of the file
      * @param area features elsewhere may be left out
      * @throws InputException in one line when the file is missing, of no known format, or damaged
      */

@@ -17,7 +17,7 @@ public interface FlightFromFile extends FlightPathSettings {
     /**
      * Reads the file.
      *
-     * @param path of the file
+     * @param path path of the file
      * @param shown its name in messages and in the provenance of a run
      * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or has content that is not
      *     supported; the message gives the line or the item

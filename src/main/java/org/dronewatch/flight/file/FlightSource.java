@@ -17,7 +17,7 @@ public interface FlightSource {
     /**
      * The flight over a site.
      *
-     * @param places of the site; queried only before this method returns
+     * @param places places of the site; queried only before this method returns
      * @param drone how the drone flies where the file does not state it
      * @param warnings receives a line for each item that is not flown as the file states
      * @throws IllegalArgumentException when a place of the file has no position on this site; the message names it

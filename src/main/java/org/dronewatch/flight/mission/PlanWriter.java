@@ -72,7 +72,7 @@ public final class PlanWriter {
     /**
      * A writer for flights of a scene.
      *
-     * @param places of its site
+     * @param places places of its site
      * @param isWinged whether the drone is a fixed-wing
      */
     public PlanWriter(Origin origin, Places places, boolean isWinged) {

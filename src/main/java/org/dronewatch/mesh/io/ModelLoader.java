@@ -18,7 +18,7 @@ public final class ModelLoader {
     /**
      * A loader of models by name.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      */
     public ModelLoader(Path directory) {
         this.directory = directory;

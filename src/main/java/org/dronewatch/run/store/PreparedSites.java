@@ -25,9 +25,9 @@ import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.terrain.io.ElevationFiles;
 
 /**
- * Prepares the parts of a site, or takes them from the store of an earlier start, with the same result. Kept are parts
- * that took at least {@value SiteStore#WORTH} s to prepare. The trees over meshes are found by the mesh, so that it
- * does not matter from which files it came. Not thread-safe.
+ * Prepares the parts of a site, or takes them from the store of an earlier start, with the same result. Parts that took
+ * at least {@value SiteStore#WORTH} s to prepare are kept. The tree over a mesh is looked up by the mesh itself, so it
+ * does not matter from which files the mesh came. Not thread-safe.
  */
 public final class PreparedSites {
     private static final double NANO = 1e-9;
@@ -46,7 +46,7 @@ public final class PreparedSites {
     /**
      * With the store of this process, see {@link StorePlace}.
      *
-     * @param directory of relative paths
+     * @param directory directory against which relative paths are resolved
      * @param progress receives a line before each step that takes seconds, and one if the store cannot be written
      */
     public PreparedSites(Path directory, Consumer<String> progress) {
@@ -56,7 +56,7 @@ public final class PreparedSites {
     /**
      * With another store.
      *
-     * @param small the tree over fewer triangles is not looked for
+     * @param small number of triangles below which the tree over a mesh is not looked up in the store
      */
     PreparedSites(Path directory, SiteStore store, int small, Consumer<String> progress) {
         this.directory = directory;
@@ -103,7 +103,7 @@ public final class PreparedSites {
      *
      * @param terrain the ground on which they stand, which must be that of its settings; if empty, the level of the
      *     origin
-     * @param terrainSettings of that ground
+     * @param terrainSettings settings of that ground
      * @throws InputException as {@link BuildingLoader#load}
      */
     public LoadedBuildings buildings(

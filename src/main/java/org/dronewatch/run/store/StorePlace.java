@@ -9,18 +9,18 @@ import java.util.Optional;
 import java.util.Properties;
 
 /**
- * Where prepared sites are kept: the directory that the system property {@value #PROPERTY} or else the environment
- * variable {@value #VARIABLE} names, which both may also be {@value #OFF}; otherwise the place that the platform has
- * for it.
+ * Where prepared sites are kept: the directory named by the system property {@value #PROPERTY}, or else by the
+ * environment variable {@value #VARIABLE}, either of which may also be {@value #OFF}; if neither is set, the cache
+ * directory of the platform.
  */
 public final class StorePlace {
     /** The system property that names the directory, or turns the store off. */
     public static final String PROPERTY = "dronewatch.cache";
 
-    /** The environment variable of the same meaning. */
+    /** The environment variable with the same meaning. */
     public static final String VARIABLE = "DRONEWATCH_CACHE";
 
-    /** Instead of a directory: nothing is kept. */
+    /** The value that turns the store off: nothing is kept. */
     public static final String OFF = "off";
 
     private static final String NAME = "dronewatch";

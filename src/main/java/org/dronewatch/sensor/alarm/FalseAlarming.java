@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 /**
  * Settings of a sensor that may raise false alarms. A capability: {@link org.dronewatch.sensor.SensorSettings#as}. In a
  * run, a sensor whose rate is known reports false alarms at that rate, without any effect on its looks at drones. The
- * position of one in the field of view is given by numbers that are uniformly distributed from 0 to 1.
+ * position of a false alarm in the field of view is given by numbers that are uniformly distributed from 0 to 1.
  */
 public interface FalseAlarming {
 

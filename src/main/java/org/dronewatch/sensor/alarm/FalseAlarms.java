@@ -30,9 +30,9 @@ public record FalseAlarms(
     }
 
     /**
-     * A number of false alarms per hour, all in one cell, so that they confirm each other. Each lasts for 5 seconds,
-     * which is assumed: most are caused by something that is present for a while, such as a bird, an aircraft, a lorry,
-     * or another transmitter.
+     * A number of false alarms per hour, all in one cell, so that they confirm each other. Each lasts for 5 seconds.
+     * This duration is assumed, because most false alarms are caused by something that is present for a while, such as
+     * a bird, an aircraft, a lorry, or another transmitter.
      */
     @Defaults("perHour")
     public static FalseAlarms of(double perHour) {

@@ -35,9 +35,9 @@ public interface DetectionFunction {
     }
 
     /**
-     * How often a random draw decides, if the function is probabilistic: in each frame, with
-     * {@link #threshold(RandomGenerator)}, unless overridden. If once per encounter, the value is the probability, and
-     * the camera models the observer.
+     * Whether chance decides anew in each frame or once per encounter, if the function is probabilistic. Unless
+     * overridden, it decides in each frame, by {@link #threshold(RandomGenerator)}. If it decides once per encounter,
+     * the value is the probability, and the camera models the observer.
      */
     default Chance chance() {
         return Chance.PER_LOOK;
@@ -63,7 +63,7 @@ public interface DetectionFunction {
     /**
      * Conditions of the site that would matter to a real camera but not to this decision; none by default.
      *
-     * @return by condition the advice for the user
+     * @return the advice for the user, by condition
      */
     default Map<Condition, String> ignoredConditions() {
         return Map.of();

@@ -13,7 +13,7 @@ import org.dronewatch.world.Light;
  * @param light by which it is seen
  * @param sunAngle angle between the lines of sight to the drone and to the sun, rad; infinite when the sun is not
  *     visible
- * @param lens of the camera
+ * @param lens lens of the camera
  * @param background distance from its origin, along the line of sight, to the ground or a building behind it, m;
  *     infinite for the sky
  */

@@ -81,7 +81,7 @@ public final class DepthImage {
     }
 
     /**
-     * The image in shades of blue on a logarithmic scale, darker for shorter distances; the sky is pale, drones are
+     * The image in shades of blue on a logarithmic scale, darker for shorter distances; the sky is pale and drones are
      * orange.
      */
     public BufferedImage toImage() {

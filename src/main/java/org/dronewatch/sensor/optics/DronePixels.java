@@ -10,7 +10,7 @@ public final class DronePixels {
     private final float[] distances;
     private final int count;
 
-    /** From a silhouette as it is now. */
+    /** The pixels of a silhouette in its present state. */
     DronePixels(String drone, Silhouette silhouette) {
         this.drone = drone;
         PixelRectangle rectangle = silhouette.rectangle();
@@ -32,12 +32,12 @@ public final class DronePixels {
         return drone;
     }
 
-    /** The image's column of the first significant pixels. */
+    /** The column of the leftmost significant pixels in the image. */
     public int left() {
         return left;
     }
 
-    /** The image's row of the first significant pixels. */
+    /** The row of the topmost significant pixels in the image. */
     public int top() {
         return top;
     }

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.optics;
 /**
  * The modulation transfer of lens and air, and the finest detail that a camera resolves with it.
  *
- * @param lens of the camera
+ * @param lens lens of the camera
  * @param air between it and the target
  */
 public record ImageTransfer(Lens lens, Turbulence air) {
@@ -14,7 +14,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
      * The transfer through a lens and turbulent air.
      *
      * @param structure refractive-index structure constant Cn2 of the air, 0 or more, m^(-2/3)
-     * @param range of the target, m
+     * @param range range of the target, m
      */
     public static ImageTransfer through(Lens lens, double structure, double range) {
         return new ImageTransfer(lens, Turbulence.of(structure, lens.wavelength(), range));
@@ -28,7 +28,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     /**
      * The modulation transfer for a pattern: the product of both transfer functions.
      *
-     * @param frequency of the pattern, 0 or more, cycles per radian
+     * @param frequency frequency of the pattern, 0 or more, cycles per radian
      * @return 0 to 1
      */
     public double transfer(double frequency) {

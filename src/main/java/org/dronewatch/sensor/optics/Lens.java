@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
  * The lens of a camera, with its diffraction.
  *
  * @param aperture diameter of its entrance pupil, above 0, m; empty for a lens that does not blur
- * @param wavelength of the light or thermal radiation that it images, above 0, m
+ * @param wavelength wavelength of the light or thermal radiation that it images, above 0, m
  */
 public record Lens(OptionalDouble aperture, double wavelength) {
     /** Wavelength of the eye's peak sensitivity, m. */

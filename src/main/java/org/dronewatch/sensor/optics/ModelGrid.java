@@ -27,7 +27,7 @@ public final class ModelGrid {
     /**
      * Sets a traversal of a model's tree to the camera's image.
      *
-     * @param m from the world to the model's space
+     * @param m the matrix from the world to the model's space
      */
     public void setPicture(TileTracer traversal, Matrix4d m) {
         origin[0] = m.m00 * from.x() + m.m01 * from.y() + m.m02 * from.z() + m.m03;

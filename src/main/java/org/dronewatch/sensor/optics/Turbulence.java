@@ -1,12 +1,13 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * The blur by turbulent air of a target at a finite distance, in an exposure that is long compared with the motion of
- * the air: an upper bound for a single short exposure, in which part of the blur is a shift of the whole image.
+ * The blur that turbulent air causes in the image of a target at a finite distance, in an exposure that is long
+ * compared with the motion of the air: an upper bound for a single short exposure, in which part of the blur is a shift
+ * of the whole image.
  *
  * @param coherenceDiameter Fried's parameter r0: with a lens of this diameter, the air blurs about as much as
  *     diffraction, above 0, m; infinite in still air
- * @param wavelength of the light or thermal radiation, above 0, m
+ * @param wavelength wavelength of the light or thermal radiation, above 0, m
  */
 public record Turbulence(double coherenceDiameter, double wavelength) {
     /** Of the integral of {@code Cn2 (s/L)^(5/3)} along the path, in Fried's parameter. */

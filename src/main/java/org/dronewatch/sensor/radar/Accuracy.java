@@ -42,7 +42,7 @@ public record Accuracy(
     }
 
     /**
-     * Where a radar believes something to be.
+     * The sighting that a radar with this accuracy reports of something at a given position.
      *
      * @param middle elevation of its aim, rad
      */

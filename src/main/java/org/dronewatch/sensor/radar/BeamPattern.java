@@ -11,8 +11,8 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
  * angles a and e from its centre, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1). The angles are
- * those in the frame of the beam, as for the antenna of a radio receiver: its shape does not depend on its elevation.
- * An array that steers its beam away from its axis by the angle s has less gain, by the factor
+ * measured in the frame of the beam, as for the antenna of a radio receiver, so the shape of the beam does not depend
+ * on its elevation. An array that steers its beam away from its axis by the angle s has less gain, by the factor
  * {@code cos(s)^scanLoss} (R. J. Mailloux, Phased Array Antenna Handbook).
  *
  * @param azimuthBeamwidth half-power beamwidth in azimuth, 0.01 to 360 degrees, rad
@@ -84,7 +84,7 @@ public record BeamPattern(
     /**
      * The gain in a direction relative to that on the axis, one way, dB; 0 or less.
      *
-     * @param axis of the radar
+     * @param axis axis of the radar
      * @param target what the beam is steered to, as far as it can be
      * @param seen the direction
      */

@@ -17,7 +17,7 @@ public final class Detectability {
      *
      * @param signalToNoise dB
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
-     * @param fluctuation of the target
+     * @param fluctuation fluctuation of the target
      */
     public static double probability(double signalToNoise, double falseAlarm, Fluctuation fluctuation) {
         return probability(signalToNoise, falseAlarm, fluctuation, 1);
@@ -26,9 +26,9 @@ public final class Detectability {
     /**
      * Probability that one look detects a target.
      *
-     * @param signalToNoise of each pulse, dB
+     * @param signalToNoise signal-to-noise ratio of each pulse, dB
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
-     * @param fluctuation of the target
+     * @param fluctuation fluctuation of the target
      * @param pulses number of pulses integrated, 1 to 1000
      */
     public static double probability(double signalToNoise, double falseAlarm, Fluctuation fluctuation, int pulses) {
@@ -39,9 +39,9 @@ public final class Detectability {
      * Signal-to-noise ratio required in one look of a single pulse, dB; minus infinity for a probability that noise
      * alone reaches.
      *
-     * @param probability of detection, above 0 and below 1
+     * @param probability probability of detection, above 0 and below 1
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
-     * @param fluctuation of the target
+     * @param fluctuation fluctuation of the target
      */
     public static double required(double probability, double falseAlarm, Fluctuation fluctuation) {
         return required(probability, falseAlarm, fluctuation, 1);
@@ -51,9 +51,9 @@ public final class Detectability {
      * Signal-to-noise ratio required of each of several pulses, dB; minus infinity for a probability that noise alone
      * reaches.
      *
-     * @param probability of detection, above 0 and below 1
+     * @param probability probability of detection, above 0 and below 1
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
-     * @param fluctuation of the target
+     * @param fluctuation fluctuation of the target
      * @param pulses number of pulses integrated, 1 to 1000
      */
     public static double required(double probability, double falseAlarm, Fluctuation fluctuation, int pulses) {

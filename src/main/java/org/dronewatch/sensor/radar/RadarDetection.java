@@ -17,7 +17,7 @@ public sealed interface RadarDetection {
     /**
      * The decision on echoes of targets with a fluctuation.
      *
-     * @param fluctuation of the target
+     * @param fluctuation fluctuation of the target
      */
     Decision on(Fluctuation fluctuation);
 

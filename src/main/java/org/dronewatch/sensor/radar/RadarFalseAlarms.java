@@ -53,7 +53,7 @@ public record RadarFalseAlarms(
     /**
      * The rate of a radar.
      *
-     * @param scans a second, Hz
+     * @param scans scans per second, Hz
      * @throws IllegalArgumentException when probability or cells are neither set nor follow from the radar's other
      *     settings
      */

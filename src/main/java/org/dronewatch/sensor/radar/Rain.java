@@ -58,8 +58,8 @@ public final class Rain {
      * Specific attenuation, one way, dB/m.
      *
      * @param frequency 1 to 1000 GHz, Hz
-     * @param rate of the rain, 0 or more, mm/h
-     * @param elevation of the path, rad
+     * @param rate rate of the rain, 0 or more, mm/h
+     * @param elevation elevation of the path, rad
      * @throws IllegalArgumentException when the frequency is out of its limits
      */
     public static double attenuation(double frequency, double rate, double elevation, Polarisation polarisation) {
@@ -86,7 +86,7 @@ public final class Rain {
      * at millimetre waves it is far too high.
      *
      * @param frequency Hz
-     * @param rate of the rain, 0 or more, mm/h
+     * @param rate rate of the rain, 0 or more, mm/h
      */
     public static double reflectivity(double frequency, double rate) {
         double wavelength = LinkBudget.LIGHT / frequency;

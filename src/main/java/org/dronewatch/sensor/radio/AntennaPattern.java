@@ -68,8 +68,8 @@ public record AntennaPattern(
     }
 
     /**
-     * The loss of an antenna off its axis, dB; 0 or more. The angles are those in the antenna's frame, without roll:
-     * the shape of the beam does not depend on its tilt.
+     * The loss of an antenna off its axis, dB; 0 or more. The angles are measured in the antenna's frame, without roll,
+     * so the shape of the beam does not depend on its tilt.
      *
      * @param axis direction of the axis, of any length above 0
      * @param seen the direction, of any length above 0

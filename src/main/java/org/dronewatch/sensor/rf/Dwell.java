@@ -54,7 +54,7 @@ public record Dwell(
      * a channel that the receiver hears with the probability p, its bandwidth over the span of the channels. None is
      * received with {@code (1 - p)^n (1 - p e)}, to the power of the number of dwells.
      *
-     * @param bandwidth of the receiver, Hz
+     * @param bandwidth bandwidth of the receiver, Hz
      */
     double probability(Bursts bursts, double bandwidth) {
         double heard = bursts.channels() == 1

@@ -12,8 +12,8 @@ import org.dronewatch.setting.SettingsForm;
  * Detection of drones that are no more than a spot, by a program: in each frame it marks the pixels whose signal
  * exceeds t times the noise, and it reports a spot that was marked in several of the last frames. Noise is normally
  * distributed, and independent between pixels and between frames, so a frame marks a spot with the probability
- * {@code P1 = Phi(SNR - t)}, and M of N frames do with {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N -
- * i)}.
+ * {@code P1 = Phi(SNR - t)}, and at least M of N frames mark it with the probability
+ * {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}.
  *
  * <p>The threshold t follows from the accepted number of false alarms per hour. In each pixel and frame, noise causes
  *
@@ -161,7 +161,7 @@ public record PointTargets(
     /**
      * The probability that one frame marks a spot: {@code Phi(SNR - t)}.
      *
-     * @param signalToNoise of the pixel that contains the spot, 0 or more
+     * @param signalToNoise signal-to-noise ratio of the pixel that contains the spot, 0 or more
      * @param threshold t
      */
     public static double markProbability(double signalToNoise, double threshold) {

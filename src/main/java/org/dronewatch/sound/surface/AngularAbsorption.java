@@ -48,7 +48,7 @@ public final class AngularAbsorption {
     /**
      * The absorbed fraction in a band.
      *
-     * @param cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
      */
     public double at(int band, double cosine) {
         double angle = Math.acos(Math.min(1.0, Math.max(0.0, cosine)));

@@ -11,12 +11,13 @@ import org.dronewatch.sound.OctaveBands;
  * @param soundSpeed m/s, above 0
  * @param direct length of the direct path R1, m, above 0
  * @param reflected length of the reflected path R2, m, R1 or more
- * @param sourceHeight of the source above the plane of the ground, m, 0 or more
- * @param receiverHeight of the receiver above it, m, 0 or more
+ * @param sourceHeight height of the source above the plane of the ground, m, 0 or more
+ * @param receiverHeight height of the receiver above it, m, 0 or more
  * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: the Rayleigh criterion
  *     gives the coherent fraction of the reflected wave, {@code exp(-2 (k s cos t)^2)}
- * @param turbulence of the air
- * @param leastSeparation least distance of the two paths assumed for their coherence in turbulence, m, 0 or more
+ * @param turbulence turbulence of the air
+ * @param leastSeparation minimum distance between the two paths that is assumed when their coherence in turbulence is
+ *     computed, m, 0 or more
  */
 public record GroundInterference(
         GroundImpedance ground,

@@ -126,7 +126,7 @@ public record SurfaceMaterial(
     /**
      * The fraction that is reflected in a band.
      *
-     * @param cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
      */
     public double reflected(int band, double cosine) {
         return angular.map(byAngle -> 1.0 - byAngle.at(band, cosine)).orElseGet(() -> reflected(band));

@@ -39,7 +39,7 @@ public final class SurfaceMaterials {
     /**
      * The surface with this name.
      *
-     * @throws org.dronewatch.setting.InputException when there is none; names the nearest ones
+     * @throws org.dronewatch.setting.InputException when there is none; its message names the closest matches
      */
     public static SurfaceMaterial get(String name) {
         return TABLE.get(name);

@@ -16,7 +16,7 @@ public final class SurfaceRoughness {
      * given fraction, {@code 1 - (1 - exp(-g)) / g}; never more than that fraction.
      *
      * @param randomIncidence fraction in the mean over all directions, 0 to 1
-     * @param cosine of the angle of incidence, from the normal, 0 to 1
+     * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public static double scattered(double randomIncidence, double cosine) {
         if (randomIncidence == 0.0) {

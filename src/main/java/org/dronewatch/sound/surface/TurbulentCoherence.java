@@ -40,7 +40,7 @@ public record TurbulentCoherence(double strength, double scale) {
      * The exponent of the coherence over the square of the wave number, m2: the coherence is
      * {@code exp(-exponent k^2)}.
      *
-     * @param length of the paths, m
+     * @param length length of the paths, m
      * @param separation how far they are apart where they are farthest apart: {@link #separation}, m, 0 or more
      */
     double exponent(double length, double separation) {
@@ -52,8 +52,8 @@ public record TurbulentCoherence(double strength, double scale) {
     /**
      * The distance between direct and reflected path above the point of reflection, m.
      *
-     * @param sourceHeight of the source above the ground, m, 0 or more
-     * @param receiverHeight of the receiver above the ground, m, 0 or more
+     * @param sourceHeight height of the source above the ground, m, 0 or more
+     * @param receiverHeight height of the receiver above the ground, m, 0 or more
      */
     public static double separation(double sourceHeight, double receiverHeight) {
         return sourceHeight == 0.0 || receiverHeight == 0.0
@@ -73,9 +73,9 @@ public record TurbulentCoherence(double strength, double scale) {
      *
      * @param frequency Hz
      * @param soundSpeed m/s
-     * @param length of the paths, m
-     * @param sourceHeight of the source above the ground, m, 0 or more
-     * @param receiverHeight of the receiver above the ground, m, 0 or more
+     * @param length length of the paths, m
+     * @param sourceHeight height of the source above the ground, m, 0 or more
+     * @param receiverHeight height of the receiver above the ground, m, 0 or more
      */
     public double at(double frequency, double soundSpeed, double length, double sourceHeight, double receiverHeight) {
         double waveNumber = 2.0 * Math.PI * frequency / soundSpeed;

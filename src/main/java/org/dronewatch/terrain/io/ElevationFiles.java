@@ -34,7 +34,8 @@ public final class ElevationFiles {
     /**
      * Opens files by name.
      *
-     * @param directory of relative paths, that of a scene file or empty for the working directory
+     * @param directory directory against which relative paths are resolved, that of a scene file or empty for the
+     *     working directory
      */
     public ElevationFiles(Path directory) {
         this.directory = directory;

@@ -4,8 +4,8 @@ package org.dronewatch.terrain.io;
  * The positions of a grid's posts on the map: that of column 0 and row 0, and the steps from column to column and from
  * row to row, all in the units of the map.
  *
- * @param x of the first post, to the east
- * @param y of the first post, to the north
+ * @param x east coordinate of the first post
+ * @param y north coordinate of the first post
  * @param columnX step to the next column, to the east
  * @param columnY step to the next column, to the north
  * @param rowX step to the next row, to the east

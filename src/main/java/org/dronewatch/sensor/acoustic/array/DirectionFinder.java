@@ -14,11 +14,11 @@ import org.dronewatch.sound.OctaveBands;
  * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
  * once the sound is detected. In a narrow band the inverse of the variance of an angle is
  * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the wave
- * number k, N microphones, and the sum D of the squared distances of the microphones from their centre along the
- * direction in which that of the sound changes with the angle. The contributions of all bands are added, each with as
- * many snapshots as its width times the duration of a look. Bands with half a wavelength below the distance between
- * neighbouring microphones are left out, since their directions are ambiguous. The error of the array itself is added
- * in quadrature. Immutable.
+ * number k, N microphones, and the sum D of the squared distances of the microphones from their centre, measured along
+ * the vector in which the sound's direction changes as the angle changes. The contributions of all bands are added,
+ * each with as many snapshots as its width times the duration of a look. Bands with half a wavelength below the
+ * distance between neighbouring microphones are left out, since their directions are ambiguous. The error of the array
+ * itself is added in quadrature. Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
@@ -35,7 +35,7 @@ public final class DirectionFinder {
      * A finder.
      *
      * @param soundSpeed m/s, above 0
-     * @param duration of a look, s, above 0
+     * @param duration duration of a look, s, above 0
      */
     public DirectionFinder(ArraySettings array, double soundSpeed, double duration) {
         this.array = array;

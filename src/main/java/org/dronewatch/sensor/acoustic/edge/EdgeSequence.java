@@ -63,12 +63,12 @@ public final class EdgeSequence {
         return along[edge];
     }
 
-    /** The angle by which the path bends at the edges up to one, that one included, rad. */
+    /** The total angle by which the path bends at all edges up to and including a given one, rad. */
     public double turnUpTo(int edge) {
         return turned[edge];
     }
 
-    /** The angle by which the path bends at the edges from one on, that one included, rad. */
+    /** The total angle by which the path bends at a given edge and all edges after it, rad. */
     public double turnFrom(int edge) {
         return turned[edges - 1] - (edge > 0 ? turned[edge - 1] : 0.0);
     }

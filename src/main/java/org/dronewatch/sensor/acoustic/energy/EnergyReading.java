@@ -14,12 +14,12 @@ import org.dronewatch.sound.OctaveBands;
  * The result of one look of an acoustic sensor at one drone, in the energy model. Energies are per octave band and
  * relative to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
  *
- * @param direct by the straight path, including transmission through walls; exact
- * @param diffracted round the edges of the obstacles that hide the drone
- * @param mirrored by specular reflections alone, exact
- * @param reverberant by all other paths, estimated
+ * @param direct energy on the straight path, including transmission through walls; exact
+ * @param diffracted energy diffracted round the edges of the obstacles that hide the drone
+ * @param mirrored energy on paths of specular reflections alone; exact
+ * @param reverberant energy on all other paths; estimated
  * @param traced number of ray segments that were traced
- * @param standardError of the level on which detection is based, dB, from the scatter among rays
+ * @param standardError standard error of the level on which detection is based, from the scatter among rays, dB
  * @param isConverged whether a sufficient number of rays contributed to the reverberant part
  * @param audit energy balance of the rays
  * @param decay decay of the sound

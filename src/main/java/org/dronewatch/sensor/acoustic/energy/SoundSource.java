@@ -84,7 +84,7 @@ public final class SoundSource {
      * Intensity in a band over the source's power, 1/m2: spread over the sphere and attenuated by the air.
      *
      * @param rise sine of the elevation at which the sound leaves
-     * @param length of the path, m
+     * @param length length of the path, m
      */
     double spread(Air air, int band, double rise, double length) {
         return fraction(band) * factor(band, rise) * air.left(band, length) / (4.0 * Math.PI * length * length);

@@ -51,7 +51,7 @@ public final class ImageSourceCandidates {
         return worths.get(image);
     }
 
-    /** The walls of the image sources of first order of the greatest worth. */
+    /** The walls of the first-order image sources with the greatest worth. */
     public int[] firstWalls(int most) {
         return IntStream.range(1, parents.size())
                 .filter(image -> parents.get(image) == ImageSources.ORIGINAL)
@@ -69,7 +69,7 @@ public final class ImageSourceCandidates {
     }
 
     /**
-     * The image sources of the greatest worth. None may be worth more than its parent.
+     * The image sources with the greatest worth. None may be worth more than its parent.
      *
      * @param most maximum number
      * @param least image sources of less worth are left out

@@ -88,8 +88,8 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point that rays towards some others find: those of walls that enclose these, and subtend
-     * too small a solid angle for rays that are spread over all directions.
+     * The image sources of a point that rays towards some other points find. Their walls enclose these other points,
+     * and subtend too small a solid angle at the point to be found by rays that are spread over all directions.
      *
      * @param from the point, m
      * @param to the others, m

@@ -28,7 +28,7 @@ public final class ImageSources {
     /**
      * Image sources.
      *
-     * @param parents of each image; any number for the first, which is the point itself
+     * @param parents parent of each image; any number for the first, which is the point itself
      * @param walls the last wall of each image; any number for the first
      */
     public ImageSources(int[] parents, int[] walls) {
@@ -93,7 +93,7 @@ public final class ImageSources {
         return parents.length;
     }
 
-    /** The image that is mirrored in an image's last wall. */
+    /** The parent of an image: mirrored in the image's last wall, it gives the image. */
     public int parent(int image) {
         return parents[image];
     }
@@ -130,7 +130,7 @@ public final class ImageSources {
      * Whether a sequence of walls is that of one of these images.
      *
      * @param order number of walls, 1 or more
-     * @param key of the sequence
+     * @param key key of the sequence
      */
     public boolean contains(int order, long key) {
         // Rays have mostly hit more walls than any image has: they need no search.
@@ -153,9 +153,10 @@ public final class ImageSources {
     }
 
     /**
-     * The key of a sequence with one more wall before its first: so a sequence is known by the key of its reverse.
+     * The key of a sequence with one more wall before its first one. With it, the key of a reversed sequence can be
+     * formed wall by wall.
      *
-     * @param weight of a sequence of this length: 1 for the empty one, {@link #weightOfNext} for each wall
+     * @param weight weight of a sequence of this length: 1 for the empty one, {@link #weightOfNext} for each wall
      */
     public static long prepended(long key, int wall, long weight) {
         return key + mixed(wall) * weight;

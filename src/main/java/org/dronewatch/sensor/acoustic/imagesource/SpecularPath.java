@@ -180,7 +180,7 @@ public final class SpecularPath {
     /**
      * The triangle at which a leg of a path hits a wall.
      *
-     * @param fraction of the vector at which it should
+     * @param fraction fraction of the vector at which it should
      * @return its number; negative if something else is hit first
      */
     private int met(double x, double y, double z, double dx, double dy, double dz, double fraction, int from, int to) {

@@ -61,7 +61,7 @@ public final class AcousticRay {
     /**
      * Moves its origin off a surface, by more than the rounding of its coordinates.
      *
-     * @param normal of the surface, a unit vector
+     * @param normal unit normal of the surface
      * @param side 1 for the side of the normal, -1 for the other one
      */
     public void standOff(double[] normal, double side) {

@@ -18,7 +18,7 @@ public final class ArcSight {
     /**
      * Whether the arc, or straight line, from one point to another is unobstructed.
      *
-     * @param curvature of sound along it, in either direction: {@link PathCurvature#along}, 1/m
+     * @param curvature curvature of sound along it, in either direction: {@link PathCurvature#along}, 1/m
      */
     public boolean isFree(
             double fromX, double fromY, double fromZ, double toX, double toY, double toZ, double curvature) {

@@ -59,7 +59,7 @@ public final class BandSurfaces {
     /**
      * The fraction that is reflected.
      *
-     * @param cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
      */
     public double reflected(int material, int band, double cosine) {
         return angular[material] == null ? reflected(material, band) : 1.0 - angular[material].at(band, cosine);
@@ -68,7 +68,7 @@ public final class BandSurfaces {
     /**
      * Multiplies energies by the fractions that a surface reflects.
      *
-     * @param cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
      * @param energies in each band
      */
     public void reflect(int material, double cosine, double[] energies) {
@@ -95,7 +95,7 @@ public final class BandSurfaces {
      * directions, so that reciprocity (Helmholtz) holds and energy is conserved; 1 where absorption does not depend on
      * the angle.
      *
-     * @param cosine of the angle between the direction and the normal, 0 to 1
+     * @param cosine cosine of the angle between the direction and the normal, 0 to 1
      */
     public double scatteredTo(int material, int band, double cosine) {
         if (angular[material] == null) {
@@ -113,7 +113,7 @@ public final class BandSurfaces {
     /**
      * The fraction that is reflected specularly.
      *
-     * @param cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
      */
     public double mirrored(int material, int band, double cosine) {
         return reflected(material, band, cosine) * (1.0 - scattered(material, band));

@@ -73,9 +73,9 @@ public final class GroundPlane {
      *
      * @param first a point, m
      * @param second another one, m
-     * @param wavelength of the sound, which determines the size of the zone, m, above 0
-     * @param curvature of sound from one to the other, 1/m: arcs are treated as straight lines over ground that is bent
-     *     in the opposite direction
+     * @param wavelength wavelength of the sound, which determines the size of the zone, m, above 0
+     * @param curvature curvature of sound from one to the other, 1/m: arcs are treated as straight lines over ground
+     *     that is bent in the opposite direction
      * @return whether there is reflecting ground, visible from both points; its properties can then be queried
      */
     public boolean find(Position first, Position second, double wavelength, double curvature) {
@@ -103,7 +103,8 @@ public final class GroundPlane {
      * above the ground, and {@link #isBelow} can be queried.
      *
      * @param share position along the line, 0 to 1
-     * @param wavelength of the sound, which determines the width of the relevant ground beside the line, m, above 0
+     * @param wavelength wavelength of the sound, which determines the width of the relevant ground beside the line, m,
+     *     above 0
      * @return whether there is one
      */
     public boolean findHighest(Position first, Position second, double share, double wavelength) {

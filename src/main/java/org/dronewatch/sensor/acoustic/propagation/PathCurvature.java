@@ -10,7 +10,7 @@ import org.dronewatch.sound.Atmosphere;
  *
  * @param everywhere curvature by temperature, positive if it bends sound up, 1/m
  * @param eastward curvature by wind of sound that travels east, 1/m
- * @param northward of sound that travels north, 1/m
+ * @param northward curvature by wind of sound that travels north, 1/m
  */
 public record PathCurvature(double everywhere, double eastward, double northward) {
     /** The curvature in still air of uniform temperature: straight paths. */
@@ -25,8 +25,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     /**
      * The curvature between two heights.
      *
-     * @param sourceHeight of the source over the ground, m
-     * @param sensorHeight of the sensor over the ground, m
+     * @param sourceHeight height of the source over the ground, m
+     * @param sensorHeight height of the sensor over the ground, m
      */
     public static PathCurvature of(Atmosphere air, double sourceHeight, double sensorHeight) {
         if (air.isUniform()) {
@@ -63,7 +63,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
      * drawn as straight lines, m: {@code k s (L - s) / 2}. It holds at any elevation, with lengths along the line.
      *
      * @param curvature 1/m; negative if the arc bends down, and runs above the line
-     * @param length of the straight line, m
+     * @param length length of the straight line, m
      * @param at distance along it, m
      */
     public static double sag(double curvature, double length, double at) {
@@ -86,8 +86,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
      * drawn straight.
      *
      * @param curvature 1/m
-     * @param length of the straight line, m
-     * @param limit of the sum with straight arcs, at least that length, m
+     * @param length length of the straight line, m
+     * @param limit limit of the sum with straight arcs, at least that length, m
      */
     public static double reach(double curvature, double length, double limit) {
         double sag = sag(Math.abs(curvature), length, 0.5 * length);

@@ -35,7 +35,7 @@ public interface Propagation {
     /**
      * Conditions of the site that would matter to real sound but not to this model; none by default.
      *
-     * @return by condition the advice for the user
+     * @return the advice for the user, by condition
      */
     default Map<Condition, String> ignoredConditions() {
         return Map.of();
