@@ -16,8 +16,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.SensorSettings;
@@ -26,7 +28,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -248,12 +250,17 @@ class ForeignProjectTest {
         return count;
     }
 
+    /** High and low; one half, at which the threshold does not move, in the long form. */
+    private static DoubleStream probabilities() {
+        return LongForm.IS_ON ? DoubleStream.of(0.9, 0.5, 0.05) : DoubleStream.of(0.9, 0.05);
+    }
+
     /**
      * A listener of the other jar is not sure of what it hears. The probability asked for moves the threshold by the
      * logit, in the closed form of that kind; and as many looks as asked for detect the drone at the range.
      */
     @ParameterizedTest
-    @CsvSource({"0.9", "0.05"})
+    @MethodSource("probabilities")
     void aSensorOfSlopingProbabilityIsCalibratedToAProbability(double probability)
             throws IOException, InterruptedException {
         Files.copy(PROJECT.resolve("wall.off"), directory.resolve("wall.off"));

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.dronewatch.LongForm;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
@@ -71,7 +72,7 @@ class SignalTest {
     @CsvSource({"TERM, 143, 1", "INT, 130, 2"})
     void aRunEndsWithTheCodeOfTheSignalAtAnyMoment(String signal, int code, long seed) throws Exception {
         SplittableRandom random = new SplittableRandom(seed);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < LongForm.count(3, 4); i++) {
             long millis = random.nextLong(200 + 1200 * i, 1400 + 1200 * i);
             try (Child child = Program.start(
                     directory,
@@ -129,7 +130,7 @@ class SignalTest {
             for (int i = 0; i < 600 && !Files.exists(partial); i++) {
                 Thread.sleep(100);
             }
-            Thread.sleep(1500);
+            Thread.sleep(LongForm.count(1500, 3000));
             long start = System.nanoTime();
             signal(child, "TERM");
             Outcome outcome = child.await();
@@ -155,7 +156,7 @@ class SignalTest {
             })
     void otherCommandsEndPromptlyAndLeaveNothing(String command) throws Exception {
         // While Java starts, and in the midst of the work.
-        for (long millis : new long[] {600, 2500}) {
+        for (long millis : new long[] {600, LongForm.count(2500, 4000)}) {
             try (Child child = Program.start(directory, NO_OPTIONS, command.split(" "))) {
                 boolean ended = child.process().waitFor(millis, TimeUnit.MILLISECONDS);
                 long start = System.nanoTime();

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.dronewatch.LongForm;
 import org.dronewatch.app.Main;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -27,8 +28,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** How rays are traced changes no result. */
 class TracingSettingsTest {
-    /** A camera and a microphone whose rays are many. */
-    private static final List<String> SCENES = List.of("closed-space");
+    /** A camera and a microphone with many rays. In the long form also the cameras round the house on the hill. */
+    private static final List<String> SCENES =
+            LongForm.IS_ON ? List.of("multi-sensor", "closed-space") : List.of("closed-space");
 
     @TempDir
     private Path directory;
@@ -37,10 +39,13 @@ class TracingSettingsTest {
         Map<String, String> results = new TreeMap<>();
         for (String scene : SCENES) {
             Path out = directory.resolve(scene + String.join("", settings).hashCode());
-            List<String> words = new ArrayList<>(
-                    List.of("run", scene, "--observations", "--out", out.toString(), "--set", "run.duration=0.1 s"));
-            words.addAll(List.of("--set", "sensors.camera.width=300", "--set", "sensors.camera.height=300"));
-            words.addAll(List.of("--set", "sensors.microphone.propagation.initialRays=4"));
+            String duration = LongForm.IS_ON ? "1 s" : "0.1 s";
+            List<String> words = new ArrayList<>(List.of("run", scene, "--observations", "--out", out.toString()));
+            words.addAll(List.of("--set", "run.duration=" + duration));
+            if (!LongForm.IS_ON) {
+                words.addAll(List.of("--set", "sensors.camera.width=300", "--set", "sensors.camera.height=300"));
+                words.addAll(List.of("--set", "sensors.microphone.propagation.initialRays=4"));
+            }
             for (String setting : settings) {
                 words.addAll(List.of("--set", setting));
             }

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.dronewatch.LongForm;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.geometry.Position;
@@ -30,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Whatever is accepted runs to its end: every number has limits, and within them nothing breaks. */
 class RandomScenesTest {
-    private static final int SCENES = Integer.getInteger("dronewatch.scenes", 450);
+    private static final int SCENES = Integer.getInteger("dronewatch.scenes", LongForm.count(450, 600));
     private static final long SEED = Long.getLong("dronewatch.seed", 20_240_517L);
     /** Of so many scenes one runs again from its saved file. */
     private static final int SAVED_RUNS = 60;

@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.dronewatch.LongForm;
 import org.dronewatch.app.Main;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Frame;
@@ -156,8 +157,7 @@ class LabelsTest {
     private static final String[] SMALL = {
         "--set", "sensors.north-east-1.width=480", "--set", "sensors.north-east-1.height=270",
         "--set", "sensors.north-west-3.width=480", "--set", "sensors.north-west-3.height=270",
-        "--set", "sensors.south-east-2.width=480", "--set", "sensors.south-east-2.height=270",
-        "--set", "run.duration=31", "--samples", "1"
+        "--set", "sensors.south-east-2.width=480", "--set", "sensors.south-east-2.height=270"
     };
 
     /** Sensors of multi-sensor of which no pictures are taken here. */
@@ -175,7 +175,8 @@ class LabelsTest {
 
     /**
      * The packaged scene with three of its cameras. The reference is the full image of distances, traced apart from the
-     * masks: a pixel shows the drone where it does so there.
+     * masks: a pixel shows the drone where it does so there. In the long form the pictures are as large as the scene's,
+     * and the other sensors look, too.
      */
     @Test
     void masksOfMultiSensorAreTheHitsOfItsCameras() throws IOException {
@@ -194,9 +195,12 @@ class LabelsTest {
                 "sensors.north-east-1.rate=2",
                 "--set",
                 "sensors.south-east-2.rate=1"));
-        arguments.addAll(List.of(SMALL));
-        for (String other : UNLABELLED) {
-            arguments.addAll(List.of("--set", "sensors." + other + ".enabled=false"));
+        arguments.addAll(List.of("--set", "run.duration=31", "--samples", "1"));
+        if (!LongForm.IS_ON) {
+            arguments.addAll(List.of(SMALL));
+            for (String other : UNLABELLED) {
+                arguments.addAll(List.of("--set", "sensors." + other + ".enabled=false"));
+            }
         }
         JsonNode coco = coco(arguments.toArray(String[]::new));
         assertNumbered(coco);
@@ -211,7 +215,7 @@ class LabelsTest {
         assertThat(coco.get("images")).hasSize(63 + 32 + 63);
         BufferedImage empty = ImageIO.read(
                 directory.resolve("r/labels/south-east-2/000031.png").toFile());
-        assertThat(empty.getWidth() * empty.getHeight()).isEqualTo(480 * 270);
+        assertThat(empty.getWidth() * empty.getHeight()).isEqualTo(LongForm.count(480 * 270, 1920 * 1080));
 
         SceneRunner runner = new SceneRunner(
                 PackagedScene.find("multi-sensor").orElseThrow().factory().get());
@@ -230,8 +234,9 @@ class LabelsTest {
                             new CameraObject(sensor.as(PictureSettings.class).orElseThrow()))
                     .depthImage(stage.world(), stage.dronesAt(image.get("look").asInt() / sensor.rate()));
             boolean[][] mask = decoded(annotation.get("segmentation"));
-            for (int row = 0; row < 270; row++) {
-                for (int column = 0; column < 480; column++) {
+            assertThat(mask).hasDimensions(empty.getHeight(), empty.getWidth());
+            for (int row = 0; row < mask.length; row++) {
+                for (int column = 0; column < mask[row].length; column++) {
                     assertThat(mask[row][column]).isEqualTo(depth.isHit(column, row));
                 }
             }
@@ -448,9 +453,9 @@ class LabelsTest {
             "--set",
             "sensors.garden.enabled=false",
             "--set",
-            "sensors.west.width=240",
+            "sensors.west.width=" + LongForm.count(240, 480),
             "--set",
-            "sensors.west.height=135",
+            "sensors.west.height=" + LongForm.count(135, 270),
             "--threads",
             "2",
             "--labels",

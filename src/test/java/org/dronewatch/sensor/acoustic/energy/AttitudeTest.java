@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sound.OctaveBands;
@@ -17,7 +18,7 @@ import org.junit.jupiter.api.Test;
 /** Sound knows no up: a site turned as a whole, with drone and microphone, is heard alike. */
 class AttitudeTest {
     private static final long SEED = 20261123;
-    private static final int ATTITUDES = 40;
+    private static final int ATTITUDES = LongForm.count(40, 100);
     private static final Position SOURCE = new Position(2, 3, 1.5);
     private static final Position SENSOR = new Position(7, 5, 1.7);
     private static final TriangleMesh ROOM = Sites.room(10, 8, 4);
@@ -68,7 +69,7 @@ class AttitudeTest {
         EnergyReading level = Sites.read(model, Sites.world(site, surface), Sites.broadband(source), sensor, 1);
         assertThat(level.standardError()).isBetween(1e-3, 0.5);
         SplittableRandom random = new SplittableRandom(SEED);
-        for (int i = 0; i < 10; i++) {
+        for (int i = 0; i < LongForm.count(10, 20); i++) {
             UnaryOperator<Position> by = Sites.attitude(random);
             EnergyReading turned = Sites.read(
                     model,

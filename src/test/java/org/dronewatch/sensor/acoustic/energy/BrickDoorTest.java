@@ -11,6 +11,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sound.Levels;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 
 /**
  * A brick room with an open door as a scene. An independent random walk, whose rays were counted in a ball of 2.5 m
@@ -63,5 +64,17 @@ class BrickDoorTest {
         List<Observation> looks = looks(runner(OUTSIDE, INSIDE).set("sensors.microphone.propagation.rays", "100000"));
 
         assertThat(mean(looks)).isCloseTo(REFERENCE, within(0.15));
+    }
+
+    /** The same to a tenth of a decibel: each of two looks traces all hundred thousand rays. */
+    @Test
+    @EnabledIfSystemProperty(named = "dronewatch.long", matches = "true")
+    void aHundredThousandRaysLoseNothing() {
+        List<Observation> looks = looks(runner(OUTSIDE, INSIDE)
+                .set("sensors.microphone.propagation.rays", "100000")
+                .set("sensors.microphone.propagation.accuracy", "0")
+                .set("run.duration", "0.15 s"));
+
+        assertThat(mean(looks)).isCloseTo(REFERENCE, within(0.1));
     }
 }
