@@ -49,25 +49,28 @@ public final class BuiltInKinds implements KindGroup {
     private static List<Kind<?>> detectionFunctions() {
         return List.of(
                 detection("pixel-threshold", PixelThreshold.class, "detects a drone that covers enough pixels"),
-                detection("target-task", TargetTask.class, "Johnson's criteria, with contrast, light and blur"));
+                detection(
+                        "target-task",
+                        TargetTask.class,
+                        "detects a drone by Johnson's criteria, with contrast, light and blur"));
     }
 
     private static List<Kind<?>> flights() {
         return List.of(
                 flight("hover", FlightPathSettings.Hover.class, "stays at one point"),
-                flight("approach", FlightPathSettings.Approach.class, "straight from one point to another"),
-                flight("inbound", FlightPathSettings.Inbound.class, "level and straight towards a target"),
-                flight("waypoints", FlightPathSettings.Waypoints.class, "from waypoint to waypoint"),
+                flight("approach", FlightPathSettings.Approach.class, "flies straight from one point to another"),
+                flight("inbound", FlightPathSettings.Inbound.class, "flies level and straight towards a target"),
+                flight("waypoints", FlightPathSettings.Waypoints.class, "flies from waypoint to waypoint"),
                 flight("glide", FlightPathSettings.Glide.class, "climbs under power, then glides without motors"),
-                flight("orbit", FlightPathSettings.Orbit.class, "level circles round a point"),
-                flight("terrain-following", TerrainFollowing.class, "low over the ground, from point to point"),
-                flight("low-approach", LowApproach.class, "low over the ground towards a target"),
-                flight("dive", Dive.class, "level towards a target, then dives onto it"),
+                flight("orbit", FlightPathSettings.Orbit.class, "flies level circles round a point"),
+                flight("terrain-following", TerrainFollowing.class, "flies low over the ground, from point to point"),
+                flight("low-approach", LowApproach.class, "flies low over the ground towards a target"),
+                flight("dive", Dive.class, "flies level towards a target, then dives onto it"),
                 flight("pop-up", PopUp.class, "hovers behind cover, then rises"),
                 flight("steered", Steered.class, "is steered by a program during the run"),
-                flight("recorded", Recorded.class, "flies as in an earlier run, from its flights.csv"),
-                flight("mission", Mission.class, "a mission planned with QGroundControl, from its .plan"),
-                flight("track", Track.class, "as a real drone flew, from a GPX track or a CSV log"));
+                flight("recorded", Recorded.class, "repeats a flight of an earlier run, from its flights.csv"),
+                flight("mission", Mission.class, "flies a mission planned with QGroundControl, from its .plan file"),
+                flight("track", Track.class, "repeats a real drone's flight, from a GPX track or a CSV log"));
     }
 
     private static List<Kind<?>> emissions() {

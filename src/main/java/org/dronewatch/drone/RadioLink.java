@@ -50,7 +50,7 @@ public record RadioLink(
         DEDICATED,
         /** The signal of a WLAN, which identifies its manufacturer. */
         WLAN,
-        /** The signal of a phone, over a mobile network (LTE, 5G): nothing in it distinguishes it from other phones. */
+        /** The signal of a phone on a mobile network (LTE, 5G); nothing distinguishes it from those of other phones. */
         CELLULAR
     }
 

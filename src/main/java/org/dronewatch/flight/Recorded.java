@@ -43,7 +43,8 @@ public record Recorded(
      */
     @Override
     public FlightPath create(double speed, double acceleration, Ground ground) {
-        String named = drone.orElseThrow(() -> new IllegalArgumentException("drone must be named outside a scene"));
+        String named =
+                drone.orElseThrow(() -> new IllegalArgumentException("outside a scene, the drone must be named"));
         return FlightsFile.read(Path.of(file), file).flight(run, named);
     }
 }

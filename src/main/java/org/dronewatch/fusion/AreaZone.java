@@ -59,7 +59,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         }
         if (lowest > highest) {
             throw new InputException(
-                    "alert.zones." + name + ": there is no ground below it from which its height could count");
+                    "alert.zones." + name + ": there is no ground below it from which its height could be measured");
         }
         return new AreaZone(name, area, lowest + area.floor(), highest + area.height());
     }

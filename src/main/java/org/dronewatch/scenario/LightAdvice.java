@@ -39,7 +39,7 @@ public record LightAdvice(Light light) {
                 target.accept(String.format(
                         Locale.ROOT,
                         "world.light.illuminance %s does not fit a sun %.3g degrees %s the horizon: the natural range there is %s"
-                                + " to %s; each is used as it is",
+                                + " to %s; both are used as stated",
                         Quantity.ILLUMINANCE.inWords(light.illuminance()),
                         Math.abs(Math.toDegrees(sun.elevation())),
                         isSet ? "below" : "above",

@@ -57,10 +57,8 @@ final class Mosaic {
         ElevationFile first = files.get(0);
         for (ElevationFile file : files) {
             CoordinateReferenceSystem own = file.crs()
-                    .orElseThrow(
-                            () -> new InputException(
-                                    file.name()
-                                            + ": does not say in which coordinate reference system it is: set it, as in crs: EPSG:25832"));
+                    .orElseThrow(() -> new InputException(file.name()
+                            + ": does not state its coordinate reference system: set it, as in crs: EPSG:25832"));
             if (!own.equals(first.crs().orElseThrow())) {
                 throw new InputException(file.name() + ": is in " + own + ", but " + first.name() + " in "
                         + first.crs().orElseThrow() + ": gdalwarp -t_srs "

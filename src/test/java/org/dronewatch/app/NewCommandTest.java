@@ -107,7 +107,7 @@ class NewCommandTest {
                 "--at 43.7314,7.4202 --terrain SRTM SRTM --crs EPSG:4326 | another file has the same name",
                 "--at 10,10 --buildings MAP | monaco-buildings.osm.gz: has no building within 2000 m of the origin",
                 "--at 10,10 --terrain SRTM --crs EPSG:4326 | monaco-srtm.asc",
-                "--at 43.7,7.4 --buildings README.md | README.md: is none of OpenStreetMap XML",
+                "--at 43.7,7.4 --buildings README.md | README.md: is not OpenStreetMap XML",
             })
     void whatIsWrongLeavesNothingBehind(String options, String message) throws IOException {
         Outcome outcome = make(options.replace("MAP", MAP).replace("SRTM", SRTM));

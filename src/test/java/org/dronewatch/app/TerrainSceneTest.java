@@ -286,7 +286,7 @@ class TerrainSceneTest {
             delimiter = '|',
             value = {
                 "file: ground.asc, crs: EPSG:32633|file: missing.asc|site.yaml:3:19: world.terrain.file: file 'missing.asc' does not exist",
-                "file: ground.asc, crs: EPSG:32633|file: ground.asc|site.yaml:3:12: world.terrain: ground.asc: does not say in which coordinate reference system",
+                "file: ground.asc, crs: EPSG:32633|file: ground.asc|site.yaml:3:12: world.terrain: ground.asc: does not state its coordinate reference system",
                 "EPSG:32633|EPSG:99999|site.yaml:3:36: world.terrain.crs: coordinate reference system 'EPSG:99999' is not known",
                 "EPSG:32633|EPSG:32632|site.yaml:3:12: world.terrain: ground.asc: no posts within 2000.0 m of the origin",
                 "file: ground.asc|files: [ground.asc, missing.asc]|world.terrain.files.1: file 'missing.asc' does not exist",

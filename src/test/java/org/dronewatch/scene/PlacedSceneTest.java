@@ -224,6 +224,6 @@ class PlacedSceneTest {
         assertThat(refusal(named.replace("other.geojson, above", "../other.geojson, above")))
                 .contains("leads out of the directory");
         Files.writeString(directory.resolve("site.geojson"), "{");
-        assertThat(refusal(own)).contains("site.geojson:1: not whole JSON");
+        assertThat(refusal(own)).contains("site.geojson:1: not valid JSON");
     }
 }

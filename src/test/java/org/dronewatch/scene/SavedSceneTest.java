@@ -344,7 +344,7 @@ class SavedSceneTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> own.text(own.settings(), file))
                 .withMessage("sensors.dice: " + DiceSettings.class.getName()
-                        + ", which is none of the kinds camera, acoustic, radar, rf, thermal, cannot be written into a"
+                        + ", which is not one of the kinds camera, acoustic, radar, rf, thermal, cannot be written into a"
                         + " file");
 
         SceneRunner nameless = new SceneRunner(new Swept());
@@ -354,7 +354,7 @@ class SavedSceneTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> nameless.text(changed, file))
                 .withMessageStartingWith(
-                        "sensors.eye.detection: " + AnyPixel.class.getName() + ", which is none of the kinds ");
+                        "sensors.eye.detection: " + AnyPixel.class.getName() + ", which is not one of the kinds ");
     }
 
     private static final class AnyPixel implements DetectionFunction {

@@ -319,7 +319,7 @@ class TerrainLoaderTest {
         write("none.tif", none);
         assertThatThrownBy(() -> load(TerrainSettings.of("none.tif"), at(5, 5, 1)))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("does not say in which coordinate reference system it is")
+                .hasMessageContaining("does not state its coordinate reference system")
                 .hasMessageContaining("crs: EPSG:");
         assertThat(load(TerrainSettings.of("none.tif").withCrs("EPSG:32633"), at(5, 5, 1))
                         .posts())

@@ -109,7 +109,7 @@ public final class MapFiles {
                 return json(name, source, hash);
             }
             throw new InputException(name
-                    + ": is none of OpenStreetMap XML, OpenStreetMap PBF, GeoJSON and CityJSON; 'ogr2ogr buildings.geojson "
+                    + ": is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson "
                     + shortName(name) + "' converts most other formats");
         } catch (EOFException e) {
             throw new InputException(name + ": ends too early: it is cut off or damaged", e);
@@ -233,7 +233,7 @@ public final class MapFiles {
         } catch (JacksonException e) {
             TokenStreamLocation at = e.getLocation();
             throw new InputException(
-                    name + (at == null ? "" : ":" + at.getLineNr()) + ": not whole JSON: "
+                    name + (at == null ? "" : ":" + at.getLineNr()) + ": not valid JSON: "
                             + PlainText.line(e.getOriginalMessage()),
                     e);
         }

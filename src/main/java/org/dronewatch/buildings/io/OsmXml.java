@@ -53,7 +53,7 @@ final class OsmXml {
         } catch (XMLStreamException e) {
             int line = e.getLocation() == null ? 1 : e.getLocation().getLineNumber();
             String why = String.valueOf(e.getMessage()).replaceFirst("(?s).*Message: ", "");
-            throw new InputException(file + ":" + line + ": not whole XML: " + PlainText.line(why), e);
+            throw new InputException(file + ":" + line + ": not well-formed XML: " + PlainText.line(why), e);
         }
     }
 

@@ -165,9 +165,11 @@ final class MissionRoute {
                         latitude,
                         longitude,
                         places.surface(latitude, longitude)
-                                        .orElseThrow(() -> new IllegalArgumentException("no surface at "
-                                                + Places.inWords(latitude, longitude)
-                                                + ", from which its height counts: the site has a hole or ends there"))
+                                        .orElseThrow(
+                                                () -> new IllegalArgumentException(
+                                                        "no surface at "
+                                                                + Places.inWords(latitude, longitude)
+                                                                + ", from which its height is measured: the site has a hole or ends there"))
                                 + height.metres());
         };
     }
@@ -189,10 +191,10 @@ final class MissionRoute {
         if (ground.isEmpty()) {
             double height = planned.orElseThrow(() ->
                     new IllegalArgumentException("no surface at " + Places.inWords(home.latitude(), home.longitude())
-                            + ", the launch, from which its height counts: the site has a hole or ends there"));
+                            + ", the launch, from which its height is measured: the site has a hole or ends there"));
             warnings.accept(String.format(
                     Locale.ROOT,
-                    "%s: the launch lies where the site has a hole or ends: heights count from %.1f m above sea level, as the plan says",
+                    "%s: the launch lies where the site has a hole or ends: heights are measured from %.1f m above sea level, as the plan says",
                     settings.plan(),
                     height));
             return height;
@@ -200,7 +202,7 @@ final class MissionRoute {
         if (planned.isPresent() && Math.abs(planned.getAsDouble() - ground.getAsDouble()) > ODD) {
             warnings.accept(String.format(
                     Locale.ROOT,
-                    "%s: the launch is %.1f m above sea level in the plan, %.1f m on the site: heights count from the site",
+                    "%s: the launch is %.1f m above sea level in the plan, %.1f m on the site: heights are measured from the site",
                     settings.plan(),
                     planned.getAsDouble(),
                     ground.getAsDouble()));

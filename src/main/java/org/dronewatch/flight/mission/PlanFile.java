@@ -50,7 +50,7 @@ record PlanFile(
      * Reads a plan.
      *
      * @param name what messages call it
-     * @throws InputException when it is not a plan, or has an item that is not understood
+     * @throws InputException when it is not a plan, or has an item that is not supported
      */
     static PlanFile read(String name, byte[] bytes) {
         return new Reading(PlainText.value(name)).plan(name, bytes);
@@ -93,7 +93,7 @@ record PlanFile(
                     List.of("geoFence.circles", "geoFence.polygons", "geoFence.polygon", "rallyPoints.points")) {
                 String[] part = fence.split("\\.");
                 if (!root.path(part[0]).path(part[1]).isEmpty()) {
-                    warnings.add(fence + ": no drone keeps to it, and it is left out");
+                    warnings.add(fence + ": it has no effect on the flight, and is left out");
                 }
             }
             JsonNode home = mission.path("plannedHomePosition");
@@ -162,7 +162,7 @@ record PlanFile(
                 items(transects, where + ".TransectStyleComplexItem.Items");
             } else {
                 throw new InputException(name + ": " + where + ": complex item '" + PlainText.value(kind)
-                        + "' is not understood: only surveys, corridors and landing patterns are");
+                        + "' is not supported: only surveys, corridors and landing patterns are");
             }
         }
 
@@ -236,14 +236,14 @@ record PlanFile(
                 case MissionCommands.DELAY -> {
                     if (!(params.get(0).isNumber() && params.get(0).doubleValue() >= 0.0)) {
                         throw new InputException(
-                                name + ": " + where + ": a delay until a time of day is not understood");
+                                name + ": " + where + ": a delay until a time of day is not supported");
                     }
                     steps.add(new MissionStep.Wait(where, numbers.wait(params, where)));
                 }
                 case MissionCommands.CHANGE_SPEED -> speed(params, where);
                 default ->
                     throw new InputException(name + ": " + where + ": " + MissionCommands.inWords(command)
-                            + " is not understood, and may move the drone");
+                            + " is not supported, and may move the drone");
             }
         }
 
@@ -256,7 +256,7 @@ record PlanFile(
             double speed = params.get(1).isNumber() ? params.get(1).doubleValue() : -1.0;
             if (speed == -1.0 || speed == -2.0) {
                 // MAVLink: no change, or back to the default.
-                warnings.add(where + ": a change of speed to none is left out");
+                warnings.add(where + ": a change of speed that states no speed is left out");
                 return;
             }
             steps.add(new MissionStep.Speed(where, numbers.number(params.get(1), where, "speed", 0.001, FASTEST)));

@@ -98,7 +98,7 @@ final class CsvLog {
         } catch (DateTimeException e) {
             throw new InputException(
                     at(row) + column.name() + " '" + PlainText.value(text)
-                            + "' must be seconds, or as in 2026-11-24T03:30:00Z",
+                            + "' must be in seconds, or written as in 2026-11-24T03:30:00Z",
                     e);
         }
     }

@@ -142,7 +142,7 @@ final class GpxFile {
             return LogTime.seconds(text);
         } catch (DateTimeException e) {
             throw new InputException(
-                    xml.at() + "time '" + PlainText.value(text) + "' must be as in 2026-11-24T03:30:00Z", e);
+                    xml.at() + "time '" + PlainText.value(text) + "' must be written as in 2026-11-24T03:30:00Z", e);
         }
     }
 
@@ -151,7 +151,7 @@ final class GpxFile {
         List<String> names = tracks.keySet().stream().map(PlainText::value).toList();
         if (tracks.isEmpty()) {
             throw new InputException(name + ": has no track with points"
-                    + (waypoints == 0 ? "" : ", only " + waypoints + " single waypoints, which are no flight"));
+                    + (waypoints == 0 ? "" : ", only " + waypoints + " single waypoints, which do not make a flight"));
         }
         if (wanted.isPresent() && !tracks.containsKey(wanted.get())) {
             throw new InputException(name + ": has no track '" + PlainText.value(wanted.get()) + "'; "

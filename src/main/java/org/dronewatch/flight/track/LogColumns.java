@@ -136,6 +136,7 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
     String inWords() {
         return "columns " + time.map(column -> "'" + column.name() + "', ").orElse("") + "'" + latitude.name() + "', '"
                 + longitude.name() + "'"
-                + height.map(column -> ", '" + column.name() + "'").orElse("; none of heights, so all are 0");
+                + height.map(column -> ", '" + column.name() + "'")
+                        .orElse("; there is no column of heights, so all are 0");
     }
 }

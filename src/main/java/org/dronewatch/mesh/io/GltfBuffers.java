@@ -70,7 +70,8 @@ final class GltfBuffers {
         try {
             name = URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException e) {
-            throw new InputException(file.name() + ": buffer '" + PlainText.value(uri) + "' is no name of a file", e);
+            throw new InputException(
+                    file.name() + ": buffer '" + PlainText.value(uri) + "' is not the name of a file", e);
         }
         try {
             ModelFile beside = file.beside(name, ModelFile.MAX_BYTES);

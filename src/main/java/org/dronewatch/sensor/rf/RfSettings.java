@@ -313,8 +313,8 @@ public record RfSettings(
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("signal too weak")
                 .withLeavesOut(
-                        "Radio propagation: free-space loss plus knife-edge diffraction at the edges of the site; reflections from walls"
-                                + " are not modelled, and interference by other emitters only in occupied bands.");
+                        "Radio propagation consists of free-space loss and knife-edge diffraction at the edges of the site;"
+                                + " reflections from walls are not modelled, and other emitters interfere only in occupied bands.");
     }
 
     @Override

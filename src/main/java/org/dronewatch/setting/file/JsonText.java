@@ -26,7 +26,7 @@ public final class JsonText {
             // Without the name of the library's own setting.
             String why = PlainText.line(e.getOriginalMessage()).replaceFirst(", from `.*?`", "");
             throw new InputException(
-                    name + line + ": not whole JSON: " + PlainText.beginning(why, PlainText.LONGEST), e);
+                    name + line + ": not valid JSON: " + PlainText.beginning(why, PlainText.LONGEST), e);
         }
     }
 }

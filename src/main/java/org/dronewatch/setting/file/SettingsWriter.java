@@ -149,7 +149,7 @@ final class SettingsWriter {
                 .findFirst()
                 .orElseThrow(() -> refused(
                         path,
-                        nameOf(value) + ", which is none of the kinds "
+                        nameOf(value) + ", which is not one of the kinds "
                                 + String.join(", ", kinds.of(type).keySet()) + ","));
         Map<String, Node> written = new LinkedHashMap<>();
         written.put(KindChooser.KIND, scalar(kind));

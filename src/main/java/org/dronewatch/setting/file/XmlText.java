@@ -63,7 +63,7 @@ public final class XmlText {
             int line = e.getLocation() == null ? 1 : e.getLocation().getLineNumber();
             String why = String.valueOf(e.getMessage()).replaceFirst("(?s).*Message: ", "");
             throw new InputException(
-                    name + ":" + line + ": not whole XML: "
+                    name + ":" + line + ": not well-formed XML: "
                             + PlainText.beginning(PlainText.line(why), PlainText.LONGEST),
                     e);
         }
@@ -88,7 +88,7 @@ public final class XmlText {
     public int next() throws XMLStreamException {
         int event = xml.next();
         if (event == XMLStreamConstants.DTD) {
-            throw new InputException(at() + "has a document type, which no such file needs");
+            throw new InputException(at() + "has a document type, which is not allowed in such a file");
         }
         if (event == XMLStreamConstants.START_ELEMENT && ++depth > MOST_DEPTH) {
             throw new InputException(at() + "nested more than " + MOST_DEPTH + " deep");

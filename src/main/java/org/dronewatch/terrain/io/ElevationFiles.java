@@ -135,7 +135,7 @@ public final class ElevationFiles {
             return new HgtFile(bytes, bytes.shortName());
         }
         throw new InputException(bytes.name()
-                + ": is none of GeoTIFF, SRTM (.hgt, also in .zip or .gz) and ESRI ASCII grid; gdal_translate "
+                + ": is not a GeoTIFF file, an SRTM tile (.hgt, also in .zip or .gz) or an ESRI ASCII grid; gdal_translate "
                 + bytes.shortName() + " dem.tif converts most other formats");
     }
 

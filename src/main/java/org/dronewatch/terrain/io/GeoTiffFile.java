@@ -94,7 +94,7 @@ final class GeoTiffFile implements ElevationFile {
         long value = tags.single(tag, -1);
         if (value < from || value > to) {
             throw new InputException(
-                    bytes.name() + ": " + (value < 0 ? "says nothing of its " + what : value + " " + what)
+                    bytes.name() + ": " + (value < 0 ? "does not state its number of " + what : value + " " + what)
                             + ", must be " + from + " to " + to);
         }
         return (int) value;

@@ -42,7 +42,7 @@ final class HgtFile implements ElevationFile {
         double south = Integer.parseInt(matcher.group(2)) * (matcher.group(1).equals("n") ? 1.0 : -1.0);
         double west = Integer.parseInt(matcher.group(4)) * (matcher.group(3).equals("e") ? 1.0 : -1.0);
         if (south < -90.0 || south > 89.0 || west < -180.0 || west > 179.0) {
-            throw new InputException(bytes.name() + ": its name is that of no tile on earth");
+            throw new InputException(bytes.name() + ": no tile on earth has this name");
         }
         double step = 1.0 / (side - 1);
         this.lattice = new Lattice(west, south + 1.0, step, 0.0, 0.0, -step);

@@ -178,7 +178,7 @@ class MapFilesTest {
                 "{\"type\": \"Topology\"} | map: 'type' is 'Topology', must be FeatureCollection or CityJSON: no map with areas",
                 "{\"type\": \"Polygon\", \"coordinates\": [[[1]]]} | map: geometry: corner 0 of an outline is [1], must be numbers:"
                         + " [longitude, latitude]",
-                "hello | map: is none of OpenStreetMap XML, OpenStreetMap PBF, GeoJSON and CityJSON; 'ogr2ogr buildings.geojson map'"
+                "hello | map: is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson map'"
                         + " converts most other formats",
             })
     void whatIsWrongIsNamed(String text, String message) {
@@ -189,7 +189,7 @@ class MapFilesTest {
     void noEntityIsExpandedAndNoOtherFileRead() {
         assertThatThrownBy(() -> read("<!DOCTYPE osm [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><osm>&a;</osm>"))
                 .isInstanceOf(InputException.class)
-                .hasMessageStartingWith("map:1: not whole XML: ")
+                .hasMessageStartingWith("map:1: not well-formed XML: ")
                 .hasMessageNotContaining("\n");
     }
 

@@ -110,7 +110,7 @@ class MissionTest {
         assertThat(path.at(1e4).position().z()).isEqualTo(120.0, within(0.01));
         assertThat(plan.warnings)
                 .containsExactly("a.plan: the launch is 100.0 m above sea level in the plan, 140.0 m on the site:"
-                        + " heights count from the site");
+                        + " heights are measured from the site");
     }
 
     /** Between two heights above the surface the drone follows it: brute force over rough ground, seed 26. */
@@ -288,12 +288,15 @@ class MissionTest {
         assertThatThrownBy(hole::fly)
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("a.plan: mission.items.1: no surface at latitude 1.002000 deg, longitude 2.000000 deg,"
-                        + " from which its height counts: the site has a hole or ends there");
+                        + " from which its height is measured: the site has a hole or ends there");
 
         Plans launch = new Plans().waypoint(3, 1.0, 2.0, 50);
         launch.ground = (x, y) -> OptionalDouble.empty();
         assertAt(launch.fly().at(0.0), EquatorSite.at(1.0, 2.0, 150));
-        assertThat(launch.warnings).singleElement().asString().contains("heights count from 100.0 m above sea level");
+        assertThat(launch.warnings)
+                .singleElement()
+                .asString()
+                .contains("heights are measured from 100.0 m above sea level");
         launch.home = "[1.0, 2.0, null]";
         assertThatThrownBy(launch::fly).hasMessageContaining("no surface at latitude 1.000000 deg");
         Plans far = new Plans().waypoint(0, 40.0, 2.0, 150);
@@ -305,9 +308,9 @@ class MissionTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "18 | 3 | mission.items.0: NAV_LOITER_TURNS (18) is not understood, and may move the drone",
-                "177 | 2 | mission.items.0: DO_JUMP (177) is not understood",
-                "4711 | 2 | mission.items.0: command 4711 is not understood",
+                "18 | 3 | mission.items.0: NAV_LOITER_TURNS (18) is not supported, and may move the drone",
+                "177 | 2 | mission.items.0: DO_JUMP (177) is not supported",
+                "4711 | 2 | mission.items.0: command 4711 is not supported",
                 "16 | 1 | mission.items.0.frame: 1 must be 0, 3 or 10",
             })
     void whatIsNotUnderstoodIsRefused(int command, int frame, String message) {
@@ -327,13 +330,13 @@ class MissionTest {
                 "1.0, 2.0, 50.0 | null, 2.0, 50.0 | mission.items.0: latitude null must be -90.0 to 90.0",
                 "1.0, 2.0, 50.0 | 1.0, 2.0, 1e9 | mission.items.0: height 1.0E9 must be",
                 "[0, 0, 0, null | [-5, 0, 0, null | mission.items.0: time -5 must be 0.0 to",
-                "SimpleItem | ComplexItem | complex item '' is not understood: only surveys, corridors and landing patterns are",
+                "SimpleItem | ComplexItem | complex item '' is not supported: only surveys, corridors and landing patterns are",
                 "SimpleItem | Other | mission.items.0: type 'Other' must be SimpleItem or ComplexItem",
                 "\"items\" | \"itms\" | mission.items is missing",
                 "\"vehicleType\": 2 | \"vehicleType\": 10 | mission.vehicleType 10 does not fly",
                 "[1.0, 2.0, 100] | [1.0, 200.0, 100] | mission.plannedHomePosition: longitude 200.0 must be",
                 "\"hoverSpeed\": 8 | \"hoverSpeed\": 8000 | mission: hoverSpeed 8000 must be 0.001 to 400.0",
-                "\"version\": 2, | \"version\": 2 | a.plan:1: not whole JSON",
+                "\"version\": 2, | \"version\": 2 | a.plan:1: not valid JSON",
             })
     void whatIsWrongIsRefusedInALine(String old, String wrong, String message) {
         Plans plan = new Plans().waypoint(3, 1.0, 2.0, 50);
@@ -351,7 +354,7 @@ class MissionTest {
         plan.others =
                 ", \"geoFence\": {\"circles\": [{}], \"polygons\": []}, \"rallyPoints\": {\"points\": [[1, 2, 3]]}";
         plan.fly();
-        assertThat(plan.warnings).hasSize(2).allMatch(line -> line.contains("no drone keeps to it"));
+        assertThat(plan.warnings).hasSize(2).allMatch(line -> line.contains("it has no effect on the flight"));
         assertThatThrownBy(() -> new Plans().fly()).hasMessageContaining("the mission has no take-off and no waypoint");
     }
 
@@ -373,7 +376,7 @@ class MissionTest {
         assertThatThrownBy(() -> PlanFile.read("a.plan", deep))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(
-                        "a.plan: not whole JSON: Document nesting depth (501) exceeds the maximum allowed (500)");
+                        "a.plan: not valid JSON: Document nesting depth (501) exceeds the maximum allowed (500)");
         Plans many = new Plans();
         for (int i = 0; i <= PlanFile.MOST_ITEMS; i++) {
             many.waypoint(3, 1.0, 2.0, i);

@@ -154,7 +154,8 @@ class TrackTest {
                 .isEqualTo("a.csv: 2 points in 10.0 s; columns 'time(millisecond)', 'latitude', 'longitude',"
                         + " 'altitude_above_seaLevel(feet)'");
         assertThat(read(track("a.csv", Track.Heights.SURFACE, 0), DJI).description())
-                .endsWith("columns 'time(millisecond)', 'latitude', 'longitude'; none of heights, so all are 0");
+                .endsWith(
+                        "columns 'time(millisecond)', 'latitude', 'longitude'; there is no column of heights, so all are 0");
         assertAt(
                 fly(track("a.csv", Track.Heights.SURFACE, 0), "time,lat,lon,alt\n0,1.0,2.0,30\n")
                         .at(0.0),
@@ -175,10 +176,10 @@ class TrackTest {
                 "lat=\"1.0\" | lat=\"x\" | a.gpx:5: lat 'x' must be a number",
                 "lat=\"1.0\" | la=\"1\" | a.gpx:5: lat 'null' must be a number",
                 "<ele>120.0</ele> | <ele>NaN</ele> | a.gpx:5: ele NaN must be -100000.0 to 100000.0",
-                "03:00:10Z | 03:00:60Z | a.gpx:5: time '2026-11-24T03:00:60Z' must be as in",
-                "03:00:10Z | 03:59:10Z | a.gpx:6: is 3529.5 s before the point in line 5: times must grow",
+                "03:00:10Z | 03:00:60Z | a.gpx:5: time '2026-11-24T03:00:60Z' must be written as in",
+                "03:00:10Z | 03:59:10Z | a.gpx:6: is 3529.5 s before the point in line 5: times must increase",
                 "<time>2026-11-24T03:00:10Z</time> | '' | a.gpx:6: has a time, others before have none",
-                "</trk> | '' | a.gpx:11: not whole XML",
+                "</trk> | '' | a.gpx:11: not well-formed XML",
                 "trkpt | point | a.gpx: has no track with points",
                 "<gpx | <!DOCTYPE gpx [<!ENTITY a \"b\">]><gpx | a.gpx:2: has a document type",
             })
@@ -198,7 +199,7 @@ class TrackTest {
                 "altitude_above_seaLevel(feet) | altitude_barrels | a.csv:1: no column of the height",
                 "1.001 | x | a.csv:3: latitude 'x' must be a number",
                 "1.001 | 437314000 | a.csv:3: latitude 437314000 must be -90.0 to 90.0",
-                "10100, | 50, | a.csv:3: is 0.05 s before the point in line 2: times must grow",
+                "10100, | 50, | a.csv:3: is 0.05 s before the point in line 2: times must increase",
                 "1.001,2.0,100,600,1 | 1.001 | a.csv:3: has 3 values, none for longitude",
                 "100,2026-11-24 03:00:00,1.0,2.0,0,500,1 | \"100,2026 | a.csv:2: has 1 value, none for latitude",
             })

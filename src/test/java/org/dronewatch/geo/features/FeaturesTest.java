@@ -101,7 +101,7 @@ class FeaturesTest {
                 "7.42,43.73,12 | 7.42,143.73 | map:3: latitude 143.73 must be -90.0 to 90.0",
                 "<kml xmlns | <!DOCTYPE kml [<!ENTITY a SYSTEM \"file:///etc/passwd\">]><kml xmlns | map:2: has a document type",
                 "<kml xmlns=\"http://www.opengis.net/kml/2.2\"> | <osm> | map:2: begins with <osm>, must begin with <kml>",
-                "</Folder> | '' | map:12: not whole XML",
+                "</Folder> | '' | map:12: not well-formed XML",
             })
     void wrongKmlIsRefusedInALine(String old, String wrong, String message) {
         assertRefused(KML, old, wrong, message);
@@ -114,7 +114,7 @@ class FeaturesTest {
                 "[7.42, 43.73] | [7.42] | map:features.0: coordinates [7.42] must be numbers",
                 "[7.42, 43.73] | [743, 43.73] | map:features.0: longitude 743.0 must be -180.0 to 180.0",
                 "FeatureCollection | Topology | map: 'type' is 'Topology', must be FeatureCollection or Feature",
-                "]} | ] | not whole JSON",
+                "]} | ] | not valid JSON",
             })
     void wrongGeoJsonIsRefusedInALine(String old, String wrong, String message) {
         assertRefused(GEOJSON, old, wrong, message);

@@ -100,7 +100,8 @@ class AsciiGridFileTest {
     void otherFilesAreNamed() throws IOException {
         assertThatThrownBy(() -> open("{\"type\": \"FeatureCollection\"}"))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("is none of GeoTIFF, SRTM (.hgt, also in .zip or .gz) and ESRI ASCII grid")
+                .hasMessageContaining(
+                        "is not a GeoTIFF file, an SRTM tile (.hgt, also in .zip or .gz) or an ESRI ASCII grid")
                 .hasMessageContaining("gdal_translate dem.asc dem.tif");
         assertThatThrownBy(() -> open("")).isInstanceOf(InputException.class).hasMessageContaining("ends too early");
     }

@@ -91,7 +91,7 @@ class HgtFileTest {
     void whatIsNoTileIsRefused() throws IOException {
         refused("N43E007.hgt", new byte[2 * 1200 * 1200], "has 2880000 bytes");
         refused("monaco.hgt", tile(1201), "the name must begin with");
-        refused("N95E007.hgt", tile(1201), "no tile on earth");
+        refused("N95E007.hgt", tile(1201), "no tile on earth has this name");
         refused("none.zip", zipped("readme.txt"), "has no .hgt file");
         refused("two.zip", zipped("N43E007.hgt", "N43E008.hgt"), "several .hgt files");
         byte[] whole = zipped("N43E007.hgt");

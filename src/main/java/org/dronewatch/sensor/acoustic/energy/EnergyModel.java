@@ -205,7 +205,7 @@ public record EnergyModel(
     @Override
     public String leavesOut() {
         return ground == Ground.COHERENT
-                ? "Of interference, the energy model accounts only for that of direct and ground-reflected sound."
+                ? "The only interference in the energy model is that of direct and ground-reflected sound."
                 : "The energy model does not account for interference: the energies of all paths add up.";
     }
 
