@@ -2,12 +2,14 @@ package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
@@ -171,6 +173,9 @@ class TerrainSceneTest {
                   beside: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [-90, 90, 10]}}
                 sensors:
                   eye: {kind: rf, position: [-90, -40, 10]}
+                  camera: {kind: camera, position: [-90, -40, 10], aim: {azimuth: 40 deg}, fov: 90 deg, width: 200, height: 150}
+                  radar: {kind: radar, position: [-90, -40, 10], budget: {range: 5000, crossSection: 0.01}}
+                  ear: {kind: acoustic, position: [-90, -40, 10], propagation: {kind: level-model, initialRays: 1, reflectionsPerHit: 1, maxOrder: 0}}
                 run: {duration: 1 s}
                 """);
         Path out = directory.resolve("out");
@@ -181,20 +186,32 @@ class TerrainSceneTest {
                 .contains("over unknown ground")
                 .contains("run 0 eye across")
                 .doesNotContain("eye beside,");
-        assertThat(Files.readAllLines(out.resolve("observations.csv")))
-                .filteredOn(line -> line.contains(",across,"))
-                .isNotEmpty()
-                .allMatch(line -> line.endsWith("unknown=1"));
-        assertThat(Files.readAllLines(out.resolve("observations.csv")))
-                .filteredOn(line -> line.contains(",beside,"))
-                .isNotEmpty()
-                .noneMatch(line -> line.contains("unknown"));
-        assertThat(Files.readString(out.resolve("result.json"))).containsOnlyOnce("\"unknown_ground\" : true");
+        List<String> observations = Files.readAllLines(out.resolve("observations.csv"));
+        for (String sensor : List.of("eye,rf", "camera,camera", "radar,radar", "ear,acoustic")) {
+            assertThat(observations)
+                    .filteredOn(line -> line.contains(sensor + ",across,"))
+                    .as(sensor)
+                    .isNotEmpty()
+                    .allMatch(line -> line.contains("unknown=1"));
+            assertThat(observations)
+                    .filteredOn(line -> line.contains(sensor + ",beside,"))
+                    .as(sensor)
+                    .isNotEmpty()
+                    .noneMatch(line -> line.contains("unknown"));
+        }
+        assertThat(Files.readString(out.resolve("result.json")).split("}"))
+                .filteredOn(pair -> pair.contains("\"unknown_ground\" : true"))
+                .hasSizeGreaterThan(1)
+                .allMatch(pair -> pair.contains("\"across\""));
         assertThat(Files.readString(out.resolve("report.html"))).contains("(over unknown ground)");
 
         Outcome coverage = Program.run(
                 "coverage",
                 scene.toString(),
+                "--set",
+                "sensors.camera.enabled=false",
+                "--set",
+                "sensors.ear.enabled=false",
                 "--side",
                 "280",
                 "--cells",
@@ -203,6 +220,38 @@ class TerrainSceneTest {
                 directory.resolve("plan.png").toString());
         assertThat(coverage.code()).as(coverage.err()).isZero();
         assertThat(coverage.out()).contains("in % of the 400 cells with ground").contains("unknown");
+        assertHatched(ImageIO.read(directory.resolve("plan.png").toFile()));
+    }
+
+    /**
+     * A cell with ground that lies behind the hole has diagonal stripes, five pixels wide; one in front of it has none.
+     * The plan is centred on the sensors.
+     */
+    private static void assertHatched(BufferedImage plan) {
+        int left = column(20.0) + 2;
+        int top = row(80.0) + 2;
+        for (int i = 0; i < 30; i++) {
+            for (int j = 0; j < 30; j++) {
+                assertThat(isDark(plan, left + i, top + j))
+                        .as("pixel %d, %d", left + i, top + j)
+                        .isEqualTo((left + i + top + j) / 5 % 2 == 0);
+            }
+        }
+        for (int i = 0; i < 30; i++) {
+            assertThat(isDark(plan, column(-90.0) + i, row(35.0))).isTrue();
+        }
+    }
+
+    private static int column(double east) {
+        return (int) Math.ceil((east + 90.0 + 140.0) / 0.28);
+    }
+
+    private static int row(double north) {
+        return (int) Math.ceil((140.0 - north - 40.0) / 0.28);
+    }
+
+    private static boolean isDark(BufferedImage plan, int column, int row) {
+        return (plan.getRGB(column, row) & 0xFF) < 0xB0;
     }
 
     /** As in a file, so in Java. */

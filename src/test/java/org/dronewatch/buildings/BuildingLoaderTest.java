@@ -269,6 +269,8 @@ class BuildingLoaderTest {
         "height=12_m, 12, 0",
         "'height=9,5', 9.5, 0",
         "height=40_ft, 12.192, 0",
+        "height=39&apos;4&quot;, 11.9888, 0",
+        "height=39&apos;, 11.8872, 0",
         "building:levels=4, 12, 0",
         "building:levels=2.5, 7.5, 0",
         "building:levels=4 roof:shape=gabled roof:levels=1, 15, 0",
@@ -286,6 +288,31 @@ class BuildingLoaderTest {
         assertThat(loaded.assumed()).isEqualTo(assumed);
         assertThat(loaded.mesh().materialNames())
                 .containsExactly(assumed == 1 ? "brick_rendered:assumed-height" : "brick_rendered");
+    }
+
+    /** From the second of five levels of 3 m up, over 200 m2; a stated height or least height counts before levels. */
+    @ParameterizedTest
+    @CsvSource({
+        "building:levels=5 building:min_level=2, 6, 15",
+        "building:levels=5 building:min_level=2 min_height=5, 5, 15",
+        "height=14 building:min_level=2, 6, 14",
+        "building:levels=5 building:min_level=0, -1, 15",
+    })
+    void aPartBeginsAtItsLowestLevel(String tags, double bottom, double top) throws IOException {
+        way(box(0, 0, 20, 10), "building=yes " + tags);
+        LoadedBuildings loaded = load();
+        assertThat(lowest(loaded.mesh())).isCloseTo(bottom, within(1e-3));
+        assertThat(highest(loaded.mesh())).isCloseTo(top, within(1e-3));
+        assertThat(volume(loaded.mesh())).isCloseTo(200.0 * (top - bottom), within(0.2));
+        assertClosed(loaded.mesh());
+    }
+
+    private static double lowest(TriangleMesh mesh) {
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            lowest = Math.min(lowest, mesh.vertexCoordinate(i, 2));
+        }
+        return lowest;
     }
 
     @Test

@@ -90,11 +90,24 @@ class MapTransformTest {
         assertThat(point.x() + 743011.7235).isEqualTo(682.381, within(0.2));
     }
 
-    /** Random points up to 100 km away; seed 26. */
+    /** Random points up to 100 km away; seed 26. The origin lies where the grid is used. */
     @ParameterizedTest
-    @ValueSource(strings = {"EPSG:4326", "EPSG:32633", "EPSG:3035", "EPSG:25833"})
-    void thereAndBackWithinAMicrometre(String code) {
-        MapTransform map = transform(code, PRAGUE);
+    @CsvSource({
+        "EPSG:4326, 50.08, 14.42",
+        "EPSG:32633, 50.08, 14.42",
+        "EPSG:3035, 50.08, 14.42",
+        "EPSG:25833, 50.08, 14.42",
+        "EPSG:28992, 51.999, 4.3733",
+        "EPSG:7415, 51.999, 4.3733",
+        "EPSG:5514, 50.08, 14.42",
+        "EPSG:2056, 47.3667, 8.55",
+        "EPSG:2154, 43.7384, 7.4246",
+        "EPSG:3794, 46.46, 14.54",
+        "EPSG:31468, 49.9457, 11.5757",
+        "EPSG:32717, -0.18, -78.47",
+    })
+    void thereAndBackWithinAMicrometre(String code, double latitude, double longitude) {
+        MapTransform map = transform(code, Origin.at(Math.toRadians(latitude), Math.toRadians(longitude)));
         Random random = new Random(26);
         for (int i = 0; i < 1000; i++) {
             double distance = 100_000.0 * random.nextDouble();

@@ -188,6 +188,39 @@ class TerrainLoaderTest {
         assertThat(expected).isBetween(1.90, 1.94);
     }
 
+    /**
+     * Along the equator, whose radius is that of the ellipsoid: posts 100 m apart, of which that at 5100 m hides most.
+     * By GDAL 3.10's viewshed, which computes with this radius, 1.9197 m.
+     */
+    @Test
+    void overTheEquatorGroundTenKilometresAwayIsSeenFromGdalsHeight() throws IOException {
+        double radius = 6_378_137.0;
+        double step = Math.toDegrees(100.0 / radius);
+        TiffFixture flat = new TiffFixture(111, 5, new double[555]);
+        flat.keys.put(1024, 2);
+        flat.keys.put(1025, 2);
+        flat.keys.put(2048, 4326);
+        flat.keys.remove(3072);
+        flat.scale = new double[] {step, step, 0};
+        flat.tie = new double[] {0, 0, 0, 15.0 - 2.0 * step, 2.0 * step, 0};
+        write("flat.tif", flat);
+        Origin origin = Origin.at(0.0, Math.toRadians(15.0)).withHeight(0.0);
+        LoadedTerrain terrain =
+                load(TerrainSettings.of("flat.tif").withAccuracy(0).withRadius(12_000), origin);
+        Visibility visibility = new Visibility(World.of(terrain.mesh()));
+        double angle = 10_000.0 / radius;
+        double low = 0.0;
+        double high = 10.0;
+        while (high - low > 1e-6) {
+            double middle = 0.5 * (low + high);
+            double level = (radius + middle) * Math.sin(angle);
+            boolean seen = visibility.isFree(0, 0, 2.0, level, 0, (radius + middle) * Math.cos(angle) - radius);
+            low = seen ? low : middle;
+            high = seen ? middle : high;
+        }
+        assertThat(high).isEqualTo(1.9197, within(1e-4));
+    }
+
     /** In float, northings of 5,547,686 m would be rounded to half metres; they are not. */
     @Test
     void nationalCoordinatesLoseNothing() throws IOException {

@@ -5,6 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Optional;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.sensor.LookId;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Reading;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
@@ -15,6 +19,17 @@ class TextsTest {
         assertThat(new PairReading(1.0, 0.9, Double.POSITIVE_INFINITY, "", 50).text())
                 .isEqualTo("0.90 (needs more search time)");
         assertThat(new PairReading(1.0, 0.9, 0.25, "", 50).text()).isEqualTo("0.90 (needs 0.25)");
+    }
+
+    @Test
+    void aDetectionOverUnknownGroundSaysSo() {
+        Observation known = new Observation(
+                new LookId("north", "radar", 7, 75.5), "intruder", 812.34, new Reading(14.26, 13.0, "dB"));
+        String plain = "1:15.50  north gains intruder at 812.3 m (14.3 dB, needs 13 dB)";
+        assertThat(Events.text(new DetectionEvent(0, true, known))).isEqualTo(plain);
+        assertThat(Events.text(new DetectionEvent(0, true, known.asUnknown())))
+                .isEqualTo(plain + " over unknown ground");
+        assertThat(Events.text(new DetectionEvent(0, false, known))).contains(" north loses intruder ");
     }
 
     private static WorldSettings at(Origin origin) {

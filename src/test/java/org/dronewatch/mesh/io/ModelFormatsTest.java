@@ -15,8 +15,10 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -269,6 +271,35 @@ class ModelFormatsTest {
                 .bounds();
         assertThat(box.maxZ()).isEqualTo(3.0);
         assertThat(box.minY()).isEqualTo(-2.0);
+    }
+
+    /**
+     * A node places the wedge on the grid: one corner at latitude 50.08 and longitude 14.42 degrees, one 3 m above it,
+     * one 5 km to the east and one 5 km to the north (PROJ 9.5.1).
+     */
+    @Test
+    void glbInANationalGrid() throws IOException {
+        String node = "{\"mesh\":0,\"matrix\":[1240.8605,0,170.185,0,0,1,0,0,341.1905,0,-2479.1,0,"
+                + "-743011.7235,250,1043823.1814,1]}";
+        Files.write(directory.resolve("wedge.glb"), glb(gltf("", node)));
+        Origin prague = Origin.at(Math.toRadians(50.08), Math.toRadians(14.42)).withHeight(250.0);
+        TriangleMesh mesh = new ModelLoader(directory)
+                .load(ModelSettings.of("wedge.glb").withCrs("EPSG:5514"), Optional.of(prague))
+                .mesh();
+        double[][] expected = {{0, 0, 0}, {5010.565, 2.347, -1.964}, {0, 0, 3}, {0, 5005.593, -1.966}};
+        for (double[] place : expected) {
+            double nearest = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < mesh.vertexCount(); i++) {
+                nearest = Math.min(
+                        nearest,
+                        new Position(
+                                        mesh.vertexCoordinate(i, 0),
+                                        mesh.vertexCoordinate(i, 1),
+                                        mesh.vertexCoordinate(i, 2))
+                                .distance(new Position(place[0], place[1], place[2])));
+            }
+            assertThat(nearest).as(Arrays.toString(place)).isLessThan(0.1);
+        }
     }
 
     @Test
