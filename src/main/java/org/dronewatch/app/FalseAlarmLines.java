@@ -23,8 +23,7 @@ final class FalseAlarmLines {
                 String why = isUnknown && counted.count() == 0 ? ", since no sensor sets 'falseAlarms'" : "";
                 String here = isUnknown && counted.count() == 0
                         ? ""
-                        : "; in this run: " + counted.alertCount() + ", from false alarms: "
-                                + bySensor(counted.counted());
+                        : "; in this run: " + counted.alertCount() + " (" + bySensor(counted.counted()) + ")";
                 target.println(which + "false alerts: " + run.falseAlertRate().inWords() + why + here);
                 counted.birds()
                         .forEach((bird, alert) -> target.printf(
@@ -40,9 +39,10 @@ final class FalseAlarmLines {
 
     private static String bySensor(Map<String, Long> counted) {
         return counted.isEmpty()
-                ? "none"
-                : counted.entrySet().stream()
-                        .map(one -> one.getKey() + " " + one.getValue())
-                        .collect(Collectors.joining(", "));
+                ? "no false alarms"
+                : "false alarms: "
+                        + counted.entrySet().stream()
+                                .map(one -> one.getKey() + " " + one.getValue())
+                                .collect(Collectors.joining(", "));
     }
 }

@@ -71,7 +71,7 @@ class CatalogRadarTest {
     void noneMeasuresElevation(String name) {
         assertThat(settings(name).accuracy().measuresElevation()).isFalse();
         assertThat(Catalog.packaged().entry(name).orElseThrow().note().replaceAll("\\s+", " "))
-                .contains("No source states that it measures elevation");
+                .contains("No source states that the radar measures elevation");
     }
 
     /**

@@ -1,6 +1,5 @@
 package org.dronewatch.report.html;
 
-import java.util.Locale;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.sensor.Explanation;
@@ -11,7 +10,7 @@ final class CauseWords {
     private CauseWords() {}
 
     /**
-     * The cause in words, such as {@code hidden by hill.obj}.
+     * The cause in words, such as {@code hidden by hill.obj}, without its {@link Evidence}.
      *
      * @param drone the missed drone
      * @param weak the words for a drone whose signal is insufficient
@@ -22,8 +21,8 @@ final class CauseWords {
             case OUT_OF_RANGE -> "out of range";
             case OUT_OF_VIEW -> "out of its field of view";
             case SILENT -> silent(drone.settings().radio());
-            case TOO_SLOW -> "too slow for the sensor" + limit(explanation, " (radial speed below %.1f m/s)");
-            case TOO_FAST -> "too fast for the sensor" + limit(explanation, " (radial speed above %.0f m/s)");
+            case TOO_SLOW -> "too slow for the sensor";
+            case TOO_FAST -> "too fast for the sensor";
             case HIDDEN_BY_TERRAIN, HIDDEN_BY_BUILDING, HIDDEN_BY_VEGETATION, HIDDEN_BY_OTHER ->
                 "hidden by " + explanation.obstacle().orElseThrow().model().file();
             case TOO_WEAK, DETECTED -> weak;
@@ -34,11 +33,5 @@ final class CauseWords {
         return link.emits()
                 ? "radio-silent in the receiver's band"
                 : "radio-silent (" + Choices.name(link.control().name()) + ")";
-    }
-
-    private static String limit(Explanation explanation, String pattern) {
-        return explanation.limit().isPresent()
-                ? String.format(Locale.ROOT, pattern, explanation.limit().getAsDouble())
-                : "";
     }
 }

@@ -7,8 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -104,7 +102,7 @@ final class Reasons {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Assessor assessor = assessors.computeIfAbsent(sensor, id -> new Assessor(id, missing, stage.world()));
         Map<String, Integer> counts = new LinkedHashMap<>();
-        Map<String, Set<String>> materials = new HashMap<>();
+        Map<String, Evidence> evidence = new HashMap<>();
         double nearest = Double.POSITIVE_INFINITY;
         int gliding = 0;
         int first = (int) Math.min(MOMENTS, Math.ceil(from / step));
@@ -115,34 +113,21 @@ final class Reasons {
                 Position position = flying.origin();
                 nearest = Math.min(nearest, position.distance(missing.position()));
                 gliding += flying.isPowered() ? 0 : 1;
-                counts.merge(reason(assessor, pointing, flying, weak, materials), 1, Integer::sum);
+                Explanation explanation = assessor.explainMiss(flying, pointing);
+                String reason = CauseWords.of(explanation, flying, weak);
+                evidence.computeIfAbsent(reason, one -> new Evidence()).add(explanation);
+                counts.merge(reason, 1, Integer::sum);
             }
         }
-        return new Fractions(named(counts, materials), counts.getOrDefault(weak, 0), nearest, gliding);
+        return new Fractions(explained(counts, evidence), counts.getOrDefault(weak, 0), nearest, gliding);
     }
 
-    /** Why a sensor misses a drone now, in words. */
-    private static String reason(
-            Assessor sensor,
-            Optional<Pointing> pointing,
-            Drone drone,
-            String weak,
-            Map<String, Set<String>> materials) {
-        Explanation explanation = sensor.explainMiss(drone, pointing);
-        String words = CauseWords.of(explanation, drone, weak);
-        explanation.obstacle().ifPresent(obstacle -> materials
-                .computeIfAbsent(words, model -> new TreeSet<>())
-                .add(obstacle.material()));
-        return words;
-    }
-
-    /** Names the materials of the models that hide the drone. */
-    private static Map<String, Integer> named(Map<String, Integer> counts, Map<String, Set<String>> materials) {
-        Map<String, Integer> named = new LinkedHashMap<>();
-        counts.forEach((reason, count) -> named.put(
-                materials.containsKey(reason) ? reason + " (" + String.join(", ", materials.get(reason)) + ")" : reason,
-                count));
-        return named;
+    /** Adds to each reason the materials that hid the drone, or the limits that it violated. */
+    private static Map<String, Integer> explained(Map<String, Integer> counts, Map<String, Evidence> evidence) {
+        Map<String, Integer> explained = new LinkedHashMap<>();
+        counts.forEach(
+                (reason, count) -> explained.put(reason + evidence.get(reason).inWords(), count));
+        return explained;
     }
 
     private static boolean isReading(BestLook look) {

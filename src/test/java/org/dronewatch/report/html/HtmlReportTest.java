@@ -145,6 +145,36 @@ class HtmlReportTest {
                 .anyMatch(text -> text.startsWith("always too fast for the sensor (radial speed above 60 m/s)"));
     }
 
+    /** The speed that passes a notch depends on the strength of the echo: one reason gives least and greatest speed. */
+    @Test
+    void aRadarWithANotchGivesOneReasonForAllSpeedsThatAreTooSlow() throws IOException {
+        Path file = directory.resolve("notch.yaml");
+        Files.writeString(
+                file,
+                """
+                world: {models: [packaged:hill.obj]}
+                drones:
+                  circler: {model: packaged:quadrotor.obj, flight: {kind: orbit, centre: [60, 0, 180], radius: 150}}
+                sensors:
+                  radar:
+                    kind: radar
+                    position: [0, 0, 145]
+                    elevationWidth: 90 deg
+                    budget: {kind: data-sheet, range: 1000, crossSection: 0.01}
+                    notch: {kind: high-pass, halfPowerSpeed: 20 m/s}
+                run: {duration: 10}
+                """);
+        List<String> slow = texts(parsed(report(new SceneFile(file), List.of())), "td").stream()
+                .filter(text -> text.contains("too slow for the sensor"))
+                .toList();
+
+        assertThat(slow)
+                .singleElement()
+                .asString()
+                .matches(".*too slow for the sensor \\(radial speed below ([0-9.]+)" + " to (?!\\1 )[0-9.]+ m/s\\).*");
+        assertThat(slow.get(0).split("too slow", -1)).hasSize(2);
+    }
+
     /** Sound that is heard long before the drone comes into view is not late by 0 s. */
     @Test
     void anAlertFromSoundHasNoDelayFromView() throws IOException {
