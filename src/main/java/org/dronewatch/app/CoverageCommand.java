@@ -2,15 +2,27 @@ package org.dronewatch.app;
 
 import java.io.PrintWriter;
 import java.lang.reflect.RecordComponent;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
 import me.tongfei.progressbar.ProgressBar;
+import org.dronewatch.analysis.Course;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
+import org.dronewatch.analysis.DetectionField;
+import org.dronewatch.analysis.FieldGrid;
+import org.dronewatch.analysis.FieldSummary;
+import org.dronewatch.analysis.InboundTarget;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.CoverageDirectory;
+import org.dronewatch.report.CoverageInputs;
 import org.dronewatch.report.CoveragePicture;
 import org.dronewatch.report.CoverageTable;
+import org.dronewatch.report.FieldTable;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -27,43 +39,57 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Draws a plan of what the sensors reach. */
+/** Finds where the sensors detect a drone, and why not elsewhere; or draws a plan of it at one height. */
 @Command(
         name = "coverage",
         mixinStandardHelpOptions = true,
-        description = "Draws a plan of where each sensor detects a drone at one height above the ground, and prints the"
-                + " reasons for misses elsewhere.",
-        footer = {"", "Example:", "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"})
+        description =
+                "Prints where the sensors detect a drone at several heights above the ground, the reasons for misses"
+                        + " elsewhere, the largest gaps, and what each sensor adds. With --out FILE.png, draws a plan of where each"
+                        + " sensor detects the drone at one height instead.",
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch coverage multi-sensor --heights 10m,30m --side 400m --out field",
+            "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"
+        })
 final class CoverageCommand implements Callable<Integer> {
+    private static final int DEFAULT_CELLS = 100;
+    private static final double DEFAULT_HEIGHT = 10.0;
+
     @Mixin
     private SceneChoice choice;
 
     @Option(
             names = "--height",
-            defaultValue = "10",
             paramLabel = "H",
-            description = "Height above the ground;" + " 10 m by default.")
+            description = "Of a plan: height above the highest surface; 10 m by default.")
     private String height;
 
     @Option(
             names = "--side",
             defaultValue = "500",
             paramLabel = "L",
-            description = "Length of a side of the plan, centred on the sensors; 500 m by default.")
+            description = "Length of a side of the area, centred on the sensors; 500 m by default.")
     private String side;
 
     @Option(
             names = "--cells",
-            defaultValue = "100",
             paramLabel = "N",
-            description = "Points along a side, 2 to 2000; 100 by default.")
-    private int cells;
+            description = "Of a plan: points along a side, 2 to 2000; 100 by default.")
+    private Integer cells;
 
     @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
     private String drone;
 
-    @Option(names = "--out", required = true, paramLabel = "FILE.png", description = "Picture to write.")
+    @Option(
+            names = "--out",
+            paramLabel = "DIR|FILE.png",
+            description = "Directory to write coverage.json into; or the picture of a plan.")
     private String out;
+
+    @Mixin
+    private FieldOptions field = new FieldOptions();
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
@@ -73,21 +99,40 @@ final class CoverageCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (!out.toLowerCase(Locale.ROOT).endsWith(".png")) {
-            throw new InputException("--out " + PlainText.value(out) + ": must end in .png");
-        }
+        boolean isPlan = out != null && out.toLowerCase(Locale.ROOT).endsWith(".png");
+        checkForm(isPlan);
         threads.number();
+        return isPlan ? drawPlan() : assessField();
+    }
+
+    /** The options of the two forms exclude each other. */
+    private void checkForm(boolean isPlan) {
+        if (isPlan && field.given() != null) {
+            throw new InputException(field.given() + ": has no effect on a plan: name a directory with --out, not "
+                    + PlainText.value(out));
+        }
+        String ofPlan = height != null ? "--height" : cells != null ? "--cells" : null;
+        if (!isPlan && ofPlan != null) {
+            throw new InputException(ofPlan + ": belongs to a plan, which needs --out FILE.png; for several heights use"
+                    + " --heights and --cell");
+        }
+    }
+
+    private int drawPlan() {
         WholeFile target = new WholeFile("--out", out);
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = runner.settingsOfRuns().get(0);
-        CoverageGrid grid = grid(settings);
+        CoverageGrid grid = planGrid(settings);
         String id = drone(settings);
         return threads.call(() -> {
             runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
-            Coverage coverage = withProgress(settings, stage, id, grid);
+            Coverage coverage = withProgress(
+                    (long) grid.cells() * grid.cells(),
+                    settings,
+                    progress -> Coverage.of(settings, stage, id, grid, progress));
             String words = "drone '" + id + "'";
             CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words);
             target.write(picture::writePng);
@@ -96,13 +141,44 @@ final class CoverageCommand implements Callable<Integer> {
         });
     }
 
-    private Coverage withProgress(SceneSettings settings, Stage stage, String id, CoverageGrid grid) {
-        long all =
-                (long) grid.cells() * grid.cells() * settings.enabledSensors().size();
-        ProgressBar bar = Progress.barOf("coverage", all);
+    private int assessField() {
+        Scene scene = choice.create();
+        SceneRunner runner = choice.runner(scene);
+        runner.notes(spec.commandLine().getErr()::println);
+        SceneSettings settings = runner.settingsOfRuns().get(0);
+        FieldGrid grid = field.grid(InboundTarget.sensors(settings), (double) value("side", side));
+        String id = drone(settings);
+        CoverageInputs inputs = new CoverageInputs(
+                scene.name(),
+                id,
+                field.heading(),
+                field.covered(),
+                settings.world().origin());
+        try (CoverageDirectory target = out == null ? null : new CoverageDirectory(Path.of(out))) {
+            return threads.call(() -> {
+                runner.adviseOnConditions();
+                Stage stage = runner.stage(settings);
+                List<Course> courses = field.courses(settings, stage, id);
+                DetectionField found = withProgress(
+                        (long) grid.cells() * grid.heights().size(),
+                        settings,
+                        progress -> DetectionField.of(settings, stage, id, grid, courses, progress));
+                FieldSummary summary = FieldSummary.of(found, field.choice(), field.covered());
+                if (target != null) {
+                    target.write(summary, inputs);
+                }
+                print(summary);
+                return 0;
+            });
+        }
+    }
+
+    private static <T> T withProgress(long cells, SceneSettings settings, Function<IntConsumer, T> work) {
+        ProgressBar bar =
+                Progress.barOf("coverage", cells * settings.enabledSensors().size());
         AtomicLong done = new AtomicLong();
         try {
-            return Coverage.of(settings, stage, id, grid, points -> {
+            return work.apply(points -> {
                 long now = done.addAndGet(points);
                 if (bar != null) {
                     bar.stepTo(now);
@@ -136,21 +212,14 @@ final class CoverageCommand implements Callable<Integer> {
     }
 
     /** About the middle of the sensors. */
-    private CoverageGrid grid(SceneSettings settings) {
-        if (settings.enabledSensors().isEmpty()) {
-            throw new InputException("the scene has no sensors");
-        }
-        Position sum = new Position(0, 0, 0);
-        for (var sensor : settings.enabledSensors().values()) {
-            sum = sum.plus(sensor.position());
-        }
-        Position middle = sum.times(1.0 / settings.enabledSensors().size());
+    private CoverageGrid planGrid(SceneSettings settings) {
+        Position middle = InboundTarget.sensors(settings);
         return new CoverageGrid(
                 middle.x(),
                 middle.y(),
                 (double) value("side", side),
-                (int) value("cells", String.valueOf(cells)),
-                (double) value("height", height));
+                cells == null ? DEFAULT_CELLS : (int) value("cells", String.valueOf(cells)),
+                height == null ? DEFAULT_HEIGHT : (double) value("height", height));
     }
 
     /** The value of an option that has the name of a component of the grid. */
@@ -170,5 +239,14 @@ final class CoverageCommand implements Callable<Integer> {
         CoverageTable.areas(coverage).forEach(target::println);
         target.println();
         CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
+    }
+
+    private void print(FieldSummary summary) {
+        PrintWriter target = spec.commandLine().getOut();
+        FieldTable.causes(summary).forEach(target::println);
+        target.println();
+        FieldTable.gaps(summary).forEach(target::println);
+        target.println();
+        FieldTable.losses(summary).forEach(target::println);
     }
 }

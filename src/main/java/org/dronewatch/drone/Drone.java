@@ -204,6 +204,18 @@ public final class Drone {
         return Math.sqrt(a * a + b * b + c * c);
     }
 
+    /** An upper bound on the distance of its mesh from its origin at whatever attitude, m. */
+    public double radius() {
+        AABB box = tree.bounds();
+        double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
+        double y = Math.max(Math.abs(box.minY()), Math.abs(box.maxY()));
+        double z = Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ()));
+        Matrix4d m = modelMatrix;
+        return x * Math.sqrt(m.m00 * m.m00 + m.m10 * m.m10 + m.m20 * m.m20)
+                + y * Math.sqrt(m.m01 * m.m01 + m.m11 * m.m11 + m.m21 * m.m21)
+                + z * Math.sqrt(m.m02 * m.m02 + m.m12 * m.m12 + m.m22 * m.m22);
+    }
+
     /** A copy of its velocity, m/s. */
     public Vector3d velocity() {
         return new Vector3d(velocity);

@@ -58,7 +58,7 @@ public final class CoverageTable {
         return lines;
     }
 
-    private static String name(Cause cause) {
+    static String name(Cause cause) {
         return switch (cause) {
             case UNKNOWN -> "unknown";
             case OUT_OF_RANGE -> "out of range";
@@ -75,7 +75,7 @@ public final class CoverageTable {
         };
     }
 
-    private static String percent(int cells, int of) {
+    static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells == 0) {
             return "-";

@@ -56,7 +56,7 @@ final class ResultFile {
         }
     }
 
-    private static void add(ObjectNode node, Origin origin) {
+    static void add(ObjectNode node, Origin origin) {
         node.put("latitude_deg", Math.toDegrees(origin.latitude()));
         node.put("longitude_deg", Math.toDegrees(origin.longitude()));
         origin.height().ifPresent(height -> node.put("height_m", height));

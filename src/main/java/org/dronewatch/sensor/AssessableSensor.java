@@ -37,6 +37,18 @@ public interface AssessableSensor extends Sensor {
     Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing);
 
     /**
+     * Whether signal and reason are certainly the same at every heading and speed of a level drone at its place, so
+     * that a field of assessments needs only one of them there. False unless a kind of sensor knows better.
+     *
+     * @param world the site
+     * @param drone at any heading and speed
+     * @param pointing where a positioner points the sensor; empty for its own aim
+     */
+    default boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
+        return false;
+    }
+
+    /**
      * The signal that the sensor receives from a drone, and why that is not sufficient; parameters as for
      * {@link #signal}.
      */

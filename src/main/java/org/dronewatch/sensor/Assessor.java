@@ -74,6 +74,11 @@ public final class Assessor {
                 .min(Comparator.comparing(one -> !one.isDetected()));
     }
 
+    /** As {@link AssessableSensor#isSameAtAllHeadings}, in this assessor's world; false for sensors of other kinds. */
+    public boolean isSameAtAllHeadings(Drone drone, Optional<Pointing> pointing) {
+        return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllHeadings(world, drone, pointing);
+    }
+
     /** As {@link AssessableSensor#explainMiss}, in this assessor's world; {@link Cause#UNKNOWN} likewise. */
     public Explanation explainMiss(Drone drone, Optional<Pointing> pointing) {
         if (!isKnown(drone)) {

@@ -114,6 +114,11 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
                 .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 
+    @Override
+    public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
+        return tracer(world).isSameAtAllHeadings(drone);
+    }
+
     /**
      * Takes a look with the level model, and traces until the first ray that is loud enough.
      *

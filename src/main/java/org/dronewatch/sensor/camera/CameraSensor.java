@@ -96,6 +96,14 @@ public final class CameraSensor implements AssessableSensor {
                 .isDetected());
     }
 
+    /** A drone that is outside the image however it turns has no pixels, and is missed for the place of its origin. */
+    @Override
+    public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> where) {
+        turn(site, where);
+        Position at = drone.origin();
+        return picture.camera().isOutside(at.x(), at.y(), at.z(), drone.radius());
+    }
+
     private boolean isInPicture(Drone drone) {
         picture.draw(world, List.of(drone));
         return picture.pixels(0) > 0;

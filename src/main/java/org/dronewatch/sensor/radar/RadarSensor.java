@@ -81,6 +81,12 @@ public final class RadarSensor implements AssessableSensor {
                         : cover.explain(drone, () -> visible.of(drone) == 0.0, () -> isDetectedInTheOpen(drone)));
     }
 
+    /** Outside the limits of position, whatever the radial speed. */
+    @Override
+    public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> pointing) {
+        return !field.contains(drone.origin().minus(settings.position()));
+    }
+
     /**
      * A drone that would be detected if the notch let all of its echo pass is too slow for it, or has a blind speed.
      */

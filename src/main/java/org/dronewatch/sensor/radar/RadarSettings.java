@@ -9,6 +9,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
@@ -81,7 +82,13 @@ public record RadarSettings(
         @Minor Optional<Clutter> clutter,
         @Minor Optional<DopplerFilter> notch,
         @Minor Optional<RadarFalseAlarms> falseAlarms)
-        implements SensorSettings<RadarSensor>, Aimed, Outlined, DirectionFinding, FalseAlarming, GroundReflecting {
+        implements SensorSettings<RadarSensor>,
+                Aimed,
+                Outlined,
+                DirectionFinding,
+                FalseAlarming,
+                GroundReflecting,
+                CrossingBlind {
 
     /**
      * Checks the limits.
@@ -264,6 +271,15 @@ public record RadarSettings(
     /** These settings with clutter; they need a beam. */
     public RadarSettings withClutter(Clutter other) {
         return SettingsForm.with(this, "clutter", Optional.of(other));
+    }
+
+    /** A radar that rejects no radial speed, however low, is not blind to crossing drones. */
+    @Override
+    public <C> Optional<C> as(Class<C> capability) {
+        boolean rejectsSlow = notch.isPresent() || minSpeed > 0.0;
+        return capability == CrossingBlind.class && !rejectsSlow
+                ? Optional.empty()
+                : SensorSettings.super.as(capability);
     }
 
     /** These settings with a Doppler filter that rejects stationary echoes, in place of a minimum radial speed. */

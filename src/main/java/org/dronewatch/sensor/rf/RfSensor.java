@@ -108,6 +108,12 @@ public final class RfSensor implements AssessableSensor {
                 .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 
+    /** Emissions are the same in all directions, and at every speed. */
+    @Override
+    public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
+        return true;
+    }
+
     private Observation listen(Drone drone, Look look) {
         Reception reception = reception(drone, ofDrone(drone), ofPilot(drone));
         double rise = rise(drone, reception, look);

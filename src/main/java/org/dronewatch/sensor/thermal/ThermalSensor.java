@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Cause;
@@ -83,6 +84,14 @@ public final class ThermalSensor implements AssessableSensor {
         }
         return cover.explain(drone, () -> area.of(drone) == 0.0, () -> signal(drone, area.inTheOpen(drone))
                 .isDetected());
+    }
+
+    /** A drone that is outside the image however it turns has no area, and is missed for the place of its origin. */
+    @Override
+    public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> where) {
+        turn(world, where);
+        Position at = drone.origin();
+        return area.camera().isOutside(at.x(), at.y(), at.z(), drone.radius());
     }
 
     private Signal signal(Drone drone, double pixels) {

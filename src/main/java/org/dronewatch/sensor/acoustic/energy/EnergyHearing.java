@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
@@ -145,6 +146,17 @@ public final class EnergyHearing implements SoundTracer {
     public boolean isHeardInTheOpen(Drone drone) {
         SoundSource sound = sound(drone);
         return signal(tracer.inTheOpen(sound), sound.lines()).isDetected();
+    }
+
+    /**
+     * Directivities depend on the elevation alone. The radial speed shifts the lines of a spectrum, which matter to the
+     * narrow-band criterion; an emission of another kind may depend on the flight.
+     */
+    @Override
+    public boolean isSameAtAllHeadings(Drone drone) {
+        boolean hearsLines =
+                model.criterion() == Criterion.NARROW_BAND && !drone.tones().isEmpty();
+        return drone.settings().emission() instanceof SteadyEmission && !hearsLines;
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
@@ -65,6 +66,12 @@ public final class LevelHearing implements SoundTracer {
     @Override
     public boolean isHeardInTheOpen(Drone drone) {
         return straightLevel(drone) >= threshold;
+    }
+
+    /** The level model knows no directions; an emission of another kind may depend on the flight. */
+    @Override
+    public boolean isSameAtAllHeadings(Drone drone) {
+        return drone.settings().emission() instanceof SteadyEmission;
     }
 
     /** The level that would arrive directly from a drone without obstructions, dB. */

@@ -24,6 +24,11 @@ public interface SoundTracer {
     /** Whether a drone would be heard without obstructions. */
     boolean isHeardInTheOpen(Drone drone);
 
+    /** Whether a drone at its place certainly sounds the same at every heading and speed; false unless overridden. */
+    default boolean isSameAtAllHeadings(Drone drone) {
+        return false;
+    }
+
     /**
      * Traces the rays of one look to their ends and reports every segment to the recorder; does nothing if there are no
      * rays.

@@ -1,0 +1,217 @@
+package org.dronewatch.analysis;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.IntConsumer;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
+ * one look of each sensor detects it, and the cause where that is not sufficient. A sensor on a positioner has turned
+ * to the drone. Everything is assessed once, as a run does it, and can be asked for any course afterwards without
+ * another ray.
+ *
+ * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
+ */
+public final class DetectionField {
+    private final FieldGrid grid;
+    private final FieldColumns columns;
+    private final List<Course> courses;
+
+    /** For each course its number in the layers. */
+    private final int[] inLayers;
+
+    private final Map<String, FieldProbe> probes;
+    private final List<String> sensors;
+    private final List<SensorLayer> layers;
+
+    private DetectionField(
+            FieldGrid grid,
+            FieldColumns columns,
+            List<Course> courses,
+            int[] inLayers,
+            Map<String, FieldProbe> probes,
+            List<SensorLayer> layers) {
+        this.grid = grid;
+        this.columns = columns;
+        this.courses = List.copyOf(courses);
+        this.inLayers = inLayers;
+        this.probes = Collections.unmodifiableMap(probes);
+        this.sensors = List.copyOf(probes.keySet());
+        this.layers = List.copyOf(layers);
+    }
+
+    /**
+     * Assesses all enabled sensors of a scene in all cells, on the threads of the {@link Workers} that call; the same
+     * for any number of them.
+     *
+     * @param settings of one run
+     * @param stage its world and drones
+     * @param drone name of the drone that is put into the cells
+     * @param courses on which it flies, at least one
+     * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
+     * @throws IllegalArgumentException when there is no such drone
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static DetectionField of(
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            List<Course> courses,
+            IntConsumer progress) {
+        Drone sample = droneOf(stage, drone);
+        FieldColumns columns = new FieldColumns(stage.world(), grid);
+        Map<String, FieldProbe> probes = new LinkedHashMap<>();
+        List<SensorLayer> layers = new ArrayList<>();
+        settings.enabledSensors().forEach((id, sensor) -> {
+            FieldProbe probe = new FieldProbe(
+                    stage.world(), sample, id, sensor, settings.run().seed(), List.copyOf(courses));
+            probes.put(id, probe);
+            layers.add(SensorLayer.of(probe, grid, columns, progress));
+        });
+        int[] all = new int[courses.size()];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = i;
+        }
+        return new DetectionField(grid, columns, courses, all, probes, layers);
+    }
+
+    /**
+     * A drone of a stage.
+     *
+     * @throws IllegalArgumentException when there is no such drone
+     */
+    public static Drone droneOf(Stage stage, String id) {
+        return stage.dronesAt(0.0).stream()
+                .filter(one -> one.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + id + "'; the scene has "
+                        + String.join(", ", stage.flights().keySet())));
+    }
+
+    /**
+     * The field of the same scene without one of its sensors: also without the courses across its line of sight.
+     *
+     * @throws IllegalArgumentException when there is no such sensor
+     */
+    public DetectionField without(String sensor) {
+        int index = sensors.indexOf(sensor);
+        if (index < 0) {
+            throw new IllegalArgumentException(
+                    "no sensor '" + sensor + "'; the field has " + String.join(", ", sensors));
+        }
+        List<Course> kept = new ArrayList<>();
+        List<Integer> numbers = new ArrayList<>();
+        for (int i = 0; i < courses.size(); i++) {
+            if (!courses.get(i).sensor().filter(sensor::equals).isPresent()) {
+                kept.add(courses.get(i));
+                numbers.add(inLayers[i]);
+            }
+        }
+        Map<String, FieldProbe> others = new LinkedHashMap<>(probes);
+        others.remove(sensor);
+        List<SensorLayer> rest = new ArrayList<>(layers);
+        rest.remove(index);
+        return new DetectionField(
+                grid,
+                columns,
+                kept,
+                numbers.stream().mapToInt(Integer::intValue).toArray(),
+                others,
+                rest);
+    }
+
+    /** The grid. */
+    public FieldGrid grid() {
+        return grid;
+    }
+
+    /** The courses. */
+    public List<Course> courses() {
+        return courses;
+    }
+
+    /** The names of the sensors, in the order of the scene. */
+    public List<String> sensors() {
+        return sensors;
+    }
+
+    /** The kind of a sensor, given by its number. */
+    public String kind(int sensor) {
+        return probe(sensor).settings().kind();
+    }
+
+    /** Whether a drone can be in a cell: there is ground below it, and nothing solid around it. */
+    public boolean isOpen(int height, int column, int row) {
+        return columns.isOpen(height, column, row);
+    }
+
+    /** Whether a cell is inside something solid. */
+    public boolean isInside(int height, int column, int row) {
+        return columns.isInside(height, column, row);
+    }
+
+    /**
+     * The middle of a cell, m.
+     *
+     * @throws IllegalArgumentException where there is no ground
+     */
+    public Position middle(int height, int column, int row) {
+        if (!columns.hasGround(column, row)) {
+            throw new IllegalArgumentException("no ground in column " + column + " of row " + row);
+        }
+        return columns.middle(height, column, row);
+    }
+
+    /**
+     * The probability that one look of a sensor detects the drone, in steps of 1/250; 0 where the drone cannot be, and
+     * where the line of sight leaves the known ground.
+     *
+     * @param sensor its number in {@link #sensors()}
+     * @param height its number in the grid
+     * @param column from the west
+     * @param row from the north
+     * @param course its number in {@link #courses()}
+     */
+    public int steps(int sensor, int height, int column, int row, int course) {
+        return layers.get(sensor).steps(height, column, row, inLayers[course]);
+    }
+
+    /** The same as a number from 0 to 1. */
+    public double probability(int sensor, int height, int column, int row, int course) {
+        return (double) steps(sensor, height, column, row, course) / SensorLayer.STEPS;
+    }
+
+    /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */
+    public Cause cause(int sensor, int height, int column, int row, int course) {
+        return layers.get(sensor).cause(height, column, row, inLayers[course]);
+    }
+
+    /**
+     * The assessment with its evidence, made anew: what hides the drone, and by how much its signal is too weak; empty
+     * where the drone cannot be. Parameters as above.
+     */
+    public Optional<Assessment> assess(int sensor, int height, int column, int row, int course) {
+        if (!isOpen(height, column, row)) {
+            return Optional.empty();
+        }
+        FieldProbe probe = probe(sensor);
+        Position at = columns.middle(height, column, row);
+        return Optional.of(probe.assess(probe.newAssessor(), probe.drone(at, inLayers[course]), probe.pointing(at)));
+    }
+
+    private FieldProbe probe(int sensor) {
+        return probes.get(sensors.get(sensor));
+    }
+}

@@ -1,0 +1,153 @@
+package org.dronewatch.analysis;
+
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * What a {@link DetectionField} means for a site: in each cell, on the course that counts there, whether a sensor
+ * covers it, how many do, and the dominant cause. Immutable and thread-safe.
+ *
+ * <p>The course that counts is one for all sensors: the one with the lowest, or the highest, joint probability
+ * {@code 1 - (1 - p1)(1 - p2)...}, and the first of the field's courses among equals. A sensor covers a cell where its
+ * probability there is at least a given one. The dominant cause is that of the sensor with the highest probability;
+ * among equals, the cause that is nearest to a detection in the order of {@link Cause}.
+ */
+public final class FieldCoverage {
+    /** Which course counts. */
+    public enum Choice {
+        /** The one on which the drone is least likely to be detected. */
+        WORST,
+        /** The one on which it is most likely to be detected. */
+        BEST
+    }
+
+    private static final Cause[] CAUSES = Cause.values();
+
+    private final DetectionField field;
+    private final Choice choice;
+
+    /** The least number of steps of a covering sensor's probability. */
+    private final int needed;
+
+    private final byte[] courses;
+    private final byte[] causes;
+    private final short[] counts;
+    private final boolean[] unknown;
+
+    /**
+     * Evaluates a field on the threads of the {@link Workers} that call; the same for any number of them.
+     *
+     * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
+     */
+    public FieldCoverage(DetectionField field, Choice choice, double covered) {
+        if (!(covered > 0.0 && covered <= 1.0)) {
+            throw new IllegalArgumentException("covered " + covered + ": must be above 0 and at most 1");
+        }
+        this.field = field;
+        this.choice = choice;
+        this.needed = (int) Math.ceil(covered * SensorLayer.STEPS - 1e-9);
+        int all = field.grid().cells() * field.grid().heights().size();
+        this.courses = new byte[all];
+        this.causes = new byte[all];
+        this.counts = new short[all];
+        this.unknown = new boolean[all];
+        int rows = field.grid().columns();
+        Workers.forEach(rows * field.grid().heights().size(), index -> {
+            for (int column = 0; column < rows; column++) {
+                evaluate(index / rows, column, index % rows);
+            }
+        });
+    }
+
+    private void evaluate(int height, int column, int row) {
+        int cell = index(height, column, row);
+        if (!field.isOpen(height, column, row)) {
+            unknown[cell] = !field.isInside(height, column, row);
+            return;
+        }
+        int course = course(height, column, row);
+        int count = 0;
+        int most = 0;
+        int cause = 0;
+        boolean leaves = false;
+        for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+            int steps = field.steps(sensor, height, column, row, course);
+            int its = field.cause(sensor, height, column, row, course).ordinal();
+            count += steps >= needed ? 1 : 0;
+            leaves |= its == Cause.UNKNOWN.ordinal();
+            if (steps > most || steps == most && its > cause) {
+                most = steps;
+                cause = its;
+            }
+        }
+        courses[cell] = (byte) course;
+        causes[cell] = (byte) cause;
+        counts[cell] = (short) count;
+        unknown[cell] = count == 0 && leaves;
+    }
+
+    /** The course that counts in a cell. */
+    private int course(int height, int column, int row) {
+        int chosen = 0;
+        double least = Double.NaN;
+        for (int course = 0; course < field.courses().size(); course++) {
+            double missed = 1.0;
+            for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+                missed *= 1.0 - field.probability(sensor, height, column, row, course);
+            }
+            double rank = choice == Choice.WORST ? -missed : missed;
+            if (!(rank >= least)) {
+                least = rank;
+                chosen = course;
+            }
+        }
+        return chosen;
+    }
+
+    private int index(int height, int column, int row) {
+        return (height * field.grid().columns() + row) * field.grid().columns() + column;
+    }
+
+    /** The field. */
+    public DetectionField field() {
+        return field;
+    }
+
+    /** Which course counts. */
+    public Choice choice() {
+        return choice;
+    }
+
+    /** The number of the course that counts in a cell. */
+    public int courseAt(int height, int column, int row) {
+        return courses[index(height, column, row)];
+    }
+
+    /**
+     * Whether nothing can be said about a cell: there is no ground below it, or no sensor covers it, and the line of
+     * sight of at least one leaves the known ground.
+     */
+    public boolean isUnknown(int height, int column, int row) {
+        return unknown[index(height, column, row)];
+    }
+
+    /** Whether a cell counts: it is neither unknown nor inside something solid. */
+    public boolean isKnown(int height, int column, int row) {
+        return !isUnknown(height, column, row) && !field.isInside(height, column, row);
+    }
+
+    /** How many sensors cover a cell. */
+    public int count(int height, int column, int row) {
+        return counts[index(height, column, row)];
+    }
+
+    /** Whether a sensor covers a cell. */
+    public boolean isCovered(int height, int column, int row) {
+        return count(height, column, row) > 0;
+    }
+
+    /** The dominant cause in a cell that is known. */
+    public Cause cause(int height, int column, int row) {
+        return CAUSES[causes[index(height, column, row)]];
+    }
+}

@@ -1,0 +1,99 @@
+package org.dronewatch.analysis;
+
+import java.util.List;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * Square columns of air over a site, with a cell at each of several heights: values hold for the middle of a column.
+ *
+ * @param east of the middle, -100 to 100 km, m
+ * @param north of the middle, -100 to 100 km, m
+ * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
+ * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
+ * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 1 to 50 of them
+ */
+public record FieldGrid(
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
+        @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double north,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double side,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double cell,
+        List<Double> heights) {
+    /** Heights for which people plan: the EU's open category ends at 120 m, manned flight begins at 150 m. */
+    public static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0, 150.0);
+
+    /** The most cells along a side. */
+    public static final int MOST_CELLS = 2000;
+
+    /** The most heights. */
+    public static final int MOST_HEIGHTS = 50;
+
+    /** The greatest height, m. */
+    public static final double HIGHEST = 10_000.0;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range, or the heights are not in ascending order
+     */
+    public FieldGrid {
+        Limits.check(FieldGrid.class, east, north, side, cell, heights);
+        heights = List.copyOf(heights);
+        checkHeights(heights);
+        if (Math.rint(side / cell) > MOST_CELLS) {
+            throw new IllegalArgumentException("side " + side + " m with cells of " + cell + " m has "
+                    + (long) Math.rint(side / cell) + " cells: must be at most " + MOST_CELLS);
+        }
+    }
+
+    private static void checkHeights(List<Double> heights) {
+        if (heights.isEmpty() || heights.size() > MOST_HEIGHTS) {
+            throw new IllegalArgumentException(heights.size() + " heights: must be 1 to " + MOST_HEIGHTS);
+        }
+        double below = 0.0;
+        for (double height : heights) {
+            if (!(height > below) || height > HIGHEST) {
+                throw new IllegalArgumentException("height " + height + " m after " + below
+                        + " m: heights must be in ascending order, above 0 and at most " + HIGHEST + " m");
+            }
+            below = height;
+        }
+    }
+
+    /** Number of columns along a side, 1 or more. */
+    public int columns() {
+        return Math.max(1, (int) Math.rint(side / cell));
+    }
+
+    /** Number of cells at a height. */
+    public int cells() {
+        return columns() * columns();
+    }
+
+    /** Area of a cell, m2. */
+    public double cellArea() {
+        return cell * cell;
+    }
+
+    /** East coordinate of the middle of a column, counted from the west, m. */
+    public double x(int column) {
+        return east + (column + 0.5 - 0.5 * columns()) * cell;
+    }
+
+    /** North coordinate of the middle of a row, counted from the north, m. */
+    public double y(int row) {
+        return north - (row + 0.5 - 0.5 * columns()) * cell;
+    }
+
+    /**
+     * The depth of the layer of air that a height stands for, m: halfway to its neighbours, from the ground for the
+     * lowest, and up to the height itself for the highest.
+     */
+    public double depth(int height) {
+        int last = heights.size() - 1;
+        double bottom = height == 0 ? 0.0 : 0.5 * (heights.get(height - 1) + heights.get(height));
+        double top = height == last ? heights.get(last) : 0.5 * (heights.get(height) + heights.get(height + 1));
+        return top - bottom;
+    }
+}

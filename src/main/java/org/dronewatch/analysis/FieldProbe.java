@@ -1,0 +1,51 @@
+package org.dronewatch.analysis;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.RaySensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/**
+ * One sensor and a drone that is put anywhere on any course.
+ *
+ * @param world the site
+ * @param drone the drone, anywhere
+ * @param sensor name of the sensor
+ * @param settings of the sensor
+ * @param seed of the run, for sensors that trace random rays
+ * @param courses of the drone
+ */
+record FieldProbe(
+        World world, Drone drone, String sensor, SensorSettings<?> settings, long seed, List<Course> courses) {
+
+    /** An assessor for one thread. */
+    Assessor newAssessor() {
+        return new Assessor(sensor, settings, world);
+    }
+
+    /** The drone at a place, m, on a course given by its number. */
+    Drone drone(Position at, int course) {
+        return drone.at(courses.get(course).at(at, drone.settings().speed()));
+    }
+
+    /** Where the sensor's positioner points once it has turned to a place, m; empty on a fixed mount. */
+    Optional<Pointing> pointing(Position at) {
+        return Mounted.turnedTo(settings, at);
+    }
+
+    /**
+     * The assessment of the drone with the random rays of the first look of a run: they are the same for all cells, so
+     * that the field varies with the place alone.
+     */
+    Assessment assess(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        return assessor.assess(there, pointing, Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS));
+    }
+}

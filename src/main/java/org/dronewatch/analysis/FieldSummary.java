@@ -1,0 +1,44 @@
+package org.dronewatch.analysis;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The coverage of a site at all heights, and what each sensor contributes to it.
+ *
+ * @param coverage cell by cell
+ * @param heights from the lowest to the highest
+ */
+public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) {
+    /** Copies the list: later changes by the caller have no effect. */
+    public FieldSummary {
+        heights = List.copyOf(heights);
+    }
+
+    /**
+     * Summarises a field.
+     *
+     * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
+     */
+    public static FieldSummary of(DetectionField field, FieldCoverage.Choice choice, double covered) {
+        FieldCoverage coverage = new FieldCoverage(field, choice, covered);
+        Map<String, FieldCoverage> without = new LinkedHashMap<>();
+        for (String sensor : field.sensors()) {
+            without.put(sensor, new FieldCoverage(field.without(sensor), choice, covered));
+        }
+        List<HeightSummary> heights = new ArrayList<>();
+        for (int height = 0; height < field.grid().heights().size(); height++) {
+            heights.add(HeightSummary.of(coverage, height, without));
+        }
+        return new FieldSummary(coverage, heights);
+    }
+
+    /** The sensors without which the coverage is the same at every height. */
+    public List<String> idleSensors() {
+        return coverage.field().sensors().stream()
+                .filter(sensor -> heights.stream().allMatch(one -> one.lost().get(sensor) == 0))
+                .toList();
+    }
+}

@@ -1,0 +1,79 @@
+package org.dronewatch.analysis;
+
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * The coverage at one height in numbers of cells.
+ *
+ * @param height above the ground, m
+ * @param cells all of them
+ * @param known those that are neither unknown nor inside something solid
+ * @param inside those inside something solid
+ * @param covered those known ones that a sensor covers
+ * @param volume of the air that these stand for, m3; see {@link FieldGrid#depth}
+ * @param causes known cells by their dominant cause, in the order of {@link Cause}
+ * @param counts known cells by the number of sensors that cover them, from none on
+ * @param lost by sensor, the cells that nothing covers without it, although something does with it; the course that
+ *     counts may be another one then, and a number below 0 is possible for the best course
+ * @param gap the largest gap; empty if there is none
+ */
+public record HeightSummary(
+        double height,
+        int cells,
+        int known,
+        int inside,
+        int covered,
+        double volume,
+        Map<Cause, Integer> causes,
+        int[] counts,
+        Map<String, Integer> lost,
+        Optional<Gap> gap) {
+
+    /** The cells that are unknown. */
+    public int unknown() {
+        return cells - known - inside;
+    }
+
+    /**
+     * A height of a coverage, given by its number.
+     *
+     * @param without the coverage without each of the sensors
+     */
+    static HeightSummary of(FieldCoverage coverage, int height, Map<String, FieldCoverage> without) {
+        FieldGrid grid = coverage.field().grid();
+        int known = 0;
+        int inside = 0;
+        int covered = covered(coverage, height);
+        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        int[] counts = new int[coverage.field().sensors().size() + 1];
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            int column = cell % grid.columns();
+            int row = cell / grid.columns();
+            inside += coverage.field().isInside(height, column, row) ? 1 : 0;
+            if (coverage.isKnown(height, column, row)) {
+                known++;
+                causes.merge(coverage.cause(height, column, row), 1, Integer::sum);
+                counts[coverage.count(height, column, row)]++;
+            }
+        }
+        Map<String, Integer> lost = new LinkedHashMap<>();
+        without.forEach((sensor, rest) -> lost.put(sensor, covered - covered(rest, height)));
+        double volume = covered * grid.cellArea() * grid.depth(height);
+        double above = grid.heights().get(height);
+        Optional<Gap> gap = Gap.largest(coverage, height);
+        return new HeightSummary(above, grid.cells(), known, inside, covered, volume, causes, counts, lost, gap);
+    }
+
+    private static int covered(FieldCoverage coverage, int height) {
+        FieldGrid grid = coverage.field().grid();
+        int covered = 0;
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            covered += coverage.isCovered(height, cell % grid.columns(), cell / grid.columns()) ? 1 : 0;
+        }
+        return covered;
+    }
+}

@@ -1,0 +1,143 @@
+package org.dronewatch.analysis;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.IntConsumer;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * What one sensor's assessments of a drone are in all cells on all courses: probability and cause. Most of them are the
+ * same on every course, and take four bytes for each cell and height; the others take two bytes more for each course.
+ *
+ * <p>A probability is kept in steps of 1/250, where 0 and 250 mean exactly 0 and 1.
+ */
+final class SensorLayer {
+    /** The steps of a probability. */
+    static final int STEPS = 250;
+
+    private static final Cause[] CAUSES = Cause.values();
+    private static final int CAUSE_SHIFT = 8;
+    private static final int BYTE = 0xFF;
+
+    /**
+     * By height and row, then column: probability and cause where all courses are alike; otherwise minus one minus the
+     * position in the row's bytes.
+     */
+    private final int[][] entries;
+
+    /** By height and row: the probabilities and causes of those cells whose courses are not alike. */
+    private final byte[][] byCourse;
+
+    private final int rows;
+
+    private SensorLayer(int rows, int heights) {
+        this.rows = rows;
+        this.entries = new int[rows * heights][];
+        this.byCourse = new byte[rows * heights][];
+    }
+
+    /**
+     * Assesses a drone with one sensor in every cell in which it can be, on the threads of the {@link Workers} that
+     * call; the same for any number of them.
+     *
+     * @param progress receives the number of cells done since the last call; from any thread
+     */
+    static SensorLayer of(FieldProbe probe, FieldGrid grid, FieldColumns columns, IntConsumer progress) {
+        SensorLayer layer = new SensorLayer(grid.columns(), grid.heights().size());
+        Workers.forEach(layer.entries.length, probe::newAssessor, (assessor, index) -> {
+            Row row = new Row(grid.columns(), probe.courses().size());
+            int height = index / layer.rows;
+            for (int column = 0; column < grid.columns(); column++) {
+                if (columns.isOpen(height, column, index % layer.rows)) {
+                    row.set(column, probe, assessor, columns.middle(height, column, index % layer.rows));
+                }
+            }
+            layer.entries[index] = row.entries;
+            layer.byCourse[index] = Arrays.copyOf(row.pool, row.used);
+            progress.accept(grid.columns());
+        });
+        return layer;
+    }
+
+    /** The probability that a look detects the drone, in steps of 1/250; 0 in a cell in which it cannot be. */
+    int steps(int height, int column, int row, int course) {
+        return at(height, column, row, course) & BYTE;
+    }
+
+    /** Why it is missed; {@link Cause#UNKNOWN} in a cell in which it cannot be. */
+    Cause cause(int height, int column, int row, int course) {
+        return CAUSES[at(height, column, row, course) >> CAUSE_SHIFT];
+    }
+
+    private int at(int height, int column, int row, int course) {
+        int index = height * rows + row;
+        int entry = entries[index][column];
+        if (entry >= 0) {
+            return entry;
+        }
+        int at = -1 - entry + 2 * course;
+        return byCourse[index][at] & BYTE | (byCourse[index][at + 1] & BYTE) << CAUSE_SHIFT;
+    }
+
+    /** One row of cells while it is assessed. */
+    private static final class Row {
+        private final int courses;
+        private final int[] entries;
+        private final int[] codes;
+        private byte[] pool = new byte[0];
+        private int used;
+
+        Row(int columns, int courses) {
+            this.courses = courses;
+            this.entries = new int[columns];
+            this.codes = new int[courses];
+        }
+
+        void set(int column, FieldProbe probe, Assessor assessor, Position at) {
+            Optional<Pointing> pointing = probe.pointing(at);
+            Drone first = probe.drone(at, 0);
+            codes[0] = code(probe.assess(assessor, first, pointing));
+            boolean alike = true;
+            if (courses > 1 && !assessor.isSameAtAllHeadings(first, pointing)) {
+                for (int course = 1; course < courses; course++) {
+                    codes[course] = code(probe.assess(assessor, probe.drone(at, course), pointing));
+                    alike &= codes[course] == codes[0];
+                }
+            }
+            entries[column] = alike ? codes[0] : -1 - keep();
+        }
+
+        private int keep() {
+            int at = used;
+            if (pool.length < used + 2 * courses) {
+                pool = Arrays.copyOf(pool, 2 * pool.length + 2 * courses);
+            }
+            for (int course = 0; course < courses; course++) {
+                pool[used++] = (byte) codes[course];
+                pool[used++] = (byte) (codes[course] >> CAUSE_SHIFT);
+            }
+            return at;
+        }
+
+        /** A sensor whose line of sight leaves the known ground is not counted on. */
+        private static int code(Assessment assessment) {
+            Cause cause = assessment.cause();
+            int steps = cause == Cause.UNKNOWN ? 0 : steps(assessment.probability());
+            return steps | cause.ordinal() << CAUSE_SHIFT;
+        }
+    }
+
+    /** A probability in steps of 1/250: 0 and 250 for exactly 0 and 1 alone. */
+    static int steps(double probability) {
+        if (probability <= 0.0 || probability >= 1.0) {
+            return probability <= 0.0 ? 0 : STEPS;
+        }
+        return Math.max(1, Math.min(STEPS - 1, (int) Math.rint(STEPS * probability)));
+    }
+}

@@ -1,0 +1,15 @@
+package org.dronewatch.report;
+
+import java.util.Optional;
+import org.dronewatch.geo.Origin;
+
+/**
+ * What a coverage was asked for, as its files state it.
+ *
+ * @param scene name of the scene
+ * @param drone name of the drone
+ * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
+ * @param covered the probability with which a sensor must detect the drone to cover a cell
+ * @param origin where on earth the scene lies, if it is known
+ */
+public record CoverageInputs(String scene, String drone, String heading, double covered, Optional<Origin> origin) {}

@@ -1,0 +1,87 @@
+package org.dronewatch.report;
+
+import java.util.Locale;
+import org.dronewatch.analysis.FieldGrid;
+import org.dronewatch.analysis.FieldSummary;
+import org.dronewatch.analysis.Gap;
+import org.dronewatch.analysis.HeightSummary;
+import org.dronewatch.sensor.Cause;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The contents of {@code coverage.json}: equal inputs give the same bytes for any number of threads. */
+final class FieldFile {
+    /** The version of the keys. */
+    private static final int FORMAT = 1;
+
+    private FieldFile() {}
+
+    static ObjectNode toJson(FieldSummary summary, CoverageInputs inputs) {
+        FieldGrid grid = summary.coverage().field().grid();
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("format", FORMAT);
+        root.put("scene", inputs.scene());
+        root.put("drone", inputs.drone());
+        root.put("covered", Numbers.rounded(inputs.covered()));
+        root.put("heading", inputs.heading());
+        root.put("pointing", "cued");
+        root.put("cell_m", Numbers.rounded(grid.cell()));
+        root.put("cells_per_side", grid.columns());
+        root.put("west_m", Numbers.rounded(grid.x(0) - 0.5 * grid.cell()));
+        root.put("north_m", Numbers.rounded(grid.y(0) + 0.5 * grid.cell()));
+        inputs.origin().ifPresent(origin -> ResultFile.add(root.putObject("origin"), origin));
+        ArrayNode heights = root.putArray("heights");
+        summary.heights().forEach(height -> add(heights.addObject(), height));
+        ArrayNode idle = root.putArray("idle_sensors");
+        summary.idleSensors().forEach(idle::add);
+        root.put("complete", true);
+        return root;
+    }
+
+    private static void add(ObjectNode node, HeightSummary height) {
+        node.put("height_m", Numbers.rounded(height.height()));
+        node.put("known", height.known());
+        share(node, "unknown_share", height.unknown(), height.cells());
+        share(node, "inside_share", height.inside(), height.cells());
+        share(node, "covered_share", height.covered(), height.known());
+        node.put("volume_m3", Numbers.rounded(height.volume()));
+        ObjectNode causes = node.putObject("causes");
+        height.causes().forEach((cause, cells) -> share(causes, name(cause), cells, height.known()));
+        ObjectNode counts = node.putObject("count_shares");
+        for (int sensors = 0; sensors < height.counts().length; sensors++) {
+            if (height.counts()[sensors] > 0) {
+                share(counts, String.valueOf(sensors), height.counts()[sensors], height.known());
+            }
+        }
+        ObjectNode lost = node.putObject("n_minus_1");
+        height.lost().forEach((sensor, cells) -> share(lost, sensor, cells, height.known()));
+        node.put("largest_gap_m2", Numbers.rounded(height.gap().map(Gap::area).orElse(0.0)));
+        if (height.gap().isPresent()) {
+            add(node.putObject("gap"), height.gap().get());
+        } else {
+            node.putNull("gap");
+        }
+    }
+
+    private static void add(ObjectNode node, Gap gap) {
+        node.put("x", Numbers.rounded(gap.x()));
+        node.put("y", Numbers.rounded(gap.y()));
+        node.put("cause", name(gap.cause()));
+        node.put("touches_rim", gap.touchesRim());
+    }
+
+    /** A fraction of cells; null where there are none. */
+    private static void share(ObjectNode node, String key, int cells, int of) {
+        if (of == 0) {
+            node.putNull(key);
+        } else {
+            node.put(key, Numbers.rounded((double) cells / of));
+        }
+    }
+
+    /** A cause as files name it: {@code hidden-by-terrain}. */
+    private static String name(Cause cause) {
+        return cause.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}

@@ -1,0 +1,93 @@
+package org.dronewatch.report;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.dronewatch.analysis.FieldSummary;
+import org.dronewatch.analysis.Gap;
+import org.dronewatch.analysis.HeightSummary;
+import org.dronewatch.sensor.Cause;
+
+/** Tables of a site's coverage at several heights. */
+public final class FieldTable {
+    private static final String HEIGHT = "%10s";
+
+    private FieldTable() {}
+
+    /** The fraction of the known cells at each height that is covered, and the dominant causes of all of them. */
+    public static List<String> causes(FieldSummary summary) {
+        Set<Cause> causes = EnumSet.noneOf(Cause.class);
+        summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));
+        List<String> lines = new ArrayList<>();
+        lines.add("in % of the known cells at each height:");
+        StringBuilder header = new StringBuilder(text(HEIGHT, "height") + text("  %11s", "known cells") + "  covered");
+        causes.forEach(cause -> header.append("  ").append(CoverageTable.name(cause)));
+        lines.add(header.toString());
+        for (HeightSummary height : summary.heights()) {
+            StringBuilder line = new StringBuilder(text(HEIGHT, metres(height.height())));
+            line.append(text("  %,11d", height.known())).append(text("  %7s", percent(height.covered(), height)));
+            for (Cause cause : causes) {
+                String cells = percent(height.causes().getOrDefault(cause, 0), height);
+                line.append(text("  %" + CoverageTable.name(cause).length() + "s", cells));
+            }
+            lines.add(line.toString());
+        }
+        return lines;
+    }
+
+    /** What is no longer covered without each sensor, in percent of the known cells at each height. */
+    public static List<String> losses(FieldSummary summary) {
+        List<String> lines = new ArrayList<>();
+        lines.add("no longer covered without a sensor, in % of the known cells:");
+        StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
+        summary.heights().forEach(height -> header.append(text(HEIGHT, metres(height.height()))));
+        lines.add(header.toString());
+        for (String sensor : summary.coverage().field().sensors()) {
+            StringBuilder line = new StringBuilder(text("%-24s", sensor));
+            summary.heights()
+                    .forEach(height ->
+                            line.append(text(HEIGHT, percent(height.lost().get(sensor), height))));
+            lines.add(line.toString());
+        }
+        List<String> idle = summary.idleSensors();
+        if (!idle.isEmpty()) {
+            lines.add("the coverage is the same without " + String.join(", ", idle)
+                    + (idle.size() == 1 ? "" : ", each of them alone"));
+        }
+        return lines;
+    }
+
+    /** The largest gap at each height, with its cause. */
+    public static List<String> gaps(FieldSummary summary) {
+        List<String> lines = new ArrayList<>();
+        lines.add("largest gap:");
+        for (HeightSummary height : summary.heights()) {
+            Optional<Gap> gap = height.gap();
+            lines.add(text(HEIGHT, metres(height.height()))
+                    + gap.map(FieldTable::words).orElse("  none"));
+        }
+        return lines;
+    }
+
+    private static String words(Gap gap) {
+        String rim = gap.touchesRim() ? ", reaches the rim of the area" : "";
+        return text(
+                "  %.2f ha, innermost at x %.1f m, y %.1f m, mainly %s%s",
+                1e-4 * gap.area(), gap.x() + 0.0, gap.y() + 0.0, CoverageTable.name(gap.cause()), rim);
+    }
+
+    private static String metres(double height) {
+        return Numbers.text(height) + " m";
+    }
+
+    private static String percent(int cells, HeightSummary height) {
+        return height.known() == 0 ? "-" : CoverageTable.percent(cells, height.known());
+    }
+
+    private static String text(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,242 @@
+package org.dronewatch.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.dronewatch.sensor.Cause;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Coverage, gaps and losses, each computed a second time from the field alone. */
+class FieldCoverageTest {
+    private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 380, 20, List.of(2.0, 12.0, 60.0));
+
+    /** Two radars with chance in the west and in the east, and one that sees little. */
+    private static final String WEST_AND_EAST =
+            """
+              west: {kind: radar, position: [-120, 40, 6], minRange: 1, maxRange: 400, elevationWidth: 90 deg,
+                budget: {range: 120, crossSection: 0.01}, minSpeed: 3 m/s, detection: {kind: chance, pulses: 8}}
+              east: {kind: radar, position: [120, -40, 6], minRange: 1, maxRange: 400, elevationWidth: 90 deg,
+                budget: {range: 140, crossSection: 0.01}, notch: {kind: high-pass, halfPowerSpeed: 4 m/s},
+                detection: {kind: chance, pulses: 8}}
+            """;
+
+    private static final String NEAR =
+            """
+              near: {kind: radar, position: [-120, 40, 6], minRange: 1, maxRange: 25, elevationWidth: 90 deg,
+                budget: {range: 120, crossSection: 0.01}, minSpeed: 0 m/s}
+            """;
+
+    @TempDir
+    private static Path directory;
+
+    private static FieldSite site;
+    private static DetectionField field;
+
+    @BeforeAll
+    static void assess() throws IOException {
+        site = FieldSite.in(Files.createDirectory(directory.resolve("all")), WEST_AND_EAST + NEAR);
+        field = site.field(GRID, 2);
+    }
+
+    private static double joint(DetectionField of, int height, int column, int row, int course) {
+        double missed = 1.0;
+        for (int sensor = 0; sensor < of.sensors().size(); sensor++) {
+            missed *= 1.0 - of.probability(sensor, height, column, row, course);
+        }
+        return 1.0 - missed;
+    }
+
+    @Test
+    void theCourseThatCountsHasTheLeastOrTheGreatestJointProbability() {
+        FieldCoverage worst = new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.5);
+        FieldCoverage best = new FieldCoverage(field, FieldCoverage.Choice.BEST, 0.5);
+        int covered = 0;
+        int better = 0;
+        for (int cell = 0; cell < GRID.cells(); cell++) {
+            int column = cell % GRID.columns();
+            int row = cell / GRID.columns();
+            double[] joint = IntStream.range(0, field.courses().size())
+                    .mapToDouble(course -> joint(field, 1, column, row, course))
+                    .toArray();
+            double least = IntStream.range(0, joint.length)
+                    .mapToDouble(i -> joint[i])
+                    .min()
+                    .orElseThrow();
+            double most = IntStream.range(0, joint.length)
+                    .mapToDouble(i -> joint[i])
+                    .max()
+                    .orElseThrow();
+            assertThat(joint[worst.courseAt(1, column, row)]).isCloseTo(least, within(1e-12));
+            assertThat(joint[best.courseAt(1, column, row)]).isCloseTo(most, within(1e-12));
+            covered += worst.isCovered(1, column, row) ? 1 : 0;
+            better += best.isCovered(1, column, row) ? 1 : 0;
+        }
+        assertThat(covered).isBetween(1, better - 20);
+    }
+
+    /** Highest probability, then the cause nearest to a detection; a sensor covers from its own probability on. */
+    @Test
+    void causeAndCountAreThoseOfTheSensorsOnThatCourse() {
+        FieldCoverage coverage = new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.3);
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int at = height;
+                int column = cell % GRID.columns();
+                int row = cell / GRID.columns();
+                if (!field.isOpen(height, column, row)) {
+                    assertThat(coverage.isKnown(height, column, row)).isFalse();
+                    continue;
+                }
+                int course = coverage.courseAt(height, column, row);
+                int dominant = IntStream.range(0, 3)
+                        .boxed()
+                        .max(Comparator.comparing(
+                                        (Integer sensor) -> field.probability(sensor, at, column, row, course))
+                                .thenComparing(sensor -> field.cause(sensor, at, column, row, course)))
+                        .orElseThrow();
+                assertThat(coverage.cause(height, column, row))
+                        .isEqualTo(field.cause(dominant, height, column, row, course));
+                assertThat(coverage.count(height, column, row)).isEqualTo((int) IntStream.range(0, 3)
+                        .filter(sensor -> field.probability(sensor, at, column, row, course) >= 0.3)
+                        .count());
+            }
+        }
+    }
+
+    /** Cells, shares and losses against the scenes without one of the sensors, computed anew. */
+    @Test
+    void whatIsLostWithoutASensorIsTheDifferenceToASceneWithoutIt() throws IOException {
+        FieldSummary all = FieldSummary.of(field, FieldCoverage.Choice.WORST, 0.5);
+        FieldSite rest = FieldSite.in(Files.createDirectory(directory.resolve("rest")), WEST_AND_EAST);
+        FieldSummary without = FieldSummary.of(rest.field(GRID, 2), FieldCoverage.Choice.WORST, 0.5);
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            HeightSummary one = all.heights().get(height);
+            assertThat(one.lost().get("near"))
+                    .isEqualTo(one.covered() - without.heights().get(height).covered());
+            assertThat(one.causes().values().stream()
+                            .mapToInt(Integer::intValue)
+                            .sum())
+                    .isEqualTo(one.known());
+            assertThat(IntStream.of(one.counts()).sum()).isEqualTo(one.known());
+            assertThat(one.known() - one.counts()[0]).isEqualTo(one.covered());
+            assertThat(one.known() + one.inside()).as("all ground is known").isEqualTo(GRID.cells());
+        }
+        assertThat(all.heights().get(0).lost().get("near")).isPositive();
+        assertThat(all.heights().get(0).inside()).isPositive();
+        assertThat(FieldSummary.of(field, FieldCoverage.Choice.BEST, 0.5).idleSensors())
+                .as("it sees only what the western radar sees, too")
+                .containsExactly("near");
+        double volume =
+                all.heights().stream().mapToDouble(HeightSummary::volume).sum();
+        assertThat(volume).isLessThan(380 * 380 * 60).isPositive();
+    }
+
+    /** A second sensor at the same place with the same range adds nothing. */
+    @Test
+    void aSensorThatAddsNothingIsIdle() throws IOException {
+        String twice = NEAR + NEAR.replace("near", "again");
+        FieldSite two = FieldSite.in(Files.createDirectory(directory.resolve("twice")), twice);
+        FieldSummary summary = FieldSummary.of(two.field(GRID, 2), FieldCoverage.Choice.WORST, 0.5);
+        assertThat(summary.heights().get(0).covered()).isPositive();
+        assertThat(summary.idleSensors()).containsExactly("near", "again");
+    }
+
+    /** The largest gap by another flood. */
+    @Test
+    void theLargestGapIsThatOfAFlood() {
+        for (FieldCoverage.Choice choice : FieldCoverage.Choice.values()) {
+            FieldCoverage coverage = new FieldCoverage(field, choice, 0.5);
+            for (int height = 0; height < GRID.heights().size(); height++) {
+                Set<Integer> expected = largest(coverage, height);
+                Optional<Gap> gap = Gap.largest(coverage, height);
+                assertThat(gap.map(Gap::cells).orElse(0)).isEqualTo(expected.size());
+                if (gap.isPresent()) {
+                    int column = (int) Math.round((gap.get().x() - GRID.x(0)) / GRID.cell());
+                    int row = (int) Math.round((GRID.y(0) - gap.get().y()) / GRID.cell());
+                    assertThat(expected).contains(row * GRID.columns() + column);
+                    assertThat(gap.get().touchesRim())
+                            .isEqualTo(expected.stream().anyMatch(FieldCoverageTest::isRim));
+                    assertThat(gap.get().area()).isEqualTo(400.0 * expected.size());
+                    assertThat(gap.get().cause()).isNotEqualTo(Cause.DETECTED);
+                }
+            }
+        }
+    }
+
+    private static Set<Integer> largest(FieldCoverage coverage, int height) {
+        Set<Integer> bare = new HashSet<>();
+        for (int cell = 0; cell < GRID.cells(); cell++) {
+            int column = cell % GRID.columns();
+            int row = cell / GRID.columns();
+            if (coverage.isKnown(height, column, row) && !coverage.isCovered(height, column, row)) {
+                bare.add(cell);
+            }
+        }
+        Set<Integer> largest = Set.of();
+        while (!bare.isEmpty()) {
+            Set<Integer> one = new HashSet<>();
+            Deque<Integer> open =
+                    new ArrayDeque<>(List.of(bare.stream().min(Integer::compare).orElseThrow()));
+            while (!open.isEmpty()) {
+                int cell = open.pop();
+                if (bare.remove(cell)) {
+                    one.add(cell);
+                    if (cell % GRID.columns() > 0) {
+                        open.push(cell - 1);
+                    }
+                    if (cell % GRID.columns() < GRID.columns() - 1) {
+                        open.push(cell + 1);
+                    }
+                    open.push(cell - GRID.columns());
+                    open.push(cell + GRID.columns());
+                }
+            }
+            largest = one.size() > largest.size() ? one : largest;
+        }
+        return largest;
+    }
+
+    private static boolean isRim(int cell) {
+        int column = cell % GRID.columns();
+        int row = cell / GRID.columns();
+        return column == 0 || row == 0 || column == GRID.columns() - 1 || row == GRID.columns() - 1;
+    }
+
+    @Test
+    void theGridChecksItsLimits() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of()))
+                .withMessageContaining("1 to 50");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of(10.0, 10.0)))
+                .withMessageContaining("ascending");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of(Double.NaN)))
+                .withMessageContaining("NaN");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FieldGrid(0, 0, 10_000, 1, List.of(10.0)))
+                .withMessageContaining("10000 cells");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.0))
+                .withMessageContaining("above 0");
+        FieldGrid one = new FieldGrid(5, 6, 1, 10, List.of(10.0, 30.0, 60.0));
+        assertThat(one.columns()).isEqualTo(1);
+        assertThat(one.x(0)).isEqualTo(5);
+        assertThat(one.y(0)).isEqualTo(6);
+        assertThat(new double[] {one.depth(0), one.depth(1), one.depth(2)}).containsExactly(20, 25, 15);
+    }
+}
