@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.buildings.io.MapLength;
 
 /**
  * How high a building is, and what its roof looks like, by the tags of OpenStreetMap (Simple 3D Buildings). Heights

@@ -1,4 +1,4 @@
-package org.dronewatch.buildings;
+package org.dronewatch.buildings.io;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Lengths as maps state them: {@code 12}, {@code 12.5 m}, {@code 9,5}, {@code 40 ft}, {@code 39'4"}. */
-final class MapLength {
+public final class MapLength {
     private static final double FOOT = 0.3048;
     private static final double INCHES = 12.0;
 
@@ -18,7 +18,7 @@ final class MapLength {
     private MapLength() {}
 
     /** A length in metres; empty for what is none. */
-    static Optional<Double> parse(String text) {
+    public static Optional<Double> parse(String text) {
         String plain = text.strip().toLowerCase(Locale.ROOT);
         Matcher metres = METRES.matcher(plain);
         if (metres.matches()) {
