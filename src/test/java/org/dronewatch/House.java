@@ -39,6 +39,7 @@ public final class House {
             new Storey("", "flight"),
             new Storey("the site", "world"),
             new Storey("", "buildings"),
+            new Storey("", "buildings.land"),
             new Storey("", "terrain", "buildings.io"),
             new Storey("", "terrain.io"),
             new Storey("", "geo.features"),

@@ -10,7 +10,9 @@ import java.util.function.Consumer;
 import org.dronewatch.buildings.io.MapArea;
 import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.buildings.io.MapFiles;
+import org.dronewatch.buildings.land.LandSurvey;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
@@ -69,20 +71,29 @@ public final class BuildingLoader {
      */
     public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain) {
         String file = settings.file().orElseThrow(() -> new InputException("needs a 'file', a map with buildings"));
-        MapFeatures map =
-                new MapFiles(directory, progress).read(file, MapArea.about(origin, settings.radius() + MARGIN));
+        MapFeatures map = new MapFiles(directory, progress)
+                .read(file, MapArea.about(origin, settings.radius() + MARGIN), settings.landCover());
         BuildingReport report = new BuildingReport(PackagedSite.plain(file), settings, map.leftOut());
         BuildingSite site = new BuildingSite(settings, origin, terrain, report);
         TriangleMesh mesh = map.model().isPresent()
                 ? new CityBuildings(map.model().get(), settings, site.transform(map), report).mesh(terrain)
                 : mesh(file, map, site, report);
         TriangleMesh woods = woods(map, site, terrain, settings, report);
-        if (report.count() == 0 && woods.triangleCount() == 0) {
+        Optional<LandSurvey.Found> land = land(map, site, terrain, settings);
+        boolean hasLand = land.isPresent() && land.get().cover().isAnywhere();
+        if (report.count() == 0 && woods.triangleCount() == 0 && !hasLand) {
             throw new InputException(
                     file + ": has no building within " + Quantity.LENGTH.inWords(settings.radius()) + " of the origin");
         }
         Map<String, Integer> colours = new HashMap<>(BuildingMaterials.colours(mesh.materialNames()));
         colours.put(Canopies.MATERIAL, Canopies.COLOUR);
+        List<String> lines = report.lines(map, mesh.triangleCount());
+        List<String> warnings = report.warnings();
+        land.ifPresent(found -> {
+            // The attribution comes last.
+            lines.addAll(lines.size() - (BuildingReport.attribution(map).isPresent() ? 1 : 0), found.description());
+            warnings.addAll(found.warnings());
+        });
         return new LoadedBuildings(
                 mesh,
                 woods,
@@ -93,8 +104,9 @@ public final class BuildingLoader {
                 report.area(),
                 report.assumed(),
                 map.hash(),
-                report.lines(map, mesh.triangleCount()),
-                report.warnings());
+                land.map(LandSurvey.Found::cover),
+                lines,
+                warnings);
     }
 
     private static TriangleMesh woods(
@@ -114,6 +126,23 @@ public final class BuildingLoader {
             }
         }
         return canopies.mesh();
+    }
+
+    /** The land cover of the terrain, as far as the map is read. */
+    private static Optional<LandSurvey.Found> land(
+            MapFeatures map, BuildingSite site, Optional<TerrainGround> terrain, BuildingSettings settings) {
+        String file = PackagedSite.plain(settings.file().orElseThrow());
+        double wanted = terrain.map(ground -> reach(ground.mesh().bounds())).orElse(settings.radius());
+        // Whole metres, so that cells of a metre fit in.
+        double half = Math.max(1.0, Math.ceil(Math.min(wanted, settings.radius() + MARGIN)));
+        return settings.landCover()
+                ? Optional.of(LandSurvey.of(file, map.land(), half, site.projection(map)))
+                : Optional.empty();
+    }
+
+    /** Half of the side of the smallest square about the origin that has a box in it, m. */
+    private static double reach(AABB box) {
+        return Math.max(Math.max(-box.minX(), box.maxX()), Math.max(-box.minY(), box.maxY()));
     }
 
     private TriangleMesh mesh(String file, MapFeatures map, BuildingSite site, BuildingReport report) {

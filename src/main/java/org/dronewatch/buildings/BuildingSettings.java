@@ -6,6 +6,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
@@ -25,6 +26,8 @@ import org.dronewatch.setting.file.PackagedSite;
  *     different level from that of {@code world.origin.height} and the terrain
  * @param woodHeight height of the woods on the map, which are modelled as opaque canopies, 1 to 100 m; omit it to leave
  *     out woods
+ * @param landCover whether the ground of {@code world.terrain} has the colours of what the map shows there (water,
+ *     roads, woods, ...); ground about which the map states nothing keeps the material of the terrain
  * @param material material of buildings for which the map states none: a name in the table of surfaces
  */
 public record BuildingSettings(
@@ -35,11 +38,12 @@ public record BuildingSettings(
         @In(value = Quantity.LENGTH, from = 1, to = 20) double levelHeight,
         @In(value = Quantity.LENGTH, from = -1000, to = 1000) double verticalOffset,
         @In(value = Quantity.LENGTH, from = 1, to = 100) Optional<Double> woodHeight,
+        @Minor boolean landCover,
         String material) {
     /** Within 2 km, three levels of 3 m, rendered brick; without a file yet. */
     @Defaults
     public static final BuildingSettings DEFAULT = new BuildingSettings(
-            Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, Optional.empty(), "brick_rendered");
+            Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, Optional.empty(), false, "brick_rendered");
 
     /**
      * Checks the limits.
@@ -49,7 +53,16 @@ public record BuildingSettings(
      */
     public BuildingSettings {
         Limits.check(
-                BuildingSettings.class, file, crs, radius, height, levelHeight, verticalOffset, woodHeight, material);
+                BuildingSettings.class,
+                file,
+                crs,
+                radius,
+                height,
+                levelHeight,
+                verticalOffset,
+                woodHeight,
+                landCover,
+                material);
         if (material.isBlank()) {
             throw new IllegalArgumentException("material is empty: it must be a name");
         }
@@ -89,6 +102,11 @@ public record BuildingSettings(
     /** These settings with the woods of the map as canopies of a height, m. */
     public BuildingSettings withWoodHeight(double metres) {
         return SettingsForm.with(this, "woodHeight", Optional.of(metres));
+    }
+
+    /** These settings with the land cover of the map on the ground, or without it. */
+    public BuildingSettings withLandCover(boolean isUsed) {
+        return SettingsForm.with(this, "landCover", isUsed);
     }
 
     /** These settings with another material of buildings whose material is not known. */

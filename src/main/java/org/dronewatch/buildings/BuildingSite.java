@@ -3,6 +3,7 @@ package org.dronewatch.buildings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.dronewatch.buildings.io.MapFeature;
 import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.geo.CoordinateReferenceSystem;
@@ -106,7 +107,18 @@ final class BuildingSite {
                 .toList();
     }
 
+    /** From coordinates of the map to the plane of the world frame, x and y of each corner in turn. */
+    UnaryOperator<double[]> projection(MapFeatures map) {
+        MapTransform transform = transform(map);
+        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.WGS_84);
+        return line -> flat(line, transform, isPlain);
+    }
+
     private double[] inWorld(double[] ring, MapTransform transform, boolean isPlain) {
+        return Rings.cleaned(flat(ring, transform, isPlain), NEAR);
+    }
+
+    private double[] flat(double[] ring, MapTransform transform, boolean isPlain) {
         double[] flat = new double[ring.length];
         double level = origin.height().orElse(0.0);
         for (int i = 0; i < ring.length; i += 2) {
@@ -116,7 +128,7 @@ final class BuildingSite {
             flat[i] = corner.x();
             flat[i + 1] = corner.y();
         }
-        return Rings.cleaned(flat, NEAR);
+        return flat;
     }
 
     private boolean isNear(double[] ring) {

@@ -3,6 +3,7 @@ package org.dronewatch.buildings;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.file.FileHash;
 
@@ -18,6 +19,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param area area of their outlines, without courtyards, m2
  * @param assumed number of those with an assumed height
  * @param file the map, with the hash of its bytes as read
+ * @param landCover land cover of the ground, if it was asked for
  * @param description description of the map, in lines for the report
  * @param warnings about suspicious content, one line each
  */
@@ -31,6 +33,7 @@ public record LoadedBuildings(
         double area,
         int assumed,
         FileHash file,
+        Optional<LandRaster> landCover,
         List<String> description,
         List<String> warnings) {
     /** Copies the collections: later changes by the caller have no effect. */

@@ -1,7 +1,10 @@
 package org.dronewatch.render;
 
+import java.util.List;
 import java.util.Map;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.MaterialLookup;
+import org.dronewatch.world.World;
 
 /** The appearance of a mesh's triangles: their unit normals and colours. Immutable. */
 final class Facets {
@@ -13,17 +16,26 @@ final class Facets {
 
     private final float[] normals;
     private final int[] colourOfMaterial;
-    private final TriangleMesh mesh;
+    private final MaterialLookup materials;
 
     /** Facets of a mesh, with the colours of its materials by name. */
     Facets(TriangleMesh mesh, Map<String, Integer> colours) {
-        this.mesh = mesh;
+        this(mesh, (triangle, x, y) -> mesh.material(triangle), mesh.materialNames(), colours);
+    }
+
+    /** Facets of a world, with the colours of its materials by name. */
+    Facets(World world, Map<String, Integer> colours) {
+        this(world.mesh(), world::material, world.materialNames(), colours);
+    }
+
+    private Facets(TriangleMesh mesh, MaterialLookup materials, List<String> names, Map<String, Integer> colours) {
+        this.materials = materials;
         this.normals = new float[3 * mesh.triangleCount()];
         double[] scratch = new double[3];
         for (int i = 0; i < mesh.triangleCount(); i++) {
-            setNormal(i, scratch);
+            setNormal(mesh, i, scratch);
         }
-        this.colourOfMaterial = mesh.materialNames().stream()
+        this.colourOfMaterial = names.stream()
                 .mapToInt(name -> brighter(colours.getOrDefault(name, UNNAMED)))
                 .toArray();
     }
@@ -37,7 +49,7 @@ final class Facets {
         return rgb;
     }
 
-    private void setNormal(int triangle, double[] n) {
+    private void setNormal(TriangleMesh mesh, int triangle, double[] n) {
         mesh.normal(triangle, n);
         double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         double scale = 1.0 / Math.max(Double.MIN_NORMAL, length);
@@ -58,8 +70,8 @@ final class Facets {
                 + normal(one, 2) * normal(other, 2);
     }
 
-    /** A triangle's colour in full light. */
-    int colour(int triangle) {
-        return colourOfMaterial[mesh.material(triangle)];
+    /** A triangle's colour in full light at a point on it, m. */
+    int colour(int triangle, double x, double y) {
+        return colourOfMaterial[materials.at(triangle, x, y)];
     }
 }

@@ -14,6 +14,7 @@ import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.raster.TileTracer;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.world.World;
 
 /**
  * Paints the site, traced as cameras trace it, in tiles on the available threads. Where the site is cut open, rays go
@@ -37,9 +38,9 @@ final class SitePainter {
     private final Facets facets;
     private final Queue<Brush> brushes = new ConcurrentLinkedQueue<>();
 
-    SitePainter(KDTree tree, Map<String, Integer> colours) {
-        this.tree = tree;
-        this.facets = new Facets(tree.mesh(), colours);
+    SitePainter(World world, Map<String, Integer> colours) {
+        this.tree = world.tree();
+        this.facets = new Facets(world, colours);
     }
 
     /** The buffers of one painting thread. */
@@ -221,8 +222,9 @@ final class SitePainter {
             }
             sun = brush.sun[block] == 1 ? 1.0 : 0.0;
         }
-        return DaylightShading.shade(
-                facets.colour(triangle), nx, ny, nz, scale * d[0], scale * d[1], scale * d[2], sun);
+        double depth = shot.canvas().depth[pixel];
+        int colour = facets.colour(triangle, shot.eye()[0] + depth * d[0], shot.eye()[1] + depth * d[1]);
+        return DaylightShading.shade(colour, nx, ny, nz, scale * d[0], scale * d[1], scale * d[2], sun);
     }
 
     private boolean seesSun(Shot shot, Brush brush, double depth) {

@@ -58,7 +58,7 @@ public final class SitePicture {
         this.drones = settings.individualDrones().keySet();
         this.world = stage.world();
         this.protection = stage.protection();
-        this.painter = new SitePainter(world.tree(), stage.colours());
+        this.painter = new SitePainter(world, stage.colours());
         this.colours = KindColours.of(settings.enabledSensors().values());
         this.flights = new Flights(settings, stage);
     }

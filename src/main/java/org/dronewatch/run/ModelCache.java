@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronewatch.buildings.LoadedBuildings;
+import org.dronewatch.buildings.land.LandClass;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.bvh.TracingSettings;
 import org.dronewatch.flight.FlightsFile;
@@ -197,6 +198,9 @@ public final class ModelCache {
         }
         SiteKeys.Town.of(world).ifPresent(town -> buildings(town).colours().forEach(colours::putIfAbsent));
         world.terrain().ifPresent(terrain -> colours.putIfAbsent(terrain.material(), terrain.colour()));
+        if (buildings(world).flatMap(LoadedBuildings::landCover).isPresent()) {
+            LandClass.all().forEach(land -> colours.putIfAbsent(land.material(), land.colour()));
+        }
         return colours;
     }
 

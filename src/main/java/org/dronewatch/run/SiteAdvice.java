@@ -57,15 +57,15 @@ record SiteAdvice(SceneSettings settings, World world) {
 
     private void onSurfaces(Consumer<String> target) {
         SurfaceSettings surfaces = settings.world().surfaces();
-        List<String> leftOver = surfaces.leftOver(world.mesh().materialNames());
+        List<String> leftOver = surfaces.leftOver(world.materialNames());
         if (!leftOver.isEmpty() && isListening()) {
             target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
                     + surfaces.defaultSurface() + "'");
         }
-        surfaces.unused(world.mesh().materialNames())
+        surfaces.unused(world.materialNames())
                 .forEach(name -> target.accept("world.surfaces.own." + name
                         + " has no effect: no material of the models uses this surface; the materials are "
-                        + String.join(", ", world.mesh().materialNames())));
+                        + String.join(", ", world.materialNames())));
     }
 
     /** Heights of roofs, and buildings on them. */

@@ -129,7 +129,11 @@ public final class Stage {
                 .withLight(site.light())
                 .withNoiseSources(site.noiseSources())
                 .withModels(models.firstTriangles(site));
-        return models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere);
+        World world = models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere);
+        return models.buildings(site)
+                .flatMap(LoadedBuildings::landCover)
+                .map(cover -> world.withLandCover(cover, site.surfaces()))
+                .orElse(world);
     }
 
     /**

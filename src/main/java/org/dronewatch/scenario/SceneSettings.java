@@ -109,6 +109,10 @@ public record SceneSettings(
                 throw new IllegalArgumentException(
                         "world.buildings needs a world.origin, the latitude and longitude of x = y = 0");
             }
+            if (buildings.landCover() && world.terrain().isEmpty()) {
+                throw new IllegalArgumentException(
+                        "world.buildings.landCover is true, but there is no world.terrain that it could cover");
+            }
         });
     }
 

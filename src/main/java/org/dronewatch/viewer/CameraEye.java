@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.geometry.Hit;
+import org.dronewatch.geometry.Ray;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.render.CameraView;
 import org.dronewatch.render.photo.ColourCamera;
@@ -110,12 +110,10 @@ final class CameraEye {
             }
         }
         World world = stage.world();
-        Optional<Hit> hit = world.closestHit(picture.camera().seeingRay(column, row));
-        return hit.map(found -> String.format(
-                        Locale.ROOT,
-                        "%s, %.2f m",
-                        world.mesh().materialNames().get(world.mesh().material(found.triangle())),
-                        found.distance()))
+        Ray ray = picture.camera().seeingRay(column, row);
+        return world.closestHit(ray)
+                .map(found ->
+                        String.format(Locale.ROOT, "%s, %.2f m", world.materialName(ray, found), found.distance()))
                 .orElse("sky");
     }
 }

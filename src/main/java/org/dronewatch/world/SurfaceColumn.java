@@ -48,7 +48,7 @@ public record SurfaceColumn(List<Surface> surfaces) {
         double from = 0.0;
         while (found.size() < MOST && tracer.closestHit(x, y, above, 0.0, 0.0, -1.0, from, Double.POSITIVE_INFINITY)) {
             mesh.normal(tracer.triangle(), normal);
-            found.add(new Surface(above - tracer.distance(), world.obstacle(tracer.triangle()), normal[2] > 0.0));
+            found.add(new Surface(above - tracer.distance(), world.obstacle(tracer.triangle(), x, y), normal[2] > 0.0));
             from = tracer.distance() + APART;
         }
         return new SurfaceColumn(found);

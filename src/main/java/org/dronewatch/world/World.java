@@ -1,5 +1,6 @@
 package org.dronewatch.world;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,6 +9,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.bvh.RayTraversal;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.AABB;
@@ -41,6 +43,9 @@ public final class World {
 
     /** Where the ground is known; everywhere if empty. */
     private final Optional<KnownGround> known;
+
+    /** What a map shows on the ground; null for none. */
+    private final CoveredGround cover;
 
     /** The models by the number of the first triangle of each. */
     private final NavigableMap<Integer, SiteModel> models;
@@ -104,7 +109,21 @@ public final class World {
         this.light = Light.DAY;
         this.noiseSources = Map.of();
         this.known = Optional.empty();
+        this.cover = null;
         this.models = new TreeMap<>(Map.of(0, SiteModel.UNNAMED));
+    }
+
+    private World(World other, CoveredGround cover, List<SurfaceMaterial> surfaces) {
+        this.index = other.index;
+        this.backgroundNoise = other.backgroundNoise;
+        this.surfaces = surfaces;
+        this.atmosphere = other.atmosphere;
+        this.rain = other.rain;
+        this.light = other.light;
+        this.noiseSources = other.noiseSources;
+        this.known = other.known;
+        this.cover = cover;
+        this.models = other.models;
     }
 
     private World(
@@ -122,6 +141,7 @@ public final class World {
         this.light = light;
         this.noiseSources = noiseSources;
         this.known = known;
+        this.cover = other.cover;
         this.models = models;
     }
 
@@ -162,6 +182,21 @@ public final class World {
     /** This world with ground that is known only within a terrain from files. */
     public World withKnownGround(KnownGround ground) {
         return new World(this, rain, light, noiseSources, Optional.of(ground), models);
+    }
+
+    /**
+     * This world with the land cover of a map on its ground, which is the first of the models that it was merged from.
+     *
+     * @param raster what covers the ground
+     * @param settings acoustic surfaces of the land cover's materials
+     */
+    public World withLandCover(LandRaster raster, SurfaceSettings settings) {
+        Integer next = models.higherKey(0);
+        int groundTriangles = next == null ? mesh().triangleCount() : next;
+        CoveredGround covering = new CoveredGround(mesh(), raster, groundTriangles);
+        List<SurfaceMaterial> more = new ArrayList<>(surfaces);
+        covering.names().stream().skip(surfaces.size()).map(settings::of).forEach(more::add);
+        return new World(this, covering, List.copyOf(more));
     }
 
     /**
@@ -298,6 +333,27 @@ public final class World {
         return tree().mesh();
     }
 
+    /**
+     * The number of the material of a triangle at a point on it. In a world without land cover, it is that of the mesh.
+     *
+     * @param x east, m
+     * @param y north, m
+     */
+    public int material(int triangle, double x, double y) {
+        return cover == null ? mesh().material(triangle) : cover.material(triangle, x, y);
+    }
+
+    /** The name of the material where a ray hits. */
+    public String materialName(Ray ray, Hit hit) {
+        Point3d at = ray.pointAt(hit.distance());
+        return materialNames().get(material(hit.triangle(), at.x, at.y));
+    }
+
+    /** The names of the materials by their numbers: those of the mesh, and after them those of the land cover. */
+    public List<String> materialNames() {
+        return cover == null ? mesh().materialNames() : cover.names();
+    }
+
     /** The box around the world, m. */
     public AABB bounds() {
         return tree().bounds();
@@ -307,6 +363,12 @@ public final class World {
     public Obstacle obstacle(int triangle) {
         String material = mesh().materialNames().get(mesh().material(triangle));
         return new Obstacle(models.floorEntry(triangle).getValue(), material);
+    }
+
+    /** A triangle of the mesh at a point on it, m, with the material there. */
+    Obstacle obstacle(int triangle, double x, double y) {
+        return new Obstacle(
+                models.floorEntry(triangle).getValue(), materialNames().get(material(triangle, x, y)));
     }
 
     /** The sound of the site without drones and noise sources. */
@@ -319,7 +381,7 @@ public final class World {
         return noiseSources;
     }
 
-    /** The acoustic surface of each material of the mesh, by the mesh's material numbers. */
+    /** The acoustic surface of each material, by the numbers of {@link #materialNames()}. */
     public List<SurfaceMaterial> surfaces() {
         return surfaces;
     }

@@ -8,12 +8,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
-import org.dronewatch.geo.GeoPoint;
-import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -35,61 +32,19 @@ class BuildingLoaderTest {
     @TempDir
     private Path directory;
 
-    private final StringBuilder nodes = new StringBuilder();
-    private final StringBuilder ways = new StringBuilder();
-    private int count;
+    private final DrawnMap map = new DrawnMap(ORIGIN);
 
     /** A rectangle from one corner to the opposite one, m. */
     private static double[] box(double fromX, double fromY, double toX, double toY) {
         return new double[] {fromX, fromY, toX, fromY, toX, toY, fromX, toY};
     }
 
-    /** A closed way through points in metres, with tags as in {@code building=yes height=10}. */
     private int way(double[] ring, String tags) {
-        Geodesy geodesy = new Geodesy(ORIGIN);
-        StringBuilder refs = new StringBuilder();
-        int first = count + 1;
-        for (int i = 0; i < ring.length; i += 2) {
-            GeoPoint place = new GeoPoint(0, 0, 0);
-            double z = 0.0;
-            for (int step = 0; step < 3; step++) {
-                place = geodesy.onEarth(new Position(ring[i], ring[i + 1], z));
-                z += 200.0 - place.height();
-            }
-            nodes.append(String.format(
-                    Locale.ROOT,
-                    "<node id='%d' lat='%.12f' lon='%.12f'/>%n",
-                    ++count,
-                    place.latitude(),
-                    place.longitude()));
-            refs.append("<nd ref='").append(count).append("'/>");
-        }
-        ways.append("<way id='").append(1000 + first).append("'>").append(refs);
-        ways.append("<nd ref='").append(first).append("'/>").append(tags(tags)).append("</way>\n");
-        return 1000 + first;
-    }
-
-    private static String tags(String tags) {
-        StringBuilder text = new StringBuilder();
-        for (String tag : tags.isEmpty() ? new String[0] : tags.split(" ")) {
-            String[] pair = tag.split("=");
-            text.append("<tag k='").append(pair[0]).append("' v='").append(pair[1].replace('_', ' '));
-            text.append("'/>");
-        }
-        return text.toString().replace("min height", "min_height").replace("min level", "min_level");
+        return map.area(ring, tags);
     }
 
     private void relation(String members, String tags) {
-        ways.append("<relation id='9'>");
-        for (String member : members.split(" ")) {
-            String[] pair = member.split("=");
-            ways.append("<member type='way' ref='")
-                    .append(pair[1])
-                    .append("' role='")
-                    .append(pair[0])
-                    .append("'/>");
-        }
-        ways.append(tags(tags)).append("</relation>\n");
+        map.relation(members, tags);
     }
 
     private LoadedBuildings load() throws IOException {
@@ -97,7 +52,7 @@ class BuildingLoaderTest {
     }
 
     private LoadedBuildings load(BuildingSettings settings, Optional<TerrainGround> terrain) throws IOException {
-        Files.writeString(directory.resolve("map.osm"), "<osm version='0.6'>" + nodes + ways + "</osm>");
+        Files.writeString(directory.resolve("map.osm"), map.osm());
         return new BuildingLoader(directory).load(settings, ORIGIN, terrain);
     }
 
@@ -266,9 +221,9 @@ class BuildingLoaderTest {
     @ParameterizedTest
     @CsvSource({
         "height=12, 12, 0",
-        "height=12_m, 12, 0",
+        "height=12~m, 12, 0",
         "'height=9,5', 9.5, 0",
-        "height=40_ft, 12.192, 0",
+        "height=40~ft, 12.192, 0",
         "height=39&apos;4&quot;, 11.9888, 0",
         "height=39&apos;, 11.8872, 0",
         "building:levels=4, 12, 0",

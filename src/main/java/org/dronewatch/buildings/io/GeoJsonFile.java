@@ -13,7 +13,8 @@ import tools.jackson.databind.JsonNode;
 /**
  * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of
  * OpenStreetMap ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless
- * {@code building} is {@code no}.
+ * {@code building} is {@code no}. If what covers the ground is asked for, areas and lines whose properties say so are
+ * that, unless they are buildings, too.
  */
 final class GeoJsonFile {
     private static final int MOST_DEPTH = 64;
@@ -22,21 +23,26 @@ final class GeoJsonFile {
     private final List<MapFeature> features = new ArrayList<>();
     private final Map<String, Integer> leftOut = new LinkedHashMap<>();
 
-    private GeoJsonFile(String file) {
+    private final boolean withLand;
+    private final List<MapShape> shapes = new ArrayList<>();
+
+    private GeoJsonFile(String file, boolean withLand) {
         this.file = file;
+        this.withLand = withLand;
     }
 
-    /** What was read: features, and what was left out. */
-    record Read(List<MapFeature> features, Map<String, Integer> leftOut) {}
+    /** What was read: features, what covers the ground, and what was left out. */
+    record Read(List<MapFeature> features, MapLand land, Map<String, Integer> leftOut) {}
 
     /**
      * Reads a file.
      *
      * @param file its name, for messages
+     * @param withLand whether what covers the ground is asked for
      * @throws InputException in one line when it is not GeoJSON
      */
-    static Read read(String file, JsonNode root) {
-        GeoJsonFile reader = new GeoJsonFile(file);
+    static Read read(String file, JsonNode root, boolean withLand) {
+        GeoJsonFile reader = new GeoJsonFile(file, withLand);
         String type = root.path("type").asString("");
         if (!List.of("FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection")
                 .contains(type)) {
@@ -44,7 +50,7 @@ final class GeoJsonFile {
                     + "', must be FeatureCollection or CityJSON: no map with areas");
         }
         reader.object(root, "geometry", Map.of(), 0);
-        return new Read(reader.features, reader.leftOut);
+        return new Read(reader.features, new MapLand(reader.shapes), reader.leftOut);
     }
 
     private void object(JsonNode node, String id, Map<String, String> tags, int depth) {
@@ -70,6 +76,8 @@ final class GeoJsonFile {
             case "GeometryCollection" -> node.path("geometries").forEach(part -> object(part, id, tags, depth + 1));
             case "Polygon" -> polygon(node.path("coordinates"), id, tags);
             case "MultiPolygon" -> node.path("coordinates").forEach(polygon -> polygon(polygon, id, tags));
+            case "LineString" -> line(type, List.of(node.path("coordinates")), id, tags);
+            case "MultiLineString" -> line(type, node.path("coordinates"), id, tags);
             case "" -> leave("feature without a geometry");
             default -> leave(type);
         }
@@ -90,14 +98,32 @@ final class GeoJsonFile {
         return tags;
     }
 
+    private void line(String type, Iterable<JsonNode> lines, String id, Map<String, String> tags) {
+        if (!withLand || !MapLand.isLand(tags)) {
+            leave(type);
+            return;
+        }
+        List<double[]> read = new ArrayList<>();
+        lines.forEach(line -> read.add(corners(line, id)));
+        shapes.add(new MapShape(id, false, read, tags));
+    }
+
     private void polygon(JsonNode rings, String id, Map<String, String> tags) {
         MapFeature plain = new MapFeature(id, List.of(), List.of(), tags);
-        if ("no".equals(tags.get("building")) && !plain.isWood()) {
+        boolean isLand = withLand && MapLand.isLand(tags);
+        boolean isFeature = plain.isWood() || !isLand && !"no".equals(tags.get("building"));
+        if (!isFeature && !isLand) {
             return;
         }
         List<double[]> read = new ArrayList<>();
         for (JsonNode ring : rings) {
             read.add(ring(ring, id));
+        }
+        if (isLand) {
+            shapes.add(new MapShape(id, true, read, tags));
+        }
+        if (!isFeature) {
+            return;
         }
         if (read.isEmpty()) {
             leave("polygon without corners");
@@ -107,6 +133,13 @@ final class GeoJsonFile {
     }
 
     private double[] ring(JsonNode corners, String id) {
+        double[] ring = corners(corners, id);
+        int count = ring.length / 2;
+        boolean isClosed = count > 1 && ring[0] == ring[2 * count - 2] && ring[1] == ring[2 * count - 1];
+        return isClosed ? Arrays.copyOf(ring, 2 * count - 2) : ring;
+    }
+
+    private double[] corners(JsonNode corners, String id) {
         int count = corners.size();
         double[] ring = new double[2 * count];
         for (int i = 0; i < count; i++) {
@@ -120,7 +153,6 @@ final class GeoJsonFile {
                 ring[2 * i + axis] = value.doubleValue();
             }
         }
-        boolean isClosed = count > 1 && ring[0] == ring[2 * count - 2] && ring[1] == ring[2 * count - 1];
-        return isClosed ? Arrays.copyOf(ring, 2 * count - 2) : ring;
+        return ring;
     }
 }

@@ -12,6 +12,7 @@ import org.dronewatch.setting.file.FileHash;
  *
  * @param features outlines of buildings and parts of buildings, in the order of the file
  * @param model buildings with their walls and roofs instead, from a city model
+ * @param land what covers the ground, if it was asked for
  * @param leftOut features that could not be used, and their number, in words
  * @param format format of the file, in words
  * @param crs the system of its coordinates, if the file or its format states one
@@ -20,6 +21,7 @@ import org.dronewatch.setting.file.FileHash;
 public record MapFeatures(
         List<MapFeature> features,
         Optional<CityModel> model,
+        MapLand land,
         Map<String, Integer> leftOut,
         String format,
         Optional<CoordinateReferenceSystem> crs,

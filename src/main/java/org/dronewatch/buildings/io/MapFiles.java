@@ -64,23 +64,35 @@ public final class MapFiles {
     }
 
     /**
-     * Reads a map.
+     * Reads the buildings and woods of a map.
      *
      * @param name name of the file
      * @param area features elsewhere may be left out
      * @throws InputException in one line when the file is missing, of no known format, or damaged
      */
     public MapFeatures read(String name, MapArea area) {
+        return read(name, area, false);
+    }
+
+    /**
+     * Reads a map.
+     *
+     * @param name of the file
+     * @param area features elsewhere may be left out
+     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas that do are then no buildings
+     * @throws InputException in one line when the file is missing, of no known format, or damaged
+     */
+    public MapFeatures read(String name, MapArea area, boolean withLand) {
         Source source = source(name);
         long size = PackagedSite.isNamed(name) ? 0 : path(name).toFile().length();
         String what = String.format(Locale.ROOT, "buildings: reading %,d MB of the map", size / 1_000_000);
         // Read once for the hash, and once for the content.
         try (LongTask task = LongTask.begin(what, 2 * size, size > LONG, progress)) {
-            return read(name, () -> new WatchedStream(source.open(), task), area);
+            return read(name, () -> new WatchedStream(source.open(), task), area, withLand);
         }
     }
 
-    private static MapFeatures read(String name, Source source, MapArea area) {
+    private static MapFeatures read(String name, Source source, MapArea area, boolean withLand) {
         try (InputStream bytes = source.open()) {
             FileHash hash = FileHash.of(shortName(name), bytes);
             byte[] start = start(source);
@@ -90,6 +102,7 @@ public final class MapFiles {
                         PackagedSite.plain(name),
                         source,
                         area,
+                        withLand,
                         hash,
                         (in, target) -> OsmPbf.read(PackagedSite.plain(name), in, target));
             }
@@ -102,11 +115,12 @@ public final class MapFiles {
                         PackagedSite.plain(name),
                         source,
                         area,
+                        withLand,
                         hash,
                         (in, target) -> OsmXml.read(PackagedSite.plain(name), in, target));
             }
             if (text.startsWith("{")) {
-                return json(name, source, hash);
+                return json(name, source, withLand, hash);
             }
             throw new InputException(name
                     + ": is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson "
@@ -187,29 +201,33 @@ public final class MapFiles {
     }
 
     private static MapFeatures osm(
-            String format, String name, Source source, MapArea area, FileHash hash, Elements elements)
+            String format, String name, Source source, MapArea area, boolean withLand, FileHash hash, Elements elements)
             throws IOException {
+        OsmLand.Pass pass = target -> {
+            try (InputStream in = unpacked(source)) {
+                elements.read(in, target);
+            }
+        };
         OsmFeatures features = new OsmFeatures(name, area, false);
-        try (InputStream in = unpacked(source)) {
-            elements.read(in, features);
-        }
+        pass.read(features);
         if (features.isIncomplete()) {
             // Ways come before their nodes, as Overpass writes them.
             features = new OsmFeatures(name, area, true);
-            try (InputStream in = unpacked(source)) {
-                elements.read(in, features);
-            }
+            pass.read(features);
         }
+        // Before nodes elsewhere are added.
+        List<MapFeature> buildings = features.features();
         return new MapFeatures(
-                features.features(),
+                buildings,
                 Optional.empty(),
+                withLand ? OsmLand.read(name, features.nodes(), pass) : MapLand.NONE,
                 features.leftOut(),
                 format,
                 Optional.of(CoordinateReferenceSystem.WGS_84),
                 hash);
     }
 
-    private static MapFeatures json(String name, Source source, FileHash hash) throws IOException {
+    private static MapFeatures json(String name, Source source, boolean withLand, FileHash hash) throws IOException {
         byte[] all;
         try (InputStream in = unpacked(source)) {
             all = in.readNBytes(MOST_JSON + 1);
@@ -221,10 +239,12 @@ public final class MapFiles {
         JsonNode root = tree(name, all);
         if (root.path("type").asString("").equals("CityJSON")) {
             CityJsonFile.Read read = CityJsonFile.read(name, root);
-            return new MapFeatures(List.of(), Optional.of(read.model()), read.leftOut(), "CityJSON", read.crs(), hash);
+            return new MapFeatures(
+                    List.of(), Optional.of(read.model()), MapLand.NONE, read.leftOut(), "CityJSON", read.crs(), hash);
         }
-        GeoJsonFile.Read read = GeoJsonFile.read(name, root);
-        return new MapFeatures(read.features(), Optional.empty(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
+        GeoJsonFile.Read read = GeoJsonFile.read(name, root, withLand);
+        return new MapFeatures(
+                read.features(), Optional.empty(), read.land(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
     }
 
     private static JsonNode tree(String name, byte[] bytes) {

@@ -1,9 +1,6 @@
 package org.dronewatch.buildings.io;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -18,7 +15,6 @@ import org.dronewatch.setting.InputException;
  * What lies outside the area is dropped as soon as it is read.
  */
 final class OsmFeatures implements OsmElements {
-    private static final int MOST_NODES = 30_000_000;
     private static final long MOST_CORNERS = 100_000_000;
 
     /** Elements that are sensible tags of buildings: anything else about a feature is not needed. */
@@ -39,8 +35,7 @@ final class OsmFeatures implements OsmElements {
     private final String file;
     private final MapArea area;
     private final boolean keepsAll;
-    private final LongIndex nodes = new LongIndex();
-    private double[] coordinates = new double[1 << 12];
+    private final OsmNodes nodes;
     private final Map<Long, Way> ways = new LinkedHashMap<>();
     private final List<Relation> relations = new ArrayList<>();
     private final Map<String, Integer> leftOut = new LinkedHashMap<>();
@@ -50,7 +45,7 @@ final class OsmFeatures implements OsmElements {
 
     private record Way(long id, long[] nodes, Map<String, String> tags) {
         boolean isClosed() {
-            return nodes.length > 3 && nodes[0] == nodes[nodes.length - 1];
+            return OsmRings.isClosed(nodes);
         }
     }
 
@@ -67,6 +62,12 @@ final class OsmFeatures implements OsmElements {
         this.file = file;
         this.area = area;
         this.keepsAll = keepsAll;
+        this.nodes = new OsmNodes(file);
+    }
+
+    /** The nodes of the area. */
+    OsmNodes nodes() {
+        return nodes;
     }
 
     /** Whether ways were dropped whose nodes may have come later: the file must be read again, keeping all. */
@@ -80,20 +81,7 @@ final class OsmFeatures implements OsmElements {
             return;
         }
         late |= dropped;
-        int number = nodes.size();
-        if (nodes.get(id) >= 0) {
-            return;
-        }
-        if (number >= MOST_NODES) {
-            throw new InputException(
-                    file + ": more than " + MOST_NODES + " nodes near the origin: choose a smaller radius");
-        }
-        nodes.put(id, number);
-        if (2 * number + 2 > coordinates.length) {
-            coordinates = Arrays.copyOf(coordinates, 2 * coordinates.length);
-        }
-        coordinates[2 * number] = longitude;
-        coordinates[2 * number + 1] = latitude;
+        nodes.add(id, longitude, latitude);
     }
 
     @Override
@@ -105,7 +93,7 @@ final class OsmFeatures implements OsmElements {
 
     @Override
     public void way(long id, long[] refs, Map<String, String> tags) {
-        if (!keepsAll && Arrays.stream(refs).noneMatch(node -> nodes.get(node) >= 0)) {
+        if (!keepsAll && !nodes.containsAny(refs)) {
             dropped = true;
             return;
         }
@@ -172,12 +160,12 @@ final class OsmFeatures implements OsmElements {
             }
             if (!way.isClosed()) {
                 leave("outline not closed");
-            } else if (Arrays.stream(way.nodes).anyMatch(node -> nodes.get(node) < 0)) {
+            } else if (!nodes.containsAll(way.nodes)) {
                 leave("outline beyond the area or the file");
             } else if (!built.add(key(way.nodes))) {
                 leave("outline given twice");
             } else {
-                features.add(new MapFeature("way/" + way.id, List.of(ring(way.nodes)), List.of(), way.tags));
+                features.add(new MapFeature("way/" + way.id, List.of(nodes.ring(way.nodes)), List.of(), way.tags));
             }
         }
         return features;
@@ -197,7 +185,7 @@ final class OsmFeatures implements OsmElements {
         List<double[]> kept = new ArrayList<>();
         for (long[] outer : outers) {
             if (built.add(key(outer))) {
-                kept.add(ring(outer));
+                kept.add(nodes.ring(outer));
             } else {
                 leave("outline given twice");
             }
@@ -207,14 +195,14 @@ final class OsmFeatures implements OsmElements {
                 : Optional.of(new MapFeature(
                         "relation/" + relation.id,
                         kept,
-                        inners.stream().map(this::ring).toList(),
+                        inners.stream().map(nodes::ring).toList(),
                         relation.tags));
     }
 
     private boolean isNear(Relation relation) {
         return relation.ways.stream()
                 .map(member -> ways.get(member.way()))
-                .anyMatch(way -> way != null && Arrays.stream(way.nodes).anyMatch(node -> nodes.get(node) >= 0));
+                .anyMatch(way -> way != null && nodes.containsAny(way.nodes));
     }
 
     /** The same corners, whichever is the first and whichever way round. */
@@ -243,57 +231,8 @@ final class OsmFeatures implements OsmElements {
                 (way.isClosed() ? closed : open).add(way.nodes);
             }
         }
-        joinOpen(open, closed);
-        closed.removeIf(ring -> Arrays.stream(ring).anyMatch(node -> nodes.get(node) < 0));
+        OsmRings.join(open, closed);
+        closed.removeIf(ring -> !nodes.containsAll(ring));
         return closed;
-    }
-
-    private static void joinOpen(List<long[]> open, List<long[]> closed) {
-        while (!open.isEmpty()) {
-            Deque<Long> line = new ArrayDeque<>();
-            for (long node : open.remove(open.size() - 1)) {
-                line.addLast(node);
-            }
-            boolean grew = true;
-            while (grew && !line.peekFirst().equals(line.peekLast())) {
-                grew = false;
-                for (int i = 0; i < open.size() && !grew; i++) {
-                    grew = append(line, open.get(i));
-                    if (grew) {
-                        open.remove(i);
-                    }
-                }
-            }
-            if (line.size() > 3 && line.peekFirst().equals(line.peekLast())) {
-                closed.add(line.stream().mapToLong(Long::longValue).toArray());
-            }
-        }
-    }
-
-    private static boolean append(Deque<Long> line, long[] way) {
-        long end = line.peekLast();
-        if (way[0] == end) {
-            for (int i = 1; i < way.length; i++) {
-                line.addLast(way[i]);
-            }
-            return true;
-        }
-        if (way[way.length - 1] == end) {
-            for (int i = way.length - 2; i >= 0; i--) {
-                line.addLast(way[i]);
-            }
-            return true;
-        }
-        return false;
-    }
-
-    private double[] ring(long[] closed) {
-        double[] ring = new double[2 * (closed.length - 1)];
-        for (int i = 0; i < closed.length - 1; i++) {
-            int node = nodes.get(closed[i]);
-            ring[2 * i] = coordinates[2 * node];
-            ring[2 * i + 1] = coordinates[2 * node + 1];
-        }
-        return ring;
     }
 }

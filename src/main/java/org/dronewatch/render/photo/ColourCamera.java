@@ -74,7 +74,7 @@ public final class ColourCamera {
         this.camera = camera;
         this.samples = samples;
         this.grid = new PartGrid(camera, samples);
-        this.site = new Surfaces(world.mesh(), colours);
+        this.site = new Surfaces(world, colours);
         this.light = SceneLight.of(world, site);
         this.droneColours = Map.copyOf(droneColours);
         this.tileWidth = TileTracer.WIDTH / samples;

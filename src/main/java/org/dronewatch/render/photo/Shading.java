@@ -67,8 +67,9 @@ final class Shading {
         point[1] = from.y() + distance * direction[1] + gap * normal[1];
         point[2] = from.z() + distance * direction[2] + gap * normal[2];
         irradiance(normal, corners ? openness(normal, part, parts) : 1.0, rgb);
+        int material = surfaces.material(triangle, point[0], point[1]);
         for (int i = 0; i < Daylight.CHANNELS; i++) {
-            rgb[i] *= surfaces.reflectance(triangle, i);
+            rgb[i] *= surfaces.reflectance(material, i);
         }
         light.addHaze(direction, distance, rgb, scratch);
     }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.buildings.BuildingOutline;
 import org.dronewatch.buildings.LoadedBuildings;
+import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.geometry.TriangleMesh;
 
 /** The form of buildings; {@link StoredForms} describes the layout. */
@@ -34,6 +35,9 @@ final class BuildingsForm implements StoredForm<LoadedBuildings> {
         target.addDouble(value.area());
         target.addInt(value.assumed());
         StoredForms.addFile(value.file(), target);
+        target.addInts(value.landCover().map(LandRaster::runs).orElse(new int[0]));
+        target.addInt(value.landCover().map(LandRaster::side).orElse(0));
+        target.addDouble(value.landCover().map(LandRaster::half).orElse(0.0));
         target.addTexts(value.description());
         target.addTexts(value.warnings());
     }
@@ -75,8 +79,16 @@ final class BuildingsForm implements StoredForm<LoadedBuildings> {
                 source.nextDouble(),
                 source.nextInt(),
                 StoredForms.nextFile(source),
+                nextLandCover(source),
                 source.nextTexts(),
                 source.nextTexts());
+    }
+
+    private static Optional<LandRaster> nextLandCover(StoreReader source) throws IOException {
+        int[] runs = source.nextInts();
+        int side = source.nextInt();
+        double half = source.nextDouble();
+        return side == 0 ? Optional.empty() : Optional.of(LandRaster.ofRuns(half, side, runs));
     }
 
     private static BuildingOutline nextOutline(StoreReader source) throws IOException {

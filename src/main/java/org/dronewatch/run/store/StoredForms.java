@@ -21,8 +21,8 @@ import org.dronewatch.terrain.TerrainGround;
  *   terrain    mesh, int posts, int holes, int all triangles, double error, files, texts description, texts warnings,
  *              doubles rim
  *   buildings  mesh, mesh of woods, colours (int count; text, int each), outlines (int count; see below each),
- *              texts attribution (none or one), int count, double area, int assumed, file, texts description,
- *              texts warnings
+ *              texts attribution (none or one), int count, double area, int assumed, file, ints runs of land
+ *              cover, int side (0 for none), double half of the square, texts description, texts warnings
  *   outline    text id, texts name (none or one), int is it a part, doubles outer, int count of courts, doubles each,
  *              double bottom, double top, int is its height assumed
  *   file       text name, text SHA-256; files: int count, then each
@@ -34,7 +34,7 @@ import org.dronewatch.terrain.TerrainGround;
  */
 final class StoredForms {
     static final int MAGIC = 0x5345_5744;
-    static final int VERSION = 1;
+    static final int VERSION = 2;
 
     /** A terrain. */
     static final StoredForm<PreparedTerrain> TERRAIN = new TerrainForm();

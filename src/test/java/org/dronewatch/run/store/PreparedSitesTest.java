@@ -36,7 +36,8 @@ class PreparedSitesTest {
             Origin.at(Math.toRadians(50), Math.toRadians(15)).withHeight(200.0);
     private static final TerrainSettings TERRAIN =
             TerrainSettings.of("dem.asc").withCrs("EPSG:4326").withAccuracy(0.0);
-    private static final BuildingSettings BUILDINGS = BuildingSettings.of("town.osm");
+    private static final BuildingSettings BUILDINGS =
+            BuildingSettings.of("town.osm").withRadius(300).withLandCover(true);
 
     private static final String MAP =
             """
@@ -49,6 +50,7 @@ class PreparedSitesTest {
             <way id="2"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="5"/></way>
             <way id="3"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="5"/><tag k="building" v="yes"/>
               <tag k="height" v="tall"/></way>
+            <way id="4"><nd ref="1"/><nd ref="5"/><nd ref="6"/><nd ref="1"/><tag k="natural" v="water"/></way>
             <relation id="1"><member type="way" ref="1" role="outer"/><member type="way" ref="2" role="inner"/>
               <tag k="type" v="multipolygon"/><tag k="building" v="yes"/><tag k="height" v="12"/>
               <tag k="name" v="Zámek"/></relation>
@@ -82,6 +84,7 @@ class PreparedSitesTest {
         assertThat(buildings.outlines().get(1).courts().size()
                         + buildings.outlines().get(0).courts().size())
                 .isEqualTo(1);
+        assertThat(buildings.landCover().orElseThrow().isAnywhere()).isTrue();
     }
 
     private static String grid(Path directory, double top) {
@@ -177,6 +180,11 @@ class PreparedSitesTest {
         sites().buildings(BUILDINGS, ORIGIN, Optional.of(TERRAIN), Optional.of(changed));
         sites().buildings(BUILDINGS, ORIGIN, Optional.empty(), Optional.empty());
         assertThat(files()).hasSize(4 + 1 + 3 + 1);
+
+        BuildingSettings plain = BUILDINGS.withLandCover(false);
+        LoadedBuildings without = sites().buildings(plain, ORIGIN, Optional.of(TERRAIN), Optional.of(first));
+        assertThat(without.landCover()).isEmpty();
+        assertThat(files()).hasSize(4 + 1 + 3 + 1 + 1);
     }
 
     @Test

@@ -1,0 +1,41 @@
+package org.dronewatch.buildings.io;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What covers the ground on a map.
+ *
+ * @param shapes areas and lines, in the order of the file; areas whose outlines the file does not hold whole are not
+ *     closed
+ */
+public record MapLand(List<MapShape> shapes) {
+    /** Nothing: not asked for, or not stated by the map. */
+    public static final MapLand NONE = new MapLand(List.of());
+
+    /** Keys of OpenStreetMap of which at least one is set on everything that says what covers the ground. */
+    private static final Set<String> KEYS = Set.of(
+            "landuse",
+            "natural",
+            "leisure",
+            "amenity",
+            "waterway",
+            "highway",
+            "area:highway",
+            "railway",
+            "aeroway",
+            "man_made",
+            "place");
+
+    /** Copies the list: later changes by the caller have no effect. */
+    public MapLand {
+        shapes = List.copyOf(shapes);
+    }
+
+    /** Whether tags may describe what covers the ground. Buildings do not, whatever else they are. */
+    static boolean isLand(Map<String, String> tags) {
+        String building = tags.getOrDefault("building", "no");
+        return building.equals("no") && tags.keySet().stream().anyMatch(KEYS::contains);
+    }
+}

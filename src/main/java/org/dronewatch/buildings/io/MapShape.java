@@ -1,0 +1,22 @@
+package org.dronewatch.buildings.io;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A shape on a map that says what covers the ground: an area, or a line such as a road. The arrays are not copied:
+ * callers must not modify them.
+ *
+ * @param id its identifier on the map, such as {@code way/4713}
+ * @param isClosed whether its lines are closed, so that it may be an area
+ * @param lines x and y of each corner in turn, in the map's coordinates; closed ones without repeating the first
+ *     corner, courtyards and islands among them
+ * @param tags what the map states about it, by key
+ */
+public record MapShape(String id, boolean isClosed, List<double[]> lines, Map<String, String> tags) {
+    /** Copies list and map: later changes by the caller have no effect. */
+    public MapShape {
+        lines = List.copyOf(lines);
+        tags = Map.copyOf(tags);
+    }
+}

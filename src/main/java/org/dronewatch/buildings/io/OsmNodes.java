@@ -1,0 +1,67 @@
+package org.dronewatch.buildings.io;
+
+import java.util.Arrays;
+import org.dronewatch.setting.InputException;
+
+/** The coordinates of nodes of OpenStreetMap by their identifiers, without an object for each. */
+final class OsmNodes {
+    private static final int MOST = 30_000_000;
+
+    private final String file;
+    private final LongIndex numbers = new LongIndex();
+    private double[] coordinates = new double[1 << 12];
+
+    /** None yet; {@code file} is for messages. */
+    OsmNodes(String file) {
+        this.file = file;
+    }
+
+    boolean contains(long id) {
+        return numbers.get(id) >= 0;
+    }
+
+    boolean containsAny(long[] ids) {
+        return Arrays.stream(ids).anyMatch(this::contains);
+    }
+
+    boolean containsAll(long[] ids) {
+        return Arrays.stream(ids).allMatch(this::contains);
+    }
+
+    /**
+     * Adds a node, degrees; one that is there already stays as it is.
+     *
+     * @throws InputException when there are too many
+     */
+    void add(long id, double longitude, double latitude) {
+        int number = numbers.size();
+        if (contains(id)) {
+            return;
+        }
+        if (number >= MOST) {
+            throw new InputException(file + ": more than " + MOST + " nodes near the origin: choose a smaller radius");
+        }
+        numbers.put(id, number);
+        if (2 * number + 2 > coordinates.length) {
+            coordinates = Arrays.copyOf(coordinates, 2 * coordinates.length);
+        }
+        coordinates[2 * number] = longitude;
+        coordinates[2 * number + 1] = latitude;
+    }
+
+    /** Longitude and latitude of each of some nodes in turn, all of which must be there. */
+    double[] line(long[] ids, int from, int to) {
+        double[] line = new double[2 * (to - from)];
+        for (int i = from; i < to; i++) {
+            int node = numbers.get(ids[i]);
+            line[2 * (i - from)] = coordinates[2 * node];
+            line[2 * (i - from) + 1] = coordinates[2 * node + 1];
+        }
+        return line;
+    }
+
+    /** The corners of a closed way, whose last node is its first, without repeating it. */
+    double[] ring(long[] closed) {
+        return line(closed, 0, closed.length - 1);
+    }
+}

@@ -1,0 +1,29 @@
+package org.dronewatch.buildings.land;
+
+/**
+ * What a shape of a map is as land cover.
+ *
+ * @param land its class
+ * @param layer what is drawn over what
+ * @param width of a line, m; 0 for an area
+ */
+record LandUse(LandClass land, Layer layer, double width) {
+    /** Kinds of shapes in the order in which they are drawn; within one, larger areas come first. */
+    enum Layer {
+        AREA,
+        WATERWAY,
+        WATER,
+        PAVED,
+        RAILWAY,
+        PATH,
+        ROAD
+    }
+
+    static LandUse area(LandClass land, Layer layer) {
+        return new LandUse(land, layer, 0.0);
+    }
+
+    boolean isArea() {
+        return width == 0.0;
+    }
+}
