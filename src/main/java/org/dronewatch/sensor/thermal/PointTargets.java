@@ -27,6 +27,10 @@ import org.dronewatch.setting.SettingsForm;
  * bound if g is more than 1. Twice the frame rate causes twice as many false alarms, and so requires a higher
  * threshold.
  *
+ * <p>The frame rate is the program's own: how often a run looks at what it has found, the camera's {@code rate},
+ * changes neither the threshold nor what it finds. A look detects a drone if the program has confirmed it in any frame
+ * since the look before.
+ *
  * @param falseAlarmsPerHour accepted number of false alarms per hour that noise causes, 1e-6 to 1e9, which the camera
  *     also raises in a run unless {@code falseAlarms} gives the rate for all causes. Of the thresholds that cause this
  *     number, the highest is used; if none does, the one that causes the most
@@ -34,17 +38,25 @@ import org.dronewatch.setting.SettingsForm;
  * @param frames N, number of the last frames considered, from hits to 50
  * @param gate g, number of pixels in which the spot is searched for in the next frame, 1 to 10,000: 9 for a drone that
  *     moves by at most one pixel per frame
+ * @param frameRate frames that it examines per second, above 0, Hz; at most 1000 per look
  */
 public record PointTargets(
         @In(value = Quantity.NUMBER, from = 1e-6, to = 1e9) double falseAlarmsPerHour,
         @In(value = Quantity.NUMBER, from = 1, to = 50) int hits,
         @In(value = Quantity.NUMBER, from = 1, to = 50) int frames,
-        @In(value = Quantity.PIXELS, from = 1, to = 10_000) int gate) {
-    /** One false alarm per hour, three of five frames, a gate of 3 x 3 pixels. */
+        @In(value = Quantity.PIXELS, from = 1, to = 10_000) int gate,
+        @In(value = Quantity.FREQUENCY, above = 0, to = 10_000) double frameRate) {
+    /** One false alarm per hour, three of five frames, a gate of 3 x 3 pixels, 25 frames per second. */
     @Defaults
-    public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9);
+    public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9, 25.0);
+
+    /** A duration that is a whole number of looks but for rounding is not one look longer. */
+    private static final double ROUNDING = 1e-9;
 
     private static final double SECONDS_PER_HOUR = 3600.0;
+
+    /** The most frames between two looks. */
+    private static final double MOST_FRAMES = 1000.0;
 
     /** Logarithm of a probability with which nothing is ever marked. */
     private static final double LOWEST = -700.0;
@@ -55,7 +67,7 @@ public record PointTargets(
      * @throws IllegalArgumentException if a value is out of range
      */
     public PointTargets {
-        Limits.check(PointTargets.class, falseAlarmsPerHour, hits, frames, gate);
+        Limits.check(PointTargets.class, falseAlarmsPerHour, hits, frames, gate, frameRate);
         if (hits > frames) {
             throw new IllegalArgumentException("hits " + hits + " must be at most frames " + frames);
         }
@@ -76,14 +88,18 @@ public record PointTargets(
         return SettingsForm.with(this, "gate", pixels);
     }
 
+    /** These settings with another number of frames per second, Hz. */
+    public PointTargets withFrameRate(double perSecond) {
+        return SettingsForm.with(this, "frameRate", perSecond);
+    }
+
     /**
      * The threshold t, in standard deviations of the noise, at which the number of false alarms is the accepted one.
      *
      * @param pixels number of pixels of the image
-     * @param rate frames per second, Hz
      */
-    public double threshold(long pixels, double rate) {
-        double accepted = falseAlarmsPerHour / (SECONDS_PER_HOUR * rate * pixels);
+    public double threshold(long pixels) {
+        double accepted = falseAlarmsPerHour / (SECONDS_PER_HOUR * frameRate * pixels);
         double most = mostConfirmed();
         double mark = confirmations(most) <= accepted
                 ? most
@@ -109,10 +125,9 @@ public record PointTargets(
      *
      * @param threshold t, in standard deviations of the noise
      * @param pixels number of pixels of the image
-     * @param rate frames per second, Hz
      */
-    public double falseAlarmsPerHour(double threshold, long pixels, double rate) {
-        return SECONDS_PER_HOUR * rate * pixels * confirmations(NormalTail.above(threshold));
+    public double falseAlarmsPerHour(double threshold, long pixels) {
+        return SECONDS_PER_HOUR * frameRate * pixels * confirmations(NormalTail.above(threshold));
     }
 
     /**
@@ -120,29 +135,44 @@ public record PointTargets(
      * N - M + 1 frames, and to be distinct from others outside its gate.
      *
      * @param pixels number of pixels of the image
-     * @param rate frames per second, Hz
+     * @param looks per second, Hz
      */
-    FalseAlarmRate rate(long pixels, double rate) {
-        double perHour = falseAlarmsPerHour(threshold(pixels, rate), pixels, rate);
-        return new FalseAlarmRate(perHour / (SECONDS_PER_HOUR * rate), Math.max(1, pixels / gate), longest(), rate);
+    FalseAlarmRate rate(long pixels, double looks) {
+        double perHour = falseAlarmsPerHour(threshold(pixels), pixels);
+        return new FalseAlarmRate(
+                perHour / (SECONDS_PER_HOUR * looks), Math.max(1, pixels / gate), longest(looks), looks);
     }
 
-    /** The most frames for which noise is confirmed. */
-    private int longest() {
-        return frames - hits + 1;
+    /** The most looks for which noise is confirmed. */
+    private int longest(double looks) {
+        return (int) Math.max(1.0, Math.ceil((frames - hits + 1) * looks / frameRate - ROUNDING));
+    }
+
+    /**
+     * Checks that a look does not span more frames than can be simulated.
+     *
+     * @param looks per second, Hz
+     * @throws IllegalArgumentException when it spans more than a thousand
+     */
+    void checkFrames(double looks) {
+        if (frameRate > MOST_FRAMES * looks) {
+            throw new IllegalArgumentException("pointTargets.frameRate " + (float) frameRate + " Hz with a rate of "
+                    + (float) looks + " Hz must be at most " + (float) (MOST_FRAMES * looks) + " Hz: "
+                    + (int) MOST_FRAMES + " frames in a look");
+        }
     }
 
     /**
      * Checks that not more false alarms are accepted than can be simulated.
      *
-     * @param rate frames per second, Hz
-     * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} would be expected in a frame
+     * @param looks per second, Hz
+     * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} would be expected in a look
      */
-    void checkRate(double rate) {
-        double most = FalseAlarmRate.MOST_PER_LOOK * SECONDS_PER_HOUR * rate / longest();
+    void checkRate(double looks) {
+        double most = FalseAlarmRate.MOST_PER_LOOK * SECONDS_PER_HOUR * looks / longest(looks);
         if (falseAlarmsPerHour > most) {
             throw new IllegalArgumentException("pointTargets.falseAlarmsPerHour " + (float) falseAlarmsPerHour
-                    + " at " + (float) rate + " frames a second must be at most " + (float) most + ": "
+                    + " at " + (float) looks + " looks a second must be at most " + (float) most + ": "
                     + (int) FalseAlarmRate.MOST_PER_LOOK + " at a time");
         }
     }
@@ -181,7 +211,7 @@ public record PointTargets(
         return Math.min(1.0, sum);
     }
 
-    private static double combinations(int of, int chosen) {
+    static double combinations(int of, int chosen) {
         double product = 1.0;
         for (int i = 1; i <= chosen; i++) {
             product *= (double) (of - chosen + i) / i;

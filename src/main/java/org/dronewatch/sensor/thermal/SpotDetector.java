@@ -6,16 +6,23 @@ import org.dronewatch.sensor.Look;
 
 /**
  * A program that finds spots in the images of one camera. The signal-to-noise ratio of a spot is taken to be the same
- * in the last frames as it is now: they are a fraction of a second apart.
+ * in the last frames, and in those since the last look, as it is now: they are a fraction of a second apart. Frames are
+ * counted from the start of the run, at the program's own rate, so that the same frames have the same noise however
+ * often a run looks at what the program has found.
  */
 final class SpotDetector {
+    /** A frame that is due at the time of a look, but for rounding, has been taken. */
+    private static final double ROUNDING = 1e-6;
+
     private final PointTargets rule;
     private final double threshold;
+    private final double looksPerSecond;
 
     /** In the images of a camera that has such a rule. */
     SpotDetector(PointTargets rule, ThermalSettings camera) {
         this.rule = rule;
-        this.threshold = rule.threshold(camera.pixels(), camera.rate());
+        this.threshold = rule.threshold(camera.pixels());
+        this.looksPerSecond = camera.rate();
     }
 
     /** What a pixel must exceed to be marked, in standard deviations of the noise. */
@@ -30,30 +37,57 @@ final class SpotDetector {
      * @param signalToNoise 0 or more
      */
     double probability(double signalToNoise) {
-        return signalToNoise == 0.0 ? 0.0 : rule.probability(PointTargets.markProbability(signalToNoise, threshold));
+        return signalToNoise == 0.0 ? 0.0 : rule.probability(mark(signalToNoise));
     }
 
     /**
-     * What that probability must reach in a frame. Each frame has a random number u for the drone, and marks it where
-     * the probability of a mark is at least u. So M of the last N frames do where it is at least the M-th smallest of
-     * their numbers.
+     * The probability that the program confirms a spot in one of the frames between two looks.
+     *
+     * @param signalToNoise 0 or more
+     */
+    double probabilityOfALook(double signalToNoise) {
+        int windows = (int) Math.max(1, Math.round(rule.frameRate() / looksPerSecond));
+        return signalToNoise == 0.0
+                ? 0.0
+                : SpotConfirmation.inOneOf(windows, rule.hits(), rule.frames(), mark(signalToNoise));
+    }
+
+    private double mark(double signalToNoise) {
+        return PointTargets.markProbability(signalToNoise, threshold);
+    }
+
+    /**
+     * What the probability of one frame must reach in a look. Each frame has a random number u for the drone, and marks
+     * it where the probability of a mark is at least u. So M of the last N frames do where it is at least the M-th
+     * smallest of their numbers; and a look detects the drone where that holds in any frame since the look before.
      *
      * @param drone name of the drone
      * @return infinite before there have been enough frames
      */
     double drawnThreshold(Look look, String drone) {
-        int count = (int) Math.min(rule.frames(), look.index() + 1);
-        if (count < rule.hits()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double[] drawn = new double[count];
-        for (int back = 0; back < count; back++) {
+        long newest = newest(look.index());
+        long first = look.index() == 0 ? newest : Math.min(newest, newest(look.index() - 1) + 1);
+        long oldest = Math.max(0, first - rule.frames() + 1);
+        double[] drawn = new double[(int) (newest - oldest) + 1];
+        for (int i = 0; i < drawn.length; i++) {
             // Above 0: what does not stand out at all is not found by luck.
-            drawn[back] = 1.0
-                    - Draws.stream(look.seed(), look.sensor(), drone, look.index() - back, Look.DETECTION)
+            drawn[i] = 1.0
+                    - Draws.stream(look.seed(), look.sensor(), drone, oldest + i, Look.DETECTION)
                             .nextDouble();
         }
-        Arrays.sort(drawn);
-        return rule.probability(drawn[rule.hits() - 1]);
+        double least = Double.POSITIVE_INFINITY;
+        for (int last = (int) (first - oldest); last < drawn.length; last++) {
+            double[] window = Arrays.copyOfRange(drawn, Math.max(0, last - rule.frames() + 1), last + 1);
+            if (window.length >= rule.hits()) {
+                Arrays.sort(window);
+                least = Math.min(least, window[rule.hits() - 1]);
+            }
+        }
+        return least == Double.POSITIVE_INFINITY ? least : rule.probability(least);
+    }
+
+    /** The number of the newest frame at the time of a look, from 0. */
+    private long newest(long look) {
+        return (long) Math.floor(look * rule.frameRate() / looksPerSecond + ROUNDING);
     }
 }

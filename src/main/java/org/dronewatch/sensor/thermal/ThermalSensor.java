@@ -98,8 +98,10 @@ public final class ThermalSensor implements AssessableSensor {
         double ratio = signalToNoise(drone, pixels);
         double probability = spots.map(detector -> detector.probability(ratio))
                 .orElseGet(() -> settings.task().probability(resolved(drone, pixels, ratio)));
+        double ofALook =
+                spots.map(detector -> detector.probabilityOfALook(ratio)).orElse(probability);
         return settings.byChance()
-                ? Signal.of(probability, probability, Quantity.RATIO.unit(), EVEN_CHANCE)
+                ? Signal.of(ofALook, probability, Quantity.RATIO.unit(), EVEN_CHANCE)
                 : Signal.certain(probability, Quantity.RATIO.unit(), settings.probability());
     }
 
@@ -107,13 +109,14 @@ public final class ThermalSensor implements AssessableSensor {
         double range = drone.distance(settings.position());
         double pixels = area.of(drone);
         double ratio = signalToNoise(drone, pixels);
-        double probability = signal(drone, pixels).quantity();
+        Signal signal = signal(drone, pixels);
+        double probability = signal.quantity();
         double threshold = settings.byChance() ? drawnThreshold(drone, look, probability) : settings.probability();
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("pixels", pixels);
         figures.put("signal_to_noise", ratio);
         spots.ifPresent(detector -> figures.put("snr_threshold", detector.threshold()));
-        figures.put(Observation.PROBABILITY, probability);
+        figures.put(Observation.PROBABILITY, settings.byChance() ? signal.probability() : probability);
         boolean sighted = probability >= threshold
                 || pixels >= settings.lockPixels() && isFollowed(drone, resolved(drone, pixels, ratio), look);
         return new Observation(

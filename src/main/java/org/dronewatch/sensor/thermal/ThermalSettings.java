@@ -39,7 +39,8 @@ import org.dronewatch.world.World;
  * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: determines the blur by diffraction; omit
  *     it for a lens without diffraction
  * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur by lens and air, m
- * @param rate frames per second, above 0, Hz
+ * @param rate looks per second, above 0, Hz: the frames that an observer is shown; those of a program have a rate of
+ *     their own in {@code pointTargets}
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather of the scene, 1e-6 to 1
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
@@ -115,9 +116,10 @@ public record ThermalSettings(
         aim.from(position);
         PictureSensorSettings.checkPixels(width, height);
         PictureSensorSettings.checkZoom(fov, positioner);
-        double frameRate = rate;
+        double looks = rate;
+        pointTargets.ifPresent(rule -> rule.checkFrames(looks));
         falseAlarms.ifPresentOrElse(
-                known -> known.rate(frameRate), () -> pointTargets.ifPresent(rule -> rule.checkRate(frameRate)));
+                known -> known.rate(looks), () -> pointTargets.ifPresent(rule -> rule.checkRate(looks)));
     }
 
     /**

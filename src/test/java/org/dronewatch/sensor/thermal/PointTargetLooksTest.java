@@ -40,7 +40,7 @@ class PointTargetLooksTest {
     private static final double QUADROTOR = 0.0528;
 
     /** 8,454 false alarms an hour in single frames: at 25 Hz, a threshold of 5. */
-    private static final PointTargets FIVE_SIGMA = new PointTargets(8454.0, 1, 1, 1);
+    private static final PointTargets FIVE_SIGMA = new PointTargets(8454.0, 1, 1, 1, 25.0);
 
     private static final ThermalSettings CAMERA = ThermalSettings.at(new Position(0, 0, 0));
     private static final ThermalSettings BY_CHANCE = CAMERA.withChance(true);
@@ -84,7 +84,7 @@ class PointTargetLooksTest {
     @ParameterizedTest
     @CsvSource({"1, 1, 1150", "1, 1, 1383", "3, 5, 1700", "3, 5, 1850", "5, 5, 1850"})
     void looksDetectAsOftenAsTheFormulaStates(int hits, int frames, double range) {
-        ThermalSettings settings = BY_CHANCE.withPointTargets(new PointTargets(8454.0, hits, frames, 1));
+        ThermalSettings settings = BY_CHANCE.withPointTargets(new PointTargets(8454.0, hits, frames, 1, 25.0));
         World world = Walls.open();
         Drone drone = at(range);
         Assessment one = Walls.assess(settings, world, drone);
@@ -101,16 +101,44 @@ class PointTargetLooksTest {
         assertThat(one.probability()).isBetween(0.02, 0.999);
     }
 
+    /** Five frames between two looks: any of them may confirm the drone. */
+    @ParameterizedTest
+    @CsvSource({"1, 1, 1500", "3, 5, 1900", "5, 5, 1850", "8, 10, 1950"})
+    void looksThatSpanFramesDetectAsOftenAsTheirSequences(int hits, int frames, double range) {
+        PointTargets rule = new PointTargets(8454.0, hits, frames, 1, 25.0);
+        ThermalSettings settings = BY_CHANCE.withRate(5.0).withPointTargets(rule);
+        World world = Walls.open();
+        Drone drone = at(range);
+        Assessment one = Walls.assess(settings, world, drone);
+        ThermalSensor sensor = settings.create();
+        int count = 4000;
+        int detected = 0;
+        for (int i = 0; i < count; i++) {
+            Look look = Look.of(Draws.mix(12, i), "heat", 8, 1.6);
+            Observation seen = sensor.observe(world, List.of(drone), look).get(0);
+            assertThat(seen.probability()).isEqualTo(one.probability());
+            detected += seen.isDetected() ? 1 : 0;
+        }
+        double[] interval = Wilson.interval(detected, count, 3.9);
+
+        assertThat(one.probability()).as("seed 12, %d of %d", detected, count).isBetween(interval[0], interval[1]);
+        // More often than if a look were a frame.
+        assertThat(one.probability())
+                .isBetween(0.1, 0.95)
+                .isGreaterThan(1.1
+                        * Walls.assess(settings.withRate(25.0), world, drone).probability());
+    }
+
     /** Frame by frame: which marks a program sees, and when it has seen three in five frames. */
     @Test
     void aDetectionIsThreeMarksInFiveFrames() {
-        PointTargets rule = new PointTargets(1.0, 3, 5, 9);
+        PointTargets rule = PointTargets.DEFAULT;
         ThermalSettings settings = BY_CHANCE.withPointTargets(rule);
         World world = Walls.open();
         Drone drone = at(1540);
         ThermalSensor sensor = settings.create();
         ThermalSensor single = BY_CHANCE
-                .withPointTargets(new PointTargets(singleRate(rule, settings), 1, 1, 1))
+                .withPointTargets(new PointTargets(singleRate(rule, settings), 1, 1, 1, 25.0))
                 .create();
         List<Boolean> marks = new ArrayList<>();
         int detections = 0;
@@ -128,8 +156,8 @@ class PointTargetLooksTest {
 
     /** The false alarms of single frames with the threshold of another rule. */
     private static double singleRate(PointTargets rule, ThermalSettings settings) {
-        double threshold = rule.threshold(settings.pixels(), settings.rate());
-        return new PointTargets(1.0, 1, 1, 1).falseAlarmsPerHour(threshold, settings.pixels(), settings.rate());
+        double threshold = rule.threshold(settings.pixels());
+        return new PointTargets(1.0, 1, 1, 1, 25.0).falseAlarmsPerHour(threshold, settings.pixels());
     }
 
     /** A billion sigmas do not help before three frames have been taken. */
@@ -148,7 +176,8 @@ class PointTargetLooksTest {
     @ParameterizedTest
     @CsvSource({"5, 3.807, 1562", "25, 3.937, 1539", "50, 3.993, 1530"})
     void theRangeOfAnEvenChanceShrinksWithTheFrameRate(double rate, double stated, double range) {
-        ThermalSettings settings = CAMERA.withRate(rate).withPointTargets(PointTargets.DEFAULT);
+        PointTargets rule = PointTargets.DEFAULT.withFrameRate(rate);
+        ThermalSettings settings = CAMERA.withPointTargets(rule);
         double low = 500;
         double high = 3000;
         while (high - low > 0.5) {
@@ -159,7 +188,7 @@ class PointTargetLooksTest {
                 high = middle;
             }
         }
-        double threshold = PointTargets.DEFAULT.threshold(settings.pixels(), rate);
+        double threshold = rule.threshold(settings.pixels());
         double focal = settings.focalLength();
         double ratio = 100 * Math.pow(0.85, low / 1000) * QUADROTOR * focal * focal / (low * low);
 
@@ -232,18 +261,28 @@ class PointTargetLooksTest {
     /** One notion of a rate: what noise is allowed to cause is what a run raises and an alert rule is priced by. */
     @Test
     void theAcceptedFalseAlarmsAreItsRate() {
-        ThermalSettings settings = CAMERA.withPointTargets(new PointTargets(40.0, 3, 5, 9));
+        ThermalSettings settings = CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(40.0));
         FalseAlarmRate rate = settings.falseAlarmRate().orElseThrow();
 
         assertThat(rate.perHour()).isCloseTo(40.0, within(1e-6));
         assertThat(rate.cells()).isEqualTo(640 * 512 / 9);
         assertThat(rate.looks()).isEqualTo(3);
+        // Three frames are less than a look at 5 Hz, and six looks at 50 Hz.
+        assertThat(settings.withRate(5.0).falseAlarmRate().orElseThrow().looks())
+                .isOne();
+        assertThat(settings.withRate(50.0).falseAlarmRate().orElseThrow().looks())
+                .isEqualTo(6);
+        assertThat(settings.withRate(5.0).falseAlarmRate().orElseThrow().perHour())
+                .isCloseTo(40.0, within(1e-6));
+        assertThatThrownBy(() -> settings.withRate(0.02))
+                .hasMessage("pointTargets.frameRate 25.0 Hz with a rate of 0.02 Hz must be at most 20.0 Hz: 1000 frames"
+                        + " in a look");
         FalseAlarms counted = new FalseAlarms(70.0, 5, 1.0);
         assertThat(settings.withFalseAlarms(counted).falseAlarmRate()).contains(counted.rate(25));
         assertThat(CAMERA.falseAlarmRate()).isEmpty();
         assertThatThrownBy(() -> CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9)))
                 .hasMessage(
-                        "pointTargets.falseAlarmsPerHour 1.0E9 at 25.0 frames a second must be at most 3.0E7: 1000 at"
+                        "pointTargets.falseAlarmsPerHour 1.0E9 at 25.0 looks a second must be at most 3.0E7: 1000 at"
                                 + " a time");
         assertThat(CAMERA.withFalseAlarms(counted)
                         .withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9))

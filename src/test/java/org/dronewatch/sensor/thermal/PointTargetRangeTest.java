@@ -11,15 +11,22 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * At what range a program first finds a quadrotor of 5 K that comes at 15 m/s: how far its range depends on the frame
- * rate. The exact distribution follows from the chances of all sequences of the last marks.
+ * At what range a program first finds a quadrotor of 5 K that comes at 15 m/s: how far its range depends on its frame
+ * rate, and that it does not depend on how often a run looks. The exact distribution follows from the chances of all
+ * sequences of the last marks.
  */
 class PointTargetRangeTest {
     private static final double START = 2600.0;
     private static final double SPEED = 15.0;
 
     private static ThermalSettings camera(double rate) {
-        return ThermalSettings.at(new Position(0, 0, 0)).withRate(rate).withPointTargets(PointTargets.DEFAULT);
+        return camera(rate, rate);
+    }
+
+    private static ThermalSettings camera(double looks, double frameRate) {
+        return ThermalSettings.at(new Position(0, 0, 0))
+                .withRate(looks)
+                .withPointTargets(PointTargets.DEFAULT.withFrameRate(frameRate));
     }
 
     /** 0.0528 m2, 50 mK, 0.85 a kilometre, at a focal length of 1505 pixels. */
@@ -39,7 +46,7 @@ class PointTargetRangeTest {
 
     private static double[] detectedBy(ThermalSettings camera, double start) {
         double rate = camera.rate();
-        double threshold = PointTargets.DEFAULT.threshold(camera.pixels(), rate);
+        double threshold = PointTargets.DEFAULT.withFrameRate(rate).threshold(camera.pixels());
         int states = 16;
         double[] chance = new double[states];
         chance[0] = 1.0;
@@ -105,26 +112,62 @@ class PointTargetRangeTest {
     @ParameterizedTest
     @CsvSource({"5, 400", "25, 200"})
     void simulatedEncountersAgreeWithTheExactDistribution(double rate, int runs) {
-        ThermalSettings camera = camera(rate);
-        SpotDetector detector = new SpotDetector(PointTargets.DEFAULT, camera);
+        assertDistribution(firstLooks(camera(rate), runs), detectedBy(rate), 1);
+    }
+
+    /**
+     * Of the same frames, every fifth is looked at, or each, or each twice: the distribution of the first detection is
+     * that of all frames, and run by run it is the same to a look.
+     */
+    @Test
+    void howOftenARunLooksChangesNothing() {
+        int runs = 100;
+        double frameRate = 25.0;
+        double[] exact = detectedBy(frameRate);
+        int[] each = firstLooks(camera(25, frameRate), runs);
+        int[] everyFifth = firstLooks(camera(5, frameRate), runs);
+        int[] twice = firstLooks(camera(50, frameRate), runs);
+        int early = 0;
+        for (int run = 0; run < runs; run++) {
+            assertThat(twice[run]).as("seed %d", 1000 + run).isBetween(2 * each[run] - 1, 2 * each[run]);
+            int next = (each[run] + 4) / 5;
+            assertThat(everyFifth[run]).as("seed %d", 1000 + run).isLessThanOrEqualTo(next);
+            early += everyFifth[run] < next ? 1 : 0;
+        }
+        // The ratio of a look, which is that at its time, is up to 0.3 % higher than that of the frames before.
+        assertThat(early).isLessThan(runs / 10);
+        assertDistribution(each, exact, 1);
+        assertDistribution(everyFifth, exact, 5);
+    }
+
+    /** The look that first detects the drone, in each of several runs. */
+    private static int[] firstLooks(ThermalSettings camera, int runs) {
+        double rate = camera.rate();
+        SpotDetector detector = new SpotDetector(camera.pointTargets().orElseThrow(), camera);
         double[] probabilities = new double[(int) (rate * 110)];
-        for (int frame = 0; frame < probabilities.length; frame++) {
-            probabilities[frame] = detector.probability(signalToNoise(camera, range(START, rate, frame)));
+        for (int look = 0; look < probabilities.length; look++) {
+            probabilities[look] = detector.probability(signalToNoise(camera, range(START, rate, look)));
         }
         int[] first = new int[runs];
         for (int run = 0; run < runs; run++) {
             // At 2300 m it is not detected yet, but for one in a million.
-            int frame = (int) (rate * 20);
-            while (probabilities[frame]
-                    < detector.drawnThreshold(Look.of(1000 + run, "wide", frame, frame / rate), "intruder")) {
-                frame++;
+            int look = (int) (rate * 20);
+            while (probabilities[look]
+                    < detector.drawnThreshold(Look.of(1000 + run, "wide", look, look / rate), "intruder")) {
+                look++;
             }
-            first[run] = frame;
+            first[run] = look;
         }
+        return first;
+    }
+
+    /** Compares with the exact distribution over frames, of which each look spans some. */
+    private static void assertDistribution(int[] firstLooks, double[] detected, int frames) {
+        int[] first = firstLooks.clone();
         Arrays.sort(first);
-        double[] detected = detectedBy(rate);
+        int runs = first.length;
         for (double quantile : new double[] {0.1, 0.5, 0.9}) {
-            double exact = detected[first[(int) (quantile * runs)]];
+            double exact = detected[frames * first[(int) (quantile * runs)]];
             double error = Math.sqrt(quantile * (1.0 - quantile) / runs);
             assertThat(exact)
                     .as("seeds 1000 to %d, quantile %s", 999 + runs, quantile)

@@ -11,6 +11,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class PointTargetsTest {
     private static final long PIXELS = 640 * 512;
+
+    private static PointTargets rule(int hits, int frames, int gate) {
+        return PointTargets.DEFAULT.withConfirmation(hits, frames).withGate(gate);
+    }
+
     private static final PointTargets SINGLE =
             PointTargets.DEFAULT.withConfirmation(1, 1).withGate(1);
 
@@ -52,21 +57,20 @@ class PointTargetsTest {
      */
     @Test
     void aSingleFrameAtFiveSigmaRaisesThousandsOfFalseAlarms() {
-        assertThat(SINGLE.falseAlarmsPerHour(5.0, PIXELS, 25.0)).isCloseTo(8450.0, within(10.0));
+        assertThat(SINGLE.falseAlarmsPerHour(5.0, PIXELS)).isCloseTo(8450.0, within(10.0));
         assertThat(PointTargets.markProbability(5.0, 5.0)).isEqualTo(0.5);
         assertThat(SINGLE.probability(0.5)).isEqualTo(0.5);
-        assertThat(SINGLE.withFalseAlarmsPerHour(8454.0).threshold(PIXELS, 25.0))
-                .isCloseTo(5.0, within(1e-4));
+        assertThat(SINGLE.withFalseAlarmsPerHour(8454.0).threshold(PIXELS)).isCloseTo(5.0, within(1e-4));
     }
 
     @ParameterizedTest
     @CsvSource({"1, 1, 1", "1, 1, 9", "2, 3, 9", "3, 5, 1", "3, 5, 9", "5, 5, 25", "50, 50, 9"})
     void theThresholdKeepsToTheFalseAlarms(int hits, int frames, int gate) {
-        PointTargets rule = new PointTargets(1.0, hits, frames, gate);
+        PointTargets rule = rule(hits, frames, gate);
         for (double perHour : new double[] {1e-6, 0.1, 1.0, 1000.0}) {
             PointTargets accepted = rule.withFalseAlarmsPerHour(perHour);
-            double threshold = accepted.threshold(PIXELS, 25.0);
-            assertThat(accepted.falseAlarmsPerHour(threshold, PIXELS, 25.0)).isCloseTo(perHour, within(1e-9 * perHour));
+            double threshold = accepted.threshold(PIXELS);
+            assertThat(accepted.falseAlarmsPerHour(threshold, PIXELS)).isCloseTo(perHour, within(1e-9 * perHour));
         }
     }
 
@@ -74,11 +78,12 @@ class PointTargetsTest {
     @Test
     void moreFramesRaiseTheThreshold() {
         for (PointTargets rule : new PointTargets[] {SINGLE, PointTargets.DEFAULT}) {
-            double slow = rule.threshold(PIXELS, 5.0);
-            double fast = rule.threshold(PIXELS, 50.0);
-            assertThat(fast).isGreaterThan(slow);
-            assertThat(rule.falseAlarmsPerHour(slow, PIXELS, 50.0))
-                    .isCloseTo(10.0 * rule.falseAlarmsPerHour(slow, PIXELS, 5.0), within(1e-9));
+            PointTargets few = rule.withFrameRate(5.0);
+            PointTargets many = rule.withFrameRate(50.0);
+            double slow = few.threshold(PIXELS);
+            assertThat(many.threshold(PIXELS)).isGreaterThan(slow);
+            assertThat(many.falseAlarmsPerHour(slow, PIXELS))
+                    .isCloseTo(10.0 * few.falseAlarmsPerHour(slow, PIXELS), within(1e-9));
         }
     }
 
@@ -103,8 +108,7 @@ class PointTargetsTest {
         }
         double t = NormalTail.exceededWith(mark);
         double pixelFrames = (double) side * side * (count - frames);
-        double expected =
-                new PointTargets(1.0, hits, frames, gate).falseAlarmsPerHour(t, 1, 1.0 / 3600.0) * pixelFrames;
+        double expected = rule(hits, frames, gate).withFrameRate(1.0 / 3600.0).falseAlarmsPerHour(t, 1) * pixelFrames;
 
         // Overlapping gates make neighbours depend on each other: their variance is up to the gate times that of a
         // count.
@@ -154,8 +158,8 @@ class PointTargetsTest {
         assertThat(PointTargets.DEFAULT.probability(0.001)).isCloseTo(9.985e-9, within(1e-12));
         assertThat(PointTargets.DEFAULT.probability(0.0)).isZero();
         assertThat(PointTargets.DEFAULT.probability(1.0)).isEqualTo(1.0);
-        assertThat(new PointTargets(1.0, 50, 50, 1).probability(1.0)).isEqualTo(1.0);
-        assertThat(new PointTargets(1.0, 25, 50, 1).probability(0.5)).isCloseTo(0.5561, within(1e-4));
+        assertThat(rule(50, 50, 1).probability(1.0)).isEqualTo(1.0);
+        assertThat(rule(25, 50, 1).probability(0.5)).isCloseTo(0.5561, within(1e-4));
     }
 
     /**
@@ -164,17 +168,20 @@ class PointTargetsTest {
      */
     @Test
     void moreFalseAlarmsThanThereAreFramesAreNotSought() {
-        PointTargets greedy = SINGLE.withFalseAlarmsPerHour(1e9);
+        PointTargets greedy = SINGLE.withFalseAlarmsPerHour(1e9).withFrameRate(1.0);
 
-        assertThat(greedy.threshold(1, 1.0)).isCloseTo(0.0, within(0.01));
-        assertThat(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9).threshold(100, 1.0))
+        assertThat(greedy.threshold(1)).isCloseTo(0.0, within(0.01));
+        assertThat(PointTargets.DEFAULT
+                        .withFalseAlarmsPerHour(1e9)
+                        .withFrameRate(1.0)
+                        .threshold(100))
                 .isBetween(0.5, 3.0);
     }
 
     @Test
     void moreHitsThanFramesAreRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new PointTargets(1.0, 4, 3, 9))
+                .isThrownBy(() -> rule(4, 3, 9))
                 .withMessage("hits 4 must be at most frames 3");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> PointTargets.DEFAULT.withFalseAlarmsPerHour(0.0))
