@@ -52,6 +52,7 @@ public final class ModelCache {
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final FlightFiles flightFiles;
     private final Set<String> noted = new HashSet<>();
+    private final Set<KDTree> examined = new HashSet<>();
     private double loadSeconds;
     private double buildSeconds;
 
@@ -267,6 +268,15 @@ public final class ModelCache {
         notes.accept("read " + model.describe());
         model.warnings().forEach(warning -> notes.accept("warning: " + warning));
         return model;
+    }
+
+    /**
+     * Claims the examination of a site, which many runs share, for one of them.
+     *
+     * @return whether nobody claimed it before
+     */
+    synchronized boolean claimExamination(KDTree site) {
+        return examined.add(site);
     }
 
     /** Warns, once for each message. */

@@ -76,6 +76,9 @@ public final class Stage {
         this.colours = Map.copyOf(models.colours(site));
         this.protection = Protection.of(settings.alert(), world);
         new SiteAdvice(settings, world).giveTo(models::warn);
+        if (models.claimExamination(world.tree())) {
+            new GroundOffsets(settings, world, models.firstTriangles(site)).giveTo(models::warn);
+        }
         this.runSeed = runSeed;
         this.association = association;
         this.dispatch = new ContactDispatch(new AlertLog(settings.alert()));
@@ -91,6 +94,7 @@ public final class Stage {
         if (site.terrain().isPresent()) {
             new TerrainAdvice(settings, world.newGround()).giveTo(flights(), models::warn);
         }
+        new DroneSizeAdvice(settings).giveTo(models);
         adviseOnFlights(settings, models);
         this.sensors = settings.enabledSensors();
         sensors.forEach((id, sensor) -> {

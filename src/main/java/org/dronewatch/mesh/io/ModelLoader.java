@@ -13,6 +13,12 @@ import org.dronewatch.setting.InputException;
 
 /** Reads triangle meshes from model files, in all formats with a {@link MeshReader} on the class path. */
 public final class ModelLoader {
+    /** About thirty buildings are higher, m; a house of two floors in centimetres is. */
+    private static final double HIGHEST = 500.0;
+
+    /** Less than any drone or obstacle, m; a house in kilometres is smaller. */
+    private static final double SMALLEST = 0.05;
+
     private final Path directory;
 
     /**
@@ -52,7 +58,9 @@ public final class ModelLoader {
                             + " IfcOpenShell converts them");
         }
         try {
-            return doubtIfFar(readers.of(file.name()).read(file, settings), settings);
+            LoadedModel model = readers.of(file.name()).read(file, settings);
+            String doubt = doubtAboutSize(model, settings.role());
+            return doubt.isEmpty() ? doubtIfFar(model, settings) : withWarning(model, doubt);
         } catch (InputException e) {
             if (readers.knows(file.name())) {
                 throw e;
@@ -64,6 +72,39 @@ public final class ModelLoader {
         }
     }
 
+    /** What is to be said about a model in millimetres that is read in metres, or the other way round; else nothing. */
+    private static String doubtAboutSize(LoadedModel model, ModelRole role) {
+        AABB box = model.mesh().bounds();
+        double high = box.maxZ() - box.minZ();
+        double largest = Math.max(high, Math.max(box.maxX() - box.minX(), box.maxY() - box.minY()));
+        if (role != ModelRole.TERRAIN && high > HIGHEST) {
+            return size("%s: is %,.0f m x %,.0f m x %,.0f m", model)
+                    + ", higher than almost any building: unless its unit is the metre, set its scale, as in"
+                    + " scale: 0.001 for millimetres";
+        }
+        return largest < SMALLEST
+                ? size("%s: is %.4f m x %.4f m x %.4f m", model) + ", too small to hide anything: check its scale"
+                : "";
+    }
+
+    private static String size(String format, LoadedModel model) {
+        AABB box = model.mesh().bounds();
+        return String.format(
+                Locale.ROOT,
+                format,
+                model.name(),
+                box.maxX() - box.minX(),
+                box.maxY() - box.minY(),
+                box.maxZ() - box.minZ());
+    }
+
+    private static LoadedModel withWarning(LoadedModel model, String warning) {
+        List<String> warnings = new ArrayList<>(model.warnings());
+        warnings.add(warning);
+        return new LoadedModel(
+                model.name(), model.mesh(), model.dropped(), model.skipped(), model.colours(), model.files(), warnings);
+    }
+
     /** Nothing else may lie so far away: it is in coordinates of a map, and its floats have lost what they say. */
     private static LoadedModel doubtIfFar(LoadedModel model, ModelSettings settings) {
         AABB box = model.mesh().bounds();
@@ -73,8 +114,7 @@ public final class ModelLoader {
         if (far <= In.FARTHEST) {
             return model;
         }
-        List<String> warnings = new ArrayList<>(model.warnings());
-        warnings.add(String.format(
+        String warning = String.format(
                 Locale.ROOT,
                 "%s: lies %.0f km from the scene's origin, where coordinates are rounded to %.2g m: %s",
                 model.name(),
@@ -84,9 +124,8 @@ public final class ModelLoader {
                         .map(crs ->
                                 "check that its coordinates, plus any shift given by its origin, are those of " + crs)
                         .orElse("if they are those of a national grid, name it, as in crs: EPSG:28992, or set the"
-                                + " model's origin to a point of the file, as in origin: [155000, 463000, 0]")));
-        return new LoadedModel(
-                model.name(), model.mesh(), model.dropped(), model.skipped(), model.colours(), model.files(), warnings);
+                                + " model's origin to a point of the file, as in origin: [155000, 463000, 0]"));
+        return withWarning(model, warning);
     }
 
     /**

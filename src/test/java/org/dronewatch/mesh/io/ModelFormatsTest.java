@@ -192,7 +192,10 @@ class ModelFormatsTest {
         assertThat(model.warnings()).singleElement().asString().contains("STL states no unit", "scale: 0.001");
         ModelSettings millimetres =
                 ModelSettings.of("wedge.STL").withUpAxis(UpAxis.Z).withScale(0.001);
-        assertThat(new ModelLoader(directory).load(millimetres).warnings()).isEmpty();
+        assertThat(new ModelLoader(directory).load(millimetres).warnings())
+                .singleElement()
+                .asString()
+                .contains("is 0.0040 m x 0.0030 m x 0.0020 m, too small to hide anything");
     }
 
     /** Its first word is that of text, and its length is not what it states; the zero bytes of its title tell. */

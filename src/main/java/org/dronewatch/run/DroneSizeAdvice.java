@@ -1,0 +1,30 @@
+package org.dronewatch.run;
+
+import java.util.Locale;
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.scenario.SceneSettings;
+
+/** Warns of drones whose models are in millimetres but read in metres. */
+record DroneSizeAdvice(SceneSettings settings) {
+    /** No drone has such a span, m. */
+    private static final double LARGEST = 100.0;
+
+    /** Gives one line for each drone. */
+    void giveTo(ModelCache models) {
+        settings.drones().forEach((id, drone) -> {
+            AABB box = models.index(drone.model(), settings.world().tracing())
+                    .tree()
+                    .bounds();
+            double across = Math.max(box.maxX() - box.minX(), box.maxY() - box.minY());
+            if (across > LARGEST) {
+                models.warn(String.format(
+                        Locale.ROOT,
+                        "drone '%s': its model is %,.0f m across: unless its unit is the metre, set drones.%s.model.scale, as"
+                                + " in scale: 0.001 for millimetres",
+                        id,
+                        across,
+                        id));
+            }
+        });
+    }
+}
