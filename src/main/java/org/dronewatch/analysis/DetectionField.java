@@ -18,8 +18,8 @@ import org.dronewatch.sensor.Cause;
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
  * one look of each sensor detects it, and the cause where that is not sufficient. A sensor on a positioner has turned
- * to the drone. Everything is assessed once, as a run does it, and can be asked for any course afterwards without
- * another ray.
+ * to the drone. Everything is assessed once, as in a run; afterwards, any course can be queried without tracing another
+ * ray.
  *
  * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
  */

@@ -20,7 +20,10 @@ public record FieldGrid(
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double side,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double cell,
         List<Double> heights) {
-    /** Heights for which people plan: the EU's open category ends at 120 m, manned flight begins at 150 m. */
+    /**
+     * Heights that are commonly planned for: the EU's open category ends at 120 m, and manned flight usually begins at
+     * 150 m.
+     */
     public static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0, 150.0);
 
     /** The most cells along a side. */

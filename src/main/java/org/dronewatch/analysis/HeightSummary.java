@@ -14,11 +14,11 @@ import org.dronewatch.sensor.Cause;
  * @param known those that are neither unknown nor inside something solid
  * @param inside those inside something solid
  * @param covered those known ones that a sensor covers
- * @param volume of the air that these stand for, m3; see {@link FieldGrid#depth}
+ * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
  * @param causes known cells by their dominant cause, in the order of {@link Cause}
  * @param counts known cells by the number of sensors that cover them, from none on
- * @param lost by sensor, the cells that nothing covers without it, although something does with it; the course that
- *     counts may be another one then, and a number below 0 is possible for the best course
+ * @param lost by sensor, the number of cells that are covered with it, but not without it; without it another course
+ *     may count, so that a number below 0 is possible for the best course
  * @param gap the largest gap; empty if there is none
  */
 public record HeightSummary(

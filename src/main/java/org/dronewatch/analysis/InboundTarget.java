@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
-/** Where an inbound drone flies to. */
+/** The point towards which an inbound drone flies. */
 public final class InboundTarget {
     private InboundTarget() {}
 

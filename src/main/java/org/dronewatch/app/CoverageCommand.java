@@ -63,7 +63,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--height",
             paramLabel = "H",
-            description = "Of a plan: height above the highest surface; 10 m by default.")
+            description = "Height of a plan above the highest surface; 10 m by default.")
     private String height;
 
     @Option(
@@ -76,7 +76,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--cells",
             paramLabel = "N",
-            description = "Of a plan: points along a side, 2 to 2000; 100 by default.")
+            description = "Points along a side of a plan, 2 to 2000; 100 by default.")
     private Integer cells;
 
     @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
@@ -85,7 +85,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             paramLabel = "DIR|FILE.png",
-            description = "Directory to write coverage.json into; or the picture of a plan.")
+            description = "Directory for coverage.json, or the picture file of a plan.")
     private String out;
 
     @Mixin
@@ -113,8 +113,9 @@ final class CoverageCommand implements Callable<Integer> {
         }
         String ofPlan = height != null ? "--height" : cells != null ? "--cells" : null;
         if (!isPlan && ofPlan != null) {
-            throw new InputException(ofPlan + ": belongs to a plan, which needs --out FILE.png; for several heights use"
-                    + " --heights and --cell");
+            throw new InputException(
+                    ofPlan + ": applies only to a plan, which needs --out FILE.png; for several heights use"
+                            + " --heights and --cell");
         }
     }
 

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.geo.Origin;
 
 /**
- * What a coverage was asked for, as its files state it.
+ * The inputs of a coverage, as its files state them.
  *
  * @param scene name of the scene
  * @param drone name of the drone

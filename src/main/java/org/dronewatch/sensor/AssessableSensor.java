@@ -37,8 +37,8 @@ public interface AssessableSensor extends Sensor {
     Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing);
 
     /**
-     * Whether signal and reason are certainly the same at every heading and speed of a level drone at its place, so
-     * that a field of assessments needs only one of them there. False unless a kind of sensor knows better.
+     * Whether signal and reason are certainly the same at every heading and speed of a level drone at its position, so
+     * that a field of assessments needs only one of them there. False unless overridden.
      *
      * @param world the site
      * @param drone at any heading and speed

@@ -7,7 +7,7 @@ import java.util.Set;
 /**
  * What covers the ground on a map.
  *
- * @param shapes areas and lines, in the order of the file; areas whose outlines the file does not hold whole are not
+ * @param shapes areas and lines, in the order of the file; areas whose outlines are incomplete in the file are not
  *     closed
  */
 public record MapLand(List<MapShape> shapes) {

@@ -16,8 +16,8 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The land cover of a map, drawn into a raster, and what is to be said about it. In this order: the sea; areas, the
- * larger ones first; waterways, lakes; paved areas; railways; paths; roads.
+ * The land cover of a map, drawn into a raster, with the lines of the report about it. It is drawn in this order: the
+ * sea; areas, the larger ones first; waterways, lakes; paved areas; railways; paths; roads.
  */
 public final class LandSurvey {
     private static final int EXAMPLES = 3;
@@ -164,8 +164,9 @@ public final class LandSurvey {
         if (offTheGround > 0) {
             lines.add(String.format(
                     Locale.ROOT,
-                    "land cover: left out: %,d roads and areas on bridges, in tunnels or underground",
-                    offTheGround));
+                    "land cover: left out: %,d %s on bridges, in tunnels or underground",
+                    offTheGround,
+                    offTheGround == 1 ? "road or area" : "roads and areas"));
         }
         return lines;
     }
@@ -175,10 +176,13 @@ public final class LandSurvey {
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,
-                        "%s: land cover: %,d areas whose outlines the file does not hold whole are left out: %s%s;"
+                        "%s: land cover: %,d %s left out: %s%s;"
                                 + " 'osmium extract --strategy smart' cuts out a map with whole areas",
                         file,
                         cutOff.size(),
+                        cutOff.size() == 1
+                                ? "area whose outline is incomplete in the file is"
+                                : "areas whose outlines are incomplete in the file are",
                         cutOff.stream().limit(EXAMPLES).map(PlainText::value).collect(Collectors.joining(", ")),
                         cutOff.size() > EXAMPLES ? ", ..." : ""));
     }

@@ -23,7 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param upAxis axis of the file that points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
  * @param crs national grid of the file's coordinates by its EPSG code, such as EPSG:28992, with heights above the level
- *     of {@code world.origin.height}; omit it for a model with coordinates of its own
+ *     of {@code world.origin.height}; omit it for a model in local coordinates
  * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; with a
  *     {@code crs}, the point at which the coordinates of the grid are zero, which matters only if the file's
  *     coordinates are shifted: (-155000, -463000, 0) if these numbers were subtracted from them

@@ -39,8 +39,8 @@ import org.dronewatch.world.World;
  * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m: determines the blur by diffraction; omit
  *     it for a lens without diffraction
  * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur by lens and air, m
- * @param rate looks per second, above 0, Hz: the frames that an observer is shown; those of a program have a rate of
- *     their own in {@code pointTargets}
+ * @param rate looks per second, above 0, Hz: the frames that an observer is shown; those that a program
+ *     examines have a separate rate in {@code pointTargets}
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather of the scene, 1e-6 to 1
  * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
