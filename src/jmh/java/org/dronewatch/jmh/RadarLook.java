@@ -68,7 +68,11 @@ public class RadarLook {
     @Param({"false", "true"})
     public boolean edges;
 
-    /** Whether the echoes of the ground compete with that of the drone; the beam then has a width. */
+    /** Whether the antenna has a pattern. */
+    @Param({"false", "true"})
+    public boolean beam;
+
+    /** Whether the echoes of the ground compete with that of the drone, through an antenna with a pattern. */
     @Param({"false", "true"})
     public boolean clutter;
 
@@ -97,9 +101,9 @@ public class RadarLook {
                     .withFieldOfView(2.0 * Math.PI, Math.PI)
                     .withDetection(new RadarDetection.Chance(1e-6, pulses))
                     .withDiffraction(edges);
-            RadarSettings cluttered = settings.withBeam(BeamPattern.of(Math.toRadians(3.0), Math.toRadians(10.0)))
-                    .withClutter(Clutter.of(new LandCover(LandCover.Cover.FARMLAND), 40.0));
-            settings = clutter ? cluttered : settings;
+            RadarSettings shaped = settings.withBeam(BeamPattern.of(Math.toRadians(3.0), Math.toRadians(10.0)));
+            RadarSettings cluttered = shaped.withClutter(Clutter.of(new LandCover(LandCover.Cover.FARMLAND), 40.0));
+            settings = clutter ? cluttered : beam ? shaped : settings;
             RadarSettings reflected = settings.withGroundReflection(ReflectingGround.DEFAULT);
             Position place = new Position(east, 0.0, heights.height(east, 0.0).orElseThrow() + 60.0);
             drones = List.of(model.at(new FlightState(place, new Position(0.0, -10.0, 0.0), 0.0)));

@@ -36,6 +36,45 @@ class LinkBudgetTest {
                 .isCloseTo(11.0, within(1e-9));
     }
 
+    /**
+     * What 6 dB consist of, each part computed from its definition: the energy of all looks at a target that a Gaussian
+     * beam passes, over that of as many at its peak within its half-power width, one way (Barton's beam-shape loss, in
+     * two directions); the noise bandwidth of Hamming's weights (Harris 1978: 1.36 bins), in range and in speed; and
+     * the loss of a threshold from 32 cells, whose probabilities have closed forms for Swerling's first case (Finn and
+     * Johnson 1968).
+     */
+    @Test
+    void theDefaultLossesAreThoseOfProcessing() {
+        double passed = 0;
+        double weights = 0;
+        double squares = 0;
+        for (int i = 0; i < 100_000; i++) {
+            double offset = -5 + 1e-4 * (i + 0.5);
+            passed += 1e-4 * Math.pow(0.5, 2 * Math.pow(2 * offset, 2));
+            double weight = 0.54 - 0.46 * Math.cos(2 * Math.PI * (i + 0.5) / 100_000);
+            weights += weight;
+            squares += weight * weight;
+        }
+        double beam = -2 * 10 * Math.log10(passed);
+        double hamming = 10 * Math.log10(100_000 * squares / (weights * weights));
+        int cells = 32;
+        double falseAlarm = 1e-6;
+        double probability = 0.9;
+        // A fraction of the sum of the cells is exceeded by noise with (1 + a)^-32, by an echo with (1 + a/(1 +
+        // S))^-32.
+        double scale = Math.pow(falseAlarm, -1.0 / cells) - 1;
+        double estimated = scale / (Math.pow(probability, -1.0 / cells) - 1) - 1;
+        double known = Math.log(falseAlarm) / Math.log(probability) - 1;
+        double cfar = 10 * Math.log10(estimated / known);
+
+        assertThat(beam).isCloseTo(2.47, within(0.005));
+        assertThat(hamming).isCloseTo(1.34, within(0.005));
+        assertThat(cfar).isCloseTo(0.97, within(0.005));
+        assertThat(Hardware.of(4, 33, 0.02).losses()).isCloseTo(beam + 2 * hamming + cfar, within(0.2));
+        assertThat(10 * Math.log10(known))
+                .isCloseTo(Detectability.required(probability, falseAlarm, Fluctuation.SWERLING_1), within(1e-9));
+    }
+
     @Test
     void anotherAntennaReceives() {
         Hardware one = new Hardware(4, 33, 0.02, 10e6, 0, 0);
