@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A transmission in bursts, each on a channel chosen at random: frequency hopping; with one channel, a duty cycle
- * alone.
+ * A transmission in bursts, each on a channel chosen at random, as in frequency hopping; with a single channel, it
+ * merely has a duty cycle.
  *
  * @param rate bursts per second, 0.001 Hz to 1 MHz, Hz
  * @param dutyCycle fraction of the time in which it transmits, above 0 and at most 1

@@ -16,7 +16,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param control type of control
  * @param frequency carrier, 1 MHz to 100 GHz, Hz
  * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
- * @param pilot position of the pilot's transmitter, or empty if it cannot be received, m
+ * @param pilot position of the pilot's transmitter, m; omit it if the pilot cannot be received
  * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm
  * @param emission type of signal, by which a receiver can recognise it as a drone's
  * @param bursts bursts and hops of the transmission; omit it for a transmission without pauses on one channel

@@ -164,7 +164,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A climb under power, then a glide with the motors off, quiet, and too high for a camera that points at the
+     * A climb under power, followed by a quiet glide with the motors off, too high for a camera that points at the
      * horizon. The drone stays at the end of the glide.
      *
      * @param from position at time 0, m

@@ -11,8 +11,8 @@ import org.dronewatch.setting.Quantity;
  * 43.7314 deg, longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height} it lies on the highest
  * surface there.
  *
- * @param latitude north of the equator, rad
- * @param longitude east of Greenwich, rad
+ * @param latitude latitude, north of the equator, rad
+ * @param longitude longitude, east of Greenwich, rad
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
  * @param height height above sea level, measured like the height of the origin, -100 to 100 km, m
  */

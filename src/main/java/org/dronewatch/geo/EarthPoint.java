@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
  * A point in plan view by latitude and longitude (WGS 84), which scene files may give instead of a pair of east and
  * north.
  *
- * @param latitude north of the equator, rad
- * @param longitude east of Greenwich, rad
+ * @param latitude latitude, north of the equator, rad
+ * @param longitude longitude, east of Greenwich, rad
  */
 public record EarthPoint(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

@@ -10,9 +10,9 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * Geographic position of the scene's origin (WGS 84), so that results can be shown on a map.
  *
- * @param latitude north of the equator, rad
- * @param longitude east of Greenwich, rad
- * @param height above sea level, -500 to 9000 m; empty if not known, and maps are then drawn on the ground
+ * @param latitude latitude, north of the equator, rad
+ * @param longitude longitude, east of Greenwich, rad
+ * @param height height above sea level, -500 to 9000 m; omit it if it is not known: maps are then drawn on the ground
  */
 public record Origin(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

@@ -42,8 +42,8 @@ public sealed interface Aim {
     /**
      * An aim in a direction.
      *
-     * @param azimuth clockwise from north as on a compass, rad
-     * @param elevation above the horizon, -pi/2 to pi/2, rad
+     * @param azimuth azimuth of the axis, clockwise from north as on a compass, rad
+     * @param elevation elevation of the axis above the horizon, -pi/2 to pi/2, rad
      */
     record Direction(
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,

@@ -7,10 +7,10 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The wind over a site: its mean speed grows with the logarithm of the height over the ground, {@code ln(1 + z / z0)},
+ * The wind over a site: its mean speed grows with the logarithm of the height above the ground, {@code ln(1 + z / z0)},
  * as in a neutral surface layer.
  *
- * @param speed at a height of 10 m over the ground, 0 to 60 m/s
+ * @param speed wind speed at a height of 10 m above the ground, 0 to 60 m/s
  * @param from direction from which it blows, clockwise from north, rad
  * @param roughness the roughness length z0 of the surroundings, 0.0001 to 2 m: 0.0002 water, 0.03 grass, 0.25 bushes, 1
  *     suburbs

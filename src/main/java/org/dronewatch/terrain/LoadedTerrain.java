@@ -7,7 +7,7 @@ import org.dronewatch.setting.file.FileHash;
 /**
  * A terrain made from elevation files.
  *
- * @param mesh triangles in the world frame, counter-clockwise seen from above
+ * @param mesh triangles in the world frame, counter-clockwise as seen from above
  * @param posts number of posts near the origin that have a height
  * @param holes number of posts there that have none
  * @param all number of triangles with every post kept

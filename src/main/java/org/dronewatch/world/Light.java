@@ -18,7 +18,7 @@ import org.dronewatch.setting.SettingsForm;
  *     for the meteorological optical range that weather stations report, 0.02 for Koschmieder's
  * @param illuminance illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at
  *     dusk, 0.2 under a full moon, 0.001 in starlight
- * @param sun position of the sun, or empty if it does not shine
+ * @param sun position of the sun; omit it if the sun does not shine
  * @param cn2 refractive-index structure constant Cn2 of the air, assumed equal everywhere, 0 to 1e-10 m^(-2/3): 5e-15
  *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and more over hot
  *     ground; 0 for still air
@@ -145,8 +145,8 @@ public record Light(
     /**
      * The position of the sun.
      *
-     * @param azimuth clockwise from north, rad
-     * @param elevation above the horizon, -pi/2 to pi/2, rad
+     * @param azimuth azimuth of the sun, clockwise from north, rad
+     * @param elevation elevation of the sun above the horizon, -pi/2 to pi/2, rad
      */
     public record Sun(
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,

@@ -20,8 +20,8 @@ import org.dronewatch.sound.surface.SurfaceMaterials;
  * of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}. The part of
  * a name after a colon is ignored: {@code brick_rough:assumed-height} uses the surface {@code brick_rough}.
  *
- * @param materials for each material in the model files, by its name, the name of its surface, from {@code own} or from
- *     the table
+ * @param materials the surfaces of the materials in the model files, by name of the material; each is the name of a
+ *     surface from {@code own} or from the table
  * @param defaultSurface name of the surface for all other materials
  * @param own surfaces defined in the scene, by name; they replace those of the same name in the table
  */

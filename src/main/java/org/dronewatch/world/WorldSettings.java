@@ -36,8 +36,7 @@ import org.dronewatch.terrain.TerrainSettings;
  *     sound
  * @param light visibility and daylight
  * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and
- *     records it in the
- *     summary
+ *     records the origin in {@code result.json}
  * @param tracing method of tracing rays; it affects speed, not results
  */
 public record WorldSettings(

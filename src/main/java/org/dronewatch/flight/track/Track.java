@@ -18,7 +18,7 @@ import org.dronewatch.setting.file.BoundedFile;
  *
  * @param log path of the {@code .gpx} or {@code .csv} file
  * @param heights level from which the heights in the file are measured
- * @param verticalOffset added to all heights, -10 to 10 km, m
+ * @param verticalOffset offset that is added to all heights, -10 to 10 km, m
  * @param track name of the track, in a GPX file with several
  */
 public record Track(
