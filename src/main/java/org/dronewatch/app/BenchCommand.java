@@ -52,6 +52,15 @@ final class BenchCommand implements Callable<Integer> {
             description = "Treats the rays of the file as an image of this width, stored row by row.")
     private Integer width;
 
+    @Option(
+            names = "--query",
+            defaultValue = "nearest",
+            paramLabel = "NAME",
+            description = "nearest (the nearest triangle along each ray) or occluded (whether any lies between a ray's"
+                    + " origin and the end of its direction: whole segments instead of unit directions); nearest by"
+                    + " default.")
+    private RaySet.Query query;
+
     @Option(names = "--passes", defaultValue = "5", paramLabel = "N", description = "Measured passes; 5 by default.")
     private int passes;
 
@@ -109,6 +118,12 @@ final class BenchCommand implements Callable<Integer> {
         require(
                 width == null || rays != null,
                 "--width needs --rays: it specifies how the rays of a file form a picture");
+        require(
+                query == RaySet.Query.NEAREST || rays != null,
+                "--query occluded needs --rays: segments are not generated");
+        require(
+                query == RaySet.Query.NEAREST || hits == null && width == null,
+                "--query occluded takes neither --hits nor --width: which triangle hides a segment is not asked");
         require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
     }
 
@@ -119,7 +134,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private RaySet readRays() {
-        RaySet set = new RaySet("file", RayFile.read(rays), width == null ? 0 : width);
+        RaySet set = new RaySet("file", RayFile.read(rays), width == null ? 0 : width, query);
         require(
                 set.width() == 0 || set.count() % set.width() == 0,
                 "--width " + width + ": does not divide the " + set.count() + " rays of " + rays + " into whole rows");

@@ -68,6 +68,10 @@ final class BvhTraversal extends RayTracer {
     private double nearest;
     private int winner;
     private int winnerIndex;
+    private int winnerBlock;
+
+    /** The block with the triangle that hid the last segment of which any hit was asked; none if nothing did. */
+    private int obstacle = BvhNode.NONE;
 
     BvhTraversal(KDTree tree, Bvh wide) {
         super(tree.triangles());
@@ -90,14 +94,25 @@ final class BvhTraversal extends RayTracer {
         first = tMin;
         nearest = tMax;
         winner = -1;
-        if (onlyLeaf == BvhNode.NONE) {
-            walk(tMin, tMax, anyHit);
-        } else {
+        if (onlyLeaf != BvhNode.NONE) {
             testBlocks(onlyLeaf, 0);
+        } else if (!anyHit || !isHiddenAsBefore()) {
+            walk(tMin, tMax, anyHit);
+        }
+        if (anyHit) {
+            obstacle = winner < 0 ? BvhNode.NONE : BvhNode.leaf(winnerBlock, 1);
         }
         if (winner >= 0) {
             setHit(winner, nearest);
         }
+    }
+
+    /** Neighbouring segments are often hidden by the same triangle. */
+    private boolean isHiddenAsBefore() {
+        if (obstacle != BvhNode.NONE) {
+            testBlocks(obstacle, 0);
+        }
+        return winner >= 0;
     }
 
     /** Leaves the ray to the kd-tree. The nearest hit is also any hit. */
@@ -348,6 +363,7 @@ final class BvhTraversal extends RayTracer {
                     nearest = parameter;
                     winner = triangle;
                     winnerIndex = block + lane;
+                    winnerBlock = block;
                     limit = Float.floatToRawIntBits((float) parameter + 0.0f) + 1;
                 }
             } while (hits != 0);

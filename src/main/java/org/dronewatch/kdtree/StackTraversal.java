@@ -5,9 +5,14 @@ package org.dronewatch.kdtree;
  * most once.
  */
 public final class StackTraversal extends KDTraversal {
+    private static final long NOTHING = KDNode.leaf(0, 0);
+
     private final int[] stackNode;
     private final double[] stackEntry;
     private final double[] stackExit;
+
+    /** The leaf with the triangle that hid the last segment of which any hit was asked; empty if nothing did. */
+    private long obstacle = NOTHING;
 
     /** A ray tracer of a tree for the use of one thread. */
     public StackTraversal(KDTree tree) {
@@ -27,6 +32,14 @@ public final class StackTraversal extends KDTraversal {
             return;
         }
         intersection.setRay(origin, direction);
+        if (anyHit) {
+            // Neighbouring segments are often hidden by the same triangle.
+            testLeaf(obstacle, tMin);
+            if (intersection.found()) {
+                return;
+            }
+            obstacle = NOTHING;
+        }
         int stacked = 0;
         int index = 0;
         boolean inPlane = false;
@@ -71,6 +84,7 @@ public final class StackTraversal extends KDTraversal {
             // inside a split plane meets the cells on both sides at once, so that none of its hits is known to be
             // first.
             if (intersection.found() && (anyHit || !inPlane && intersection.distance() <= exit)) {
+                obstacle = anyHit ? node : obstacle;
                 return;
             }
             if (stacked == 0) {

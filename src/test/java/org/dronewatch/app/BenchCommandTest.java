@@ -85,6 +85,29 @@ class BenchCommandTest extends CommandLines {
         }
     }
 
+    /** Of three segments towards a triangle, one ends behind it, one in front of it, and one passes it. */
+    @Test
+    void benchCountsHiddenSegments() throws IOException {
+        Files.writeString(directory.resolve("model.obj"), TRIANGLE + "f 1 2 3\n");
+        Files.write(
+                directory.resolve("my.rays"),
+                rays(new float[] {0.2f, 0.2f, -2, 0, 0, 3}, new float[] {0.2f, 0.2f, -2, 0, 0, 1.5f}, new float[] {
+                    0.2f, 0.2f, -2, 5, 0, 3
+                }));
+        for (String traversal : List.of("fastest", "bvh", "stack", "sequential")) {
+            Program.Outcome outcome = commandIn(
+                    "bench DIR/model.obj --rays DIR/my.rays --query occluded --passes 1 --traversal " + traversal);
+
+            assertThat(outcome.code()).as(outcome.err()).isZero();
+            assertThat(JSON.readTree(outcome.out()).get("hits").asInt()).isEqualTo(1);
+        }
+        assertThat(commandIn("bench DIR/model.obj --query occluded").err())
+                .contains("--query occluded needs --rays: segments are not generated");
+        assertThat(commandIn("bench DIR/model.obj --rays DIR/my.rays --query occluded --hits DIR/h")
+                        .err())
+                .contains("--query occluded takes neither --hits nor --width");
+    }
+
     @Test
     void benchMakesCameraAndDiffuseRaysItself() {
         Program.Outcome outcome = commandIn("bench packaged:house.obj --passes 1");

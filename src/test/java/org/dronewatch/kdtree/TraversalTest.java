@@ -35,6 +35,49 @@ class TraversalTest {
         }
     }
 
+    /**
+     * Segments from one point to places along a line, of two lengths in turn, with nearest hits between them: what
+     * hid the last one may be beside, beyond or behind the next.
+     */
+    @ParameterizedTest
+    @EnumSource
+    void aSegmentIsHiddenWhateverTheLastOneMet(Way way) {
+        long seed = 20261126;
+        SplittableRandom random = new SplittableRandom(seed);
+        int hidden = 0;
+        int count = 0;
+        for (int triangles : new int[] {1, 3, 40, 400}) {
+            TriangleMesh mesh = Meshes.soup(triangles, 0.4, triangles);
+            KDTree tree = KDTree.of(mesh);
+            RayTracer used = way.on(tree);
+            Rays rays = new Rays(mesh, seed + triangles);
+            for (int line = 0; line < 40; line++) {
+                double[] eye = rays.inBox(2.0);
+                double[] from = rays.inBox(1.5);
+                double[] to = rays.inBox(1.5);
+                double near = random.nextDouble();
+                for (int i = 0; i < 50; i++) {
+                    double[] d = new double[3];
+                    for (int axis = 0; axis < 3; axis++) {
+                        d[axis] = from[axis] + i / 50.0 * (to[axis] - from[axis]) - eye[axis];
+                    }
+                    double end = i % 2 == 0 ? 1.0 : near;
+                    double start = i % 5 == 0 ? 0.5 * end : 0.0;
+                    boolean isHidden = way.on(tree).isOccluded(eye[0], eye[1], eye[2], d[0], d[1], d[2], start, end);
+                    assertThat(used.isOccluded(eye[0], eye[1], eye[2], d[0], d[1], d[2], start, end))
+                            .as("%d triangles, line %d, segment %d, seed %d", triangles, line, i, seed)
+                            .isEqualTo(isHidden);
+                    if (i % 7 == 0) {
+                        used.closestHit(eye[0], eye[1], eye[2], -d[0], -d[1], -d[2], 0.0, END);
+                    }
+                    hidden += isHidden ? 1 : 0;
+                    count++;
+                }
+            }
+        }
+        assertThat(hidden / (double) count).as("share hidden, seed %d", seed).isBetween(0.1, 0.9);
+    }
+
     @ParameterizedTest
     @EnumSource
     void zerosOfEitherSignMeanTheSame(Way way) {
