@@ -111,7 +111,7 @@ public record CalibratedEntry(
                         number(probability)),
                 Basis.CALIBRATED,
                 note(),
-                "as its settings say",
+                "as stated in its settings",
                 Optional.empty(),
                 List.of(stated),
                 own);
@@ -179,7 +179,7 @@ public record CalibratedEntry(
         return "Fitted with a clear line of sight, without the models and noise sources of the scene, for a drone that"
                 + " approaches at "
                 + Quantity.SPEED.inWords(settings.individualDrones().get(drone).speed()) + " and a look rate of "
-                + Quantity.FREQUENCY.inWords(fit.sensor().rate()) + ". " + String.join("; ", lines(fit)) + "."
+                + Quantity.FREQUENCY.inWords(fit.sensor().rate()) + ". Result: " + String.join("; ", lines(fit)) + "."
                 + residual;
     }
 

@@ -54,8 +54,8 @@ public final class FieldTable {
         }
         List<String> idle = summary.idleSensors();
         if (!idle.isEmpty()) {
-            lines.add("the coverage is the same without " + String.join(", ", idle)
-                    + (idle.size() == 1 ? "" : ", each of them alone"));
+            lines.add("can be removed" + (idle.size() == 1 ? "" : ", one at a time,")
+                    + " without a change in coverage: " + String.join(", ", idle));
         }
         return lines;
     }
