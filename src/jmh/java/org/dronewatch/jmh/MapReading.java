@@ -1,33 +1,21 @@
 package org.dronewatch.jmh;
 
 import java.nio.file.Path;
-import java.util.concurrent.TimeUnit;
 import org.dronewatch.buildings.io.MapArea;
 import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.buildings.io.MapFiles;
 import org.dronewatch.geo.Origin;
 import org.openjdk.jmh.annotations.Benchmark;
-import org.openjdk.jmh.annotations.BenchmarkMode;
-import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.Measurement;
-import org.openjdk.jmh.annotations.Mode;
-import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
-import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Reads the buildings and woods of a map in a fresh JVM, on one thread. Another map is named on the command line:
  * {@code MapReading -p map=/tmp/andorra.osm.pbf -p latitude=42.55 -p longitude=1.55}.
  */
 @State(Scope.Benchmark)
-@BenchmarkMode(Mode.SingleShotTime)
-@OutputTimeUnit(TimeUnit.SECONDS)
-@Fork(3)
-@Warmup(iterations = 0)
-@Measurement(iterations = 1)
-public class MapReading {
+public class MapReading extends FreshJvm {
     /** Path of the map. */
     @Param("sites/monaco-buildings.osm.gz")
     public String map;

@@ -4,35 +4,23 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
-import java.util.concurrent.TimeUnit;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.terrain.TerrainLoader;
 import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.terrain.io.TiffFixture;
 import org.openjdk.jmh.annotations.Benchmark;
-import org.openjdk.jmh.annotations.BenchmarkMode;
-import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.Measurement;
-import org.openjdk.jmh.annotations.Mode;
-import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
-import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * From a GeoTIFF file of a million posts, 1 m apart and rough as ground seen by lidar, to a tree over its triangles.
  */
 @State(Scope.Benchmark)
-@BenchmarkMode(Mode.SingleShotTime)
-@OutputTimeUnit(TimeUnit.SECONDS)
-@Fork(3)
-@Warmup(iterations = 0)
-@Measurement(iterations = 1)
-public class TerrainLoading {
+public class TerrainLoading extends FreshJvm {
     private static final int SIDE = 1000;
     private static final String FILE = "dem.tif";
 

@@ -73,37 +73,22 @@ final class StoreReader {
 
     int[] nextInts() throws IOException {
         int[] values = new int[length(Integer.BYTES)];
-        int done = 0;
-        while (done < values.length) {
-            int some = chunk(values.length - done, Integer.BYTES);
-            buffer.asIntBuffer().get(values, done, some);
-            skip(some * Integer.BYTES);
-            done += some;
-        }
+        inChunks(values.length, Integer.BYTES, (start, some) -> buffer.asIntBuffer()
+                .get(values, start, some));
         return values;
     }
 
     float[] nextFloats() throws IOException {
         float[] values = new float[length(Float.BYTES)];
-        int done = 0;
-        while (done < values.length) {
-            int some = chunk(values.length - done, Float.BYTES);
-            buffer.asFloatBuffer().get(values, done, some);
-            skip(some * Float.BYTES);
-            done += some;
-        }
+        inChunks(values.length, Float.BYTES, (start, some) -> buffer.asFloatBuffer()
+                .get(values, start, some));
         return values;
     }
 
     long[] nextLongs() throws IOException {
         long[] values = new long[length(Long.BYTES)];
-        int done = 0;
-        while (done < values.length) {
-            int some = chunk(values.length - done, Long.BYTES);
-            buffer.asLongBuffer().get(values, done, some);
-            skip(some * Long.BYTES);
-            done += some;
-        }
+        inChunks(values.length, Long.BYTES, (start, some) -> buffer.asLongBuffer()
+                .get(values, start, some));
         return values;
     }
 
@@ -124,10 +109,27 @@ final class StoreReader {
         return count;
     }
 
-    /** As many values as the buffer holds, at least one. */
-    private int chunk(int wanted, int bytesEach) throws IOException {
-        ready(bytesEach);
-        return Math.min(wanted, (int) Math.min(buffer.remaining(), left) / bytesEach);
+    /** Takes some values from the buffer. */
+    private interface Taking {
+        /**
+         * Takes them without moving the buffer's position.
+         *
+         * @param start index of the first of them among all values
+         * @param some how many
+         */
+        void take(int start, int some);
+    }
+
+    /** Takes as many values at a time as the buffer holds. */
+    private void inChunks(int count, int bytesEach, Taking taking) throws IOException {
+        int done = 0;
+        while (done < count) {
+            ready(bytesEach);
+            int some = Math.min(count - done, (int) Math.min(buffer.remaining(), left) / bytesEach);
+            taking.take(done, some);
+            skip(some * bytesEach);
+            done += some;
+        }
     }
 
     private void skip(int bytes) {

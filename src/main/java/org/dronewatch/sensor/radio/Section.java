@@ -3,6 +3,7 @@ package org.dronewatch.sensor.radio;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import org.dronewatch.geometry.CutTriangle;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
@@ -25,8 +26,7 @@ final class Section {
     private final TriangleMesh mesh;
     private final EllipsoidQuery query;
     private final Map<Point, Integer> known = new HashMap<>();
-    private final double[][] corner = new double[3][3];
-    private final double[] height = new double[3];
+    private final CutTriangle piece;
 
     private Position origin;
     private Position ahead;
@@ -55,6 +55,7 @@ final class Section {
 
     Section(World world) {
         mesh = world.mesh();
+        piece = new CutTriangle(mesh, ON_PLANE);
         query = new EllipsoidQuery(world.tree());
     }
 
@@ -84,25 +85,11 @@ final class Section {
     }
 
     private void cut(int triangle, Position normal) {
-        int above = 0;
-        for (int k = 0; k < 3; k++) {
-            double[] c = corner[k];
-            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
-            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
-            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
-            double over = c[0] * normal.x() + c[1] * normal.y() + c[2] * normal.z();
-            height[k] = Math.abs(over) < ON_PLANE ? 0.0 : over;
-            above += height[k] >= 0.0 ? 1 : 0;
-        }
-        if (above == 0 || above == 3) {
+        if (!piece.cut(triangle, origin, normal)) {
             return;
         }
-        int alone = 0;
-        while (height[alone] >= 0.0 != (above == 1)) {
-            alone++;
-        }
-        int first = crossing(alone, (alone + 1) % 3);
-        int second = crossing(alone, (alone + 2) % 3);
+        int first = point(piece.first());
+        int second = point(piece.second());
         if (first == second) {
             return;
         }
@@ -122,23 +109,12 @@ final class Section {
         return t[point] > 0.0;
     }
 
-    /** The point at which the plane cuts an edge; the same bits for both triangles at it. */
-    private int crossing(int one, int other) {
-        boolean isOrdered = Arrays.compare(corner[one], corner[other]) < 0;
-        double[] a = corner[isOrdered ? one : other];
-        double[] b = corner[isOrdered ? other : one];
-        double ha = height[isOrdered ? one : other];
-        double hb = height[isOrdered ? other : one];
-        double share = ha / (ha - hb);
-        double x = at(a, b, share, 0);
-        double y = at(a, b, share, 1);
-        double z = at(a, b, share, 2);
-        return point(x * ahead.x() + y * ahead.y() + z * ahead.z(), x * side.x() + y * side.y() + z * side.z());
+    private int point(double[] at) {
+        return point(along(at, ahead), along(at, side));
     }
 
-    /** Exact at both ends, so that all edges that end there are cut in one point. */
-    private static double at(double[] a, double[] b, double share, int axis) {
-        return share == 1.0 ? b[axis] : a[axis] + share * (b[axis] - a[axis]);
+    private static double along(double[] vector, Position unit) {
+        return vector[0] * unit.x() + vector[1] * unit.y() + vector[2] * unit.z();
     }
 
     private int point(double along, double across) {

@@ -183,9 +183,13 @@ class TrackTest {
                 "trkpt | point | a.gpx: has no track with points",
                 "<gpx | <!DOCTYPE gpx [<!ENTITY a \"b\">]><gpx | a.gpx:2: has a document type",
             })
-    void whatIsWrongIsRefusedInALine(String old, String wrong, String message) throws IOException {
-        assertThat(GPX).contains(old);
-        assertThatThrownBy(() -> read(Track.of("a.gpx"), GPX.replace(old, wrong)))
+    void whatIsWrongIsRefusedInALine(String old, String wrong, String message) {
+        assertRefused("a.gpx", GPX, old, wrong, message);
+    }
+
+    private void assertRefused(String file, String text, String old, String wrong, String message) {
+        assertThat(text).contains(old);
+        assertThatThrownBy(() -> read(Track.of(file), text.replace(old, wrong)))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(message)
                 .satisfies(e -> assertThat(e.getMessage().lines()).hasSize(1));
@@ -203,12 +207,8 @@ class TrackTest {
                 "1.001,2.0,100,600,1 | 1.001 | a.csv:3: has 3 values, none for longitude",
                 "100,2026-11-24 03:00:00,1.0,2.0,0,500,1 | \"100,2026 | a.csv:2: has 1 value, none for latitude",
             })
-    void whatIsWrongInALogIsRefusedInALine(String old, String wrong, String message) throws IOException {
-        assertThat(DJI).contains(old);
-        assertThatThrownBy(() -> read(Track.of("a.csv"), DJI.replace(old, wrong)))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining(message)
-                .satisfies(e -> assertThat(e.getMessage().lines()).hasSize(1));
+    void whatIsWrongInALogIsRefusedInALine(String old, String wrong, String message) {
+        assertRefused("a.csv", DJI, old, wrong, message);
     }
 
     @Test

@@ -23,7 +23,7 @@ import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Models in coordinates of national grids, against PROJ 9.5.1 (pyproj 3.7.2). */
@@ -97,21 +97,7 @@ class NationalGridTest {
 
     /** The scene's origin lies 2 to 5 km away; a float there is a quarter of a millimetre. */
     @ParameterizedTest
-    @CsvSource({
-        "EPSG:32633,  50.0800,  14.4200,   458502.2367,  5547686.6204, 0.001",
-        "EPSG:5514,   50.0800,  14.4200,  -743011.7235, -1043823.1814, 0.1",
-        "EPSG:3035,   50.0800,  14.4200,  4637181.6493,  3005935.4431, 0.001",
-        "EPSG:32632,  43.7384,   7.4246,   373139.3367,  4844024.1247, 0.001",
-        "EPSG:2154,   43.7384,   7.4246,  1056322.6599,  6303249.6469, 0.001",
-        "EPSG:25832,  49.9457,  11.5757,   684790.0696,  5535773.6780, 0.001",
-        "EPSG:31468,  49.9457,  11.5757,  4469651.3422,  5534451.6523, 0.001",
-        "EPSG:28992,  51.9990,   4.3733,    85373.2714,   446110.2645, 0.01",
-        "EPSG:7415,   51.9990,   4.3733,    85373.2714,   446110.2645, 0.01",
-        "EPSG:2056,   47.3667,   8.5500,  2683946.7265,  1246800.5297, 0.001",
-        "EPSG:3794,   46.4600,  14.5400,   464666.8736,   146805.6949, 0.001",
-        "EPSG:32633,  78.2200,  15.6500,   514813.5273,  8683004.1533, 0.001",
-        "EPSG:32717,  -0.1800, -78.4700,   781616.4238,  9980085.0481, 0.001",
-    })
+    @CsvFileSource(resources = "/org/dronewatch/geo/grids.csv", numLinesToSkip = 1)
     void verticesLieWhereProjHasThem(
             String crs, double latitude, double longitude, double east, double north, double tolerance)
             throws IOException {

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.edge;
 
+import org.dronewatch.geometry.CutTriangle;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
@@ -19,6 +20,7 @@ final class PlaneCut {
 
     private final TriangleMesh mesh;
     private final EllipsoidQuery query;
+    private final CutTriangle straightPiece;
     private final CutOutline outline = new CutOutline();
     private final BentPieces bentPieces = new BentPieces(outline);
 
@@ -28,7 +30,7 @@ final class PlaneCut {
     private double straight;
     private double curvature;
 
-    /** Corners of the current triangle, relative to the origin, with their heights above the plane. */
+    /** Corners of the current bent triangle, relative to the origin, with their heights above the plane. */
     private final double[][] corner = new double[3][3];
 
     private final double[] height = new double[3];
@@ -43,6 +45,7 @@ final class PlaneCut {
     PlaneCut(TriangleMesh mesh, EllipsoidQuery query) {
         this.mesh = mesh;
         this.query = query;
+        this.straightPiece = new CutTriangle(mesh, ON_PLANE);
     }
 
     /**
@@ -68,7 +71,9 @@ final class PlaneCut {
         bentPieces.clear();
         for (int i = 0; i < query.count(); i++) {
             if (curvature == 0.0) {
-                cut(query.triangle(i), normal);
+                if (straightPiece.cut(query.triangle(i), origin, normal)) {
+                    outline.add(point(straightPiece.first()), point(straightPiece.second()));
+                }
             } else {
                 cutBent(query.triangle(i), normal);
             }
@@ -98,29 +103,6 @@ final class PlaneCut {
         return 0.5 * curvature * along * (straight - along);
     }
 
-    private void cut(int triangle, Position normal) {
-        int above = 0;
-        for (int k = 0; k < 3; k++) {
-            double[] c = corner[k];
-            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
-            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
-            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
-            double over = c[0] * normal.x() + c[1] * normal.y() + c[2] * normal.z();
-            height[k] = Math.abs(over) < ON_PLANE ? 0.0 : over;
-            above += height[k] >= 0.0 ? 1 : 0;
-        }
-        if (above == 0 || above == 3) {
-            return;
-        }
-        int alone = 0;
-        while (height[alone] >= 0.0 != (above == 1)) {
-            alone++;
-        }
-        int first = crossing(alone, (alone + 1) % 3);
-        int second = crossing(alone, (alone + 2) % 3);
-        outline.add(first, second);
-    }
-
     /** Cuts a triangle that is bent as the arcs of sound are, the other way: its sides are parabolas. */
     private void cutBent(int triangle, Position normal) {
         for (int k = 0; k < 3; k++) {
@@ -134,7 +116,7 @@ final class PlaneCut {
         crossings = 0;
         for (int k = 0; k < 3; k++) {
             int next = (k + 1) % 3;
-            boolean swap = isAfter(corner[k], corner[next]);
+            boolean swap = CutTriangle.isAfter(corner[k], corner[next]);
             crossBent(swap ? next : k, swap ? k : next, normal.z());
         }
         mesh.normal(triangle, surfaceNormal);
@@ -206,34 +188,6 @@ final class PlaneCut {
 
     private static double along(double[] vector, Position unit) {
         return vector[0] * unit.x() + vector[1] * unit.y() + vector[2] * unit.z();
-    }
-
-    /**
-     * The point at which the plane cuts a side, the same from either end and for both triangles that share the side.
-     */
-    private int crossing(int one, int other) {
-        double[] p = corner[one];
-        double[] q = corner[other];
-        if (height[one] == 0.0) {
-            return point(p);
-        }
-        if (height[other] == 0.0) {
-            return point(q);
-        }
-        boolean swap = isAfter(p, q);
-        double[] from = swap ? q : p;
-        double[] to = swap ? p : q;
-        double ofFrom = height[swap ? other : one];
-        double ofTo = height[swap ? one : other];
-        double fraction = ofFrom / (ofFrom - ofTo);
-        for (int axis = 0; axis < 3; axis++) {
-            crossing[axis] = from[axis] + fraction * (to[axis] - from[axis]);
-        }
-        return point(crossing);
-    }
-
-    private static boolean isAfter(double[] p, double[] q) {
-        return p[0] != q[0] ? p[0] > q[0] : p[1] != q[1] ? p[1] > q[1] : p[2] > q[2];
     }
 
     private int point(double[] at) {

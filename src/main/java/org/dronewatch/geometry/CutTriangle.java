@@ -1,0 +1,93 @@
+package org.dronewatch.geometry;
+
+/**
+ * The piece in which a plane cuts a triangle. A plane through corners is taken for one an infinitesimal distance beside
+ * it, so that each triangle is cut in one piece or not at all, and the pieces of triangles that share an edge share an
+ * end there, to the last bit. One per thread.
+ */
+public final class CutTriangle {
+    private final TriangleMesh mesh;
+    private final double tolerance;
+    private final double[][] corner = new double[3][3];
+    private final double[] height = new double[3];
+    private final double[] first = new double[3];
+    private final double[] second = new double[3];
+
+    /**
+     * For the triangles of a mesh.
+     *
+     * @param mesh whose triangles are cut
+     * @param tolerance distance from the plane below which corners lie on it, m
+     */
+    public CutTriangle(TriangleMesh mesh, double tolerance) {
+        this.mesh = mesh;
+        this.tolerance = tolerance;
+    }
+
+    /**
+     * Cuts a triangle.
+     *
+     * @param triangle its index
+     * @param origin a point of the plane, m
+     * @param normal of the plane, of length 1
+     * @return whether the plane cuts it
+     */
+    public boolean cut(int triangle, Position origin, Position normal) {
+        int above = 0;
+        for (int k = 0; k < 3; k++) {
+            double[] c = corner[k];
+            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
+            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
+            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
+            double over = c[0] * normal.x() + c[1] * normal.y() + c[2] * normal.z();
+            height[k] = Math.abs(over) < tolerance ? 0.0 : over;
+            above += height[k] >= 0.0 ? 1 : 0;
+        }
+        if (above == 0 || above == 3) {
+            return false;
+        }
+        int alone = 0;
+        while (height[alone] >= 0.0 != (above == 1)) {
+            alone++;
+        }
+        cross(alone, (alone + 1) % 3, first);
+        cross(alone, (alone + 2) % 3, second);
+        return true;
+    }
+
+    /** One end of the piece that was cut last, relative to the plane's origin, m; valid until the next cut. */
+    public double[] first() {
+        return first;
+    }
+
+    /** The other end of that piece. */
+    public double[] second() {
+        return second;
+    }
+
+    /**
+     * The point at which the plane cuts a side, the same from either end and for both triangles that share the side.
+     */
+    private void cross(int one, int other, double[] at) {
+        boolean swap = isAfter(corner[one], corner[other]);
+        double[] from = corner[swap ? other : one];
+        double[] to = corner[swap ? one : other];
+        double ofFrom = height[swap ? other : one];
+        double ofTo = height[swap ? one : other];
+        double fraction = ofFrom / (ofFrom - ofTo);
+        for (int axis = 0; axis < 3; axis++) {
+            // Exact at both ends, so that all sides that end in a corner on the plane are cut in one point.
+            at[axis] = ofTo == 0.0 ? to[axis] : from[axis] + fraction * (to[axis] - from[axis]);
+        }
+    }
+
+    /**
+     * An order of points by which a side is followed in the same direction whichever triangle it belongs to.
+     *
+     * @param p three coordinates
+     * @param q three coordinates
+     */
+    public static boolean isAfter(double[] p, double[] q) {
+        return p[0] != q[0] ? p[0] > q[0] : p[1] != q[1] ? p[1] > q[1] : p[2] > q[2];
+    }
+}
