@@ -96,7 +96,8 @@ public final class AlertLog {
     }
 
     /**
-     * Removes contacts at which there will be no more looks. Until they are too old, others may still count with them.
+     * Removes contacts at which there will be no more looks. Until they are too old, their looks may still count
+     * together with those at other contacts.
      */
     public void forget(Collection<Integer> ended) {
         ended.forEach(contact -> {

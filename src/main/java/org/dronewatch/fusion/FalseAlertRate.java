@@ -28,7 +28,7 @@ import org.dronewatch.sensor.alarm.FalseAlarming;
  * {@code K f s P(Poisson(s' (N+L-1)) >= J-1)}, with s' = -ln(1-s), is an upper bound.
  *
  * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
- * since the old ones never end. The rate is then the greatest that the formula has: at {@code s = M / (N+1)} for false
+ * since the old ones never end. The rate is then taken at the formula's maximum: at {@code s = M / (N+1)} for false
  * alarms of one look, at {@code s = 1 / (N+L)} for those that confirm themselves. Such a sensor is in false alarm more
  * than half of the time.
  *

@@ -68,8 +68,8 @@ public final class SitePicture {
      *
      * @param title of the picture
      * @param time seconds since the start of the run
-     * @param detects whether a sensor of a name detects a drone of a name then
-     * @param pointing where the positioner of a sensor of a name points then; empty for a fixed one
+     * @param detects whether the sensor of the first name detects the drone of the second name at that time
+     * @param pointing where the positioner of the sensor of a given name points at that time; empty for a fixed mount
      * @param selected the sensor or drone that is emphasised
      * @param rays rays of sound
      */

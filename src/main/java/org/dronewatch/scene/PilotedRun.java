@@ -28,7 +28,7 @@ public final class PilotedRun {
     /**
      * A run.
      *
-     * @param pilot whose mistakes are reported as its own
+     * @param pilot the pilot, to whom its mistakes are attributed in messages
      */
     PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator, Class<?> pilot) {
         this.session = session;

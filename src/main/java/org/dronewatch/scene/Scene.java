@@ -287,7 +287,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         };
     }
 
-    /** The models of the scene's runs, of which some may have been loaded when it was described. */
+    /** The models of the scene's runs, some of which may have been loaded when it was described. */
     ModelCache models(Path names, Consumer<String> notes) {
         return new ModelCache(names, notes);
     }

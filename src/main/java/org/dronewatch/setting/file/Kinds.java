@@ -72,8 +72,8 @@ public final class Kinds {
     }
 
     /**
-     * These kinds, with an alternative form of values of a type: a record whose components have other names than those
-     * of the type.
+     * These kinds, with an alternative form of values of a type: a record whose components have names different from
+     * those of the type.
      *
      * @param value converts the form to the value; empty when that is unknown because of another mistake in the file
      */
