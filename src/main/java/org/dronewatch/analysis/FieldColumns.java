@@ -1,5 +1,6 @@
 package org.dronewatch.analysis;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -63,6 +64,11 @@ final class FieldColumns {
     /** Whether there is ground below a column. */
     boolean hasGround(int column, int row) {
         return !Double.isNaN(ground[row * grid.columns() + column]);
+    }
+
+    /** The number of columns with ground below them. */
+    int groundCount() {
+        return (int) Arrays.stream(ground).filter(Double::isFinite).count();
     }
 
     /** The height of the ground, m; NaN where there is none. */

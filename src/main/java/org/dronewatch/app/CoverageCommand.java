@@ -17,11 +17,13 @@ import org.dronewatch.analysis.DetectionField;
 import org.dronewatch.analysis.FieldGrid;
 import org.dronewatch.analysis.FieldSummary;
 import org.dronewatch.analysis.InboundTarget;
+import org.dronewatch.analysis.VisibleHeights;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.CoverageDirectory;
 import org.dronewatch.report.CoverageInputs;
 import org.dronewatch.report.CoveragePicture;
 import org.dronewatch.report.CoverageTable;
+import org.dronewatch.report.FieldPictures;
 import org.dronewatch.report.FieldTable;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.run.Stage;
@@ -85,7 +87,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             paramLabel = "DIR|FILE.png",
-            description = "Directory for coverage.json, or the picture file of a plan.")
+            description = "Directory for coverage.json and maps, or the picture file of a plan.")
     private String out;
 
     @Mixin
@@ -165,10 +167,14 @@ final class CoverageCommand implements Callable<Integer> {
                         settings,
                         progress -> DetectionField.of(settings, stage, id, grid, courses, progress));
                 FieldSummary summary = FieldSummary.of(found, field.choice(), field.covered());
+                VisibleHeights visible = VisibleHeights.of(settings, stage, grid);
                 if (target != null) {
-                    target.write(summary, inputs);
+                    List<Position> sensors = settings.enabledSensors().values().stream()
+                            .map(sensor -> sensor.position())
+                            .toList();
+                    target.write(summary, visible, inputs, new FieldPictures(stage.world(), sensors, inputs));
                 }
-                print(summary);
+                print(summary, visible);
                 return 0;
             });
         }
@@ -242,9 +248,11 @@ final class CoverageCommand implements Callable<Integer> {
         CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
     }
 
-    private void print(FieldSummary summary) {
+    private void print(FieldSummary summary, VisibleHeights visible) {
         PrintWriter target = spec.commandLine().getOut();
         FieldTable.causes(summary).forEach(target::println);
+        target.println();
+        FieldTable.visible(visible).forEach(target::println);
         target.println();
         FieldTable.gaps(summary).forEach(target::println);
         target.println();

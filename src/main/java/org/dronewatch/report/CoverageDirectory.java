@@ -1,8 +1,12 @@
 package org.dronewatch.report;
 
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.analysis.FieldSummary;
+import org.dronewatch.analysis.VisibleHeights;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {
@@ -22,11 +26,22 @@ public final class CoverageDirectory implements AutoCloseable {
      *
      * @throws org.dronewatch.setting.InputException when writing fails
      */
-    public void write(FieldSummary summary, CoverageInputs inputs) {
+    public void write(FieldSummary summary, VisibleHeights visible, CoverageInputs inputs, FieldPictures pictures) {
         directory.write(() -> {
-            JsonFile.write(directory.file("coverage.json"), FieldFile.toJson(summary, inputs));
+            JsonFile.write(directory.file("coverage.json"), FieldFile.toJson(summary, visible, inputs));
+            for (int height = 0; height < summary.heights().size(); height++) {
+                String metres = Numbers.text(summary.heights().get(height).height());
+                write("cause-" + metres + ".png", pictures.causes(summary, height));
+            }
+            write("visible-height.png", pictures.visibleHeights(visible));
             directory.publish(List.of());
         });
+    }
+
+    private void write(String name, MapSheet sheet) throws IOException {
+        try (OutputStream target = Files.newOutputStream(directory.file(name))) {
+            sheet.writePng(target);
+        }
     }
 
     /** Removes what was not written completely. */

@@ -5,6 +5,7 @@ import org.dronewatch.analysis.FieldGrid;
 import org.dronewatch.analysis.FieldSummary;
 import org.dronewatch.analysis.Gap;
 import org.dronewatch.analysis.HeightSummary;
+import org.dronewatch.analysis.VisibleHeights;
 import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -17,7 +18,7 @@ final class FieldFile {
 
     private FieldFile() {}
 
-    static ObjectNode toJson(FieldSummary summary, CoverageInputs inputs) {
+    static ObjectNode toJson(FieldSummary summary, VisibleHeights visible, CoverageInputs inputs) {
         FieldGrid grid = summary.coverage().field().grid();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);
@@ -32,19 +33,20 @@ final class FieldFile {
         root.put("north_m", Numbers.rounded(grid.y(0) + 0.5 * grid.cell()));
         inputs.origin().ifPresent(origin -> ResultFile.add(root.putObject("origin"), origin));
         ArrayNode heights = root.putArray("heights");
-        summary.heights().forEach(height -> add(heights.addObject(), height));
+        summary.heights().forEach(height -> add(heights.addObject(), height, visible));
         ArrayNode idle = root.putArray("idle_sensors");
         summary.idleSensors().forEach(idle::add);
         root.put("complete", true);
         return root;
     }
 
-    private static void add(ObjectNode node, HeightSummary height) {
+    private static void add(ObjectNode node, HeightSummary height, VisibleHeights visible) {
         node.put("height_m", Numbers.rounded(height.height()));
         node.put("known", height.known());
         share(node, "unknown_share", height.unknown(), height.cells());
         share(node, "inside_share", height.inside(), height.cells());
         share(node, "covered_share", height.covered(), height.known());
+        share(node, "visible_share", visible.count(height.height()), visible.columns());
         node.put("volume_m3", Numbers.rounded(height.volume()));
         ObjectNode causes = node.putObject("causes");
         height.causes().forEach((cause, cells) -> share(causes, name(cause), cells, height.known()));

@@ -9,6 +9,7 @@ import java.util.Set;
 import org.dronewatch.analysis.FieldSummary;
 import org.dronewatch.analysis.Gap;
 import org.dronewatch.analysis.HeightSummary;
+import org.dronewatch.analysis.VisibleHeights;
 import org.dronewatch.sensor.Cause;
 
 /** Tables of a site's coverage at several heights. */
@@ -60,6 +61,28 @@ public final class FieldTable {
         return lines;
     }
 
+    /** In how many columns each sensor has a free line of sight from each height or lower, in percent. */
+    public static List<String> visible(VisibleHeights visible) {
+        List<Double> heights = visible.grid().heights();
+        List<String> lines = new ArrayList<>();
+        lines.add("free line of sight at a height or below, in % of the area with ground:");
+        StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
+        heights.forEach(height -> header.append(text(HEIGHT, metres(height))));
+        lines.add(header.toString());
+        for (int sensor = 0; sensor < visible.sensors().size(); sensor++) {
+            StringBuilder line =
+                    new StringBuilder(text("%-24s", visible.sensors().get(sensor)));
+            for (double height : heights) {
+                line.append(text(HEIGHT, percent(visible.count(sensor, height), visible.columns())));
+            }
+            lines.add(line.toString());
+        }
+        StringBuilder any = new StringBuilder(text("%-24s", "any of them"));
+        heights.forEach(height -> any.append(text(HEIGHT, percent(visible.count(height), visible.columns()))));
+        lines.add(any.toString());
+        return lines;
+    }
+
     /** The largest gap at each height, with its cause. */
     public static List<String> gaps(FieldSummary summary) {
         List<String> lines = new ArrayList<>();
@@ -84,7 +107,11 @@ public final class FieldTable {
     }
 
     private static String percent(int cells, HeightSummary height) {
-        return height.known() == 0 ? "-" : CoverageTable.percent(cells, height.known());
+        return percent(cells, height.known());
+    }
+
+    private static String percent(int cells, int of) {
+        return of == 0 ? "-" : CoverageTable.percent(cells, of);
     }
 
     private static String text(String pattern, Object... values) {

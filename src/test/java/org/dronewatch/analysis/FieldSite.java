@@ -22,7 +22,7 @@ import org.dronewatch.sensor.Cause;
  * @param settings of the scene
  * @param stage its world and drones
  */
-record FieldSite(SceneSettings settings, Stage stage) {
+public record FieldSite(SceneSettings settings, Stage stage) {
     /** The drone. */
     static final String DRONE = "one";
 
@@ -91,7 +91,7 @@ record FieldSite(SceneSettings settings, Stage stage) {
             """;
 
     /** Detects within 150 m whatever is not hidden entirely, if it approaches or recedes at 3 m/s. */
-    static final String ROUND =
+    public static final String ROUND =
             """
               round: {kind: radar, position: [0, 0, 4], minRange: 1, maxRange: 150, elevationWidth: 90 deg, minSpeed: 3 m/s,
                 budget: {range: 5000, crossSection: 0.01}}
@@ -110,8 +110,8 @@ record FieldSite(SceneSettings settings, Stage stage) {
               ear: {kind: acoustic, position: [0, 0, 4], propagation: {kind: level-model, initialRays: 4, reflectionsPerHit: 1, maxOrder: 1}}
             """;
 
-    /** The site with sensors given as lines of a scene file. */
-    static FieldSite in(Path directory, String sensors) throws IOException {
+    /** The site with sensors given as lines of a scene file, which is {@code site.yaml} in the directory. */
+    public static FieldSite in(Path directory, String sensors) throws IOException {
         Files.writeString(
                 directory.resolve("plain.obj"),
                 "v -500 0 -500\nv 500 0 -500\nv 500 0 500\nv -500 0 500\nf 1 4 3\nf 1 3 2\n");

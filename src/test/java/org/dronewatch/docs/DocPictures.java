@@ -41,6 +41,10 @@ final class DocPictures {
                     "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 100 --drone from-the-sea"
                             + " --set sensors.microphone.enabled=false --set sensors.thermal.enabled=false"
                             + " --set sensors.camera.enabled=false --out OUT"),
+            map(
+                    "coverage-causes",
+                    "coverage multi-sensor --side 400m --cell 8m --heights 10m --out OUT",
+                    "cause-10.png"),
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT"),
@@ -132,6 +136,18 @@ final class DocPictures {
                 directory -> {
                     run(command, directory);
                     return read(directory.resolve("plots").resolve(plot + ".png"));
+                },
+                false);
+    }
+
+    /** A map among what {@code coverage} writes. */
+    private static DocPicture map(String name, String command, String map) {
+        return new DocPicture(
+                name,
+                directory -> {
+                    Path written = directory.resolve(name);
+                    run(command, written);
+                    return read(written.resolve(map));
                 },
                 false);
     }

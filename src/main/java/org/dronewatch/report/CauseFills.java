@@ -1,0 +1,59 @@
+package org.dronewatch.report;
+
+import java.awt.Color;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * How causes look on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design", 2008), which
+ * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. What is covered
+ * is the lightest.
+ */
+final class CauseFills {
+    private static final Color LIGHT_BLUE = new Color(0x9fd3f2);
+    private static final Color YELLOW = new Color(0xf0e442);
+    private static final Color ORANGE = new Color(0xe69f00);
+    private static final Color VERMILION = new Color(0xd55e00);
+    private static final Color GREEN = new Color(0x009e73);
+    private static final Color BLUE = new Color(0x0072b2);
+    private static final Color PURPLE = new Color(0xcc79a7);
+    private static final Color BROWN = new Color(0x7a5230);
+    private static final Color GREY = new Color(0x9a9a9a);
+    private static final Color DARK = new Color(0x4a4a4a);
+    private static final double STRENGTH = 0.55;
+    private static final double LINE_STRENGTH = 0.95;
+    private static final int PERIOD = 8;
+
+    /** A cell inside something solid: its ground, darkened. */
+    static final MapSheet.Fill INSIDE = (u, v, ground) -> MapSheet.mixed(ground, DARK, LINE_STRENGTH);
+
+    private CauseFills() {}
+
+    static MapSheet.Fill of(Cause cause) {
+        return switch (cause) {
+            case UNKNOWN -> (u, v, ground) -> MapSheet.mixed(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);
+            case OUT_OF_RANGE -> (u, v, ground) -> MapSheet.mixed(ground, GREY, STRENGTH);
+            case OUT_OF_VIEW -> lined(PURPLE, (u, v) -> u % PERIOD == 0);
+            case SILENT -> lined(PURPLE, (u, v) -> u % PERIOD == 0 || v % PERIOD == 0);
+            case TOO_SLOW -> lined(ORANGE, (u, v) -> v % PERIOD == 0);
+            case TOO_FAST -> lined(ORANGE, (u, v) -> v % PERIOD == 0 && u % PERIOD < PERIOD / 2);
+            case HIDDEN_BY_TERRAIN -> lined(BROWN, (u, v) -> (u + v) % PERIOD < 2);
+            case HIDDEN_BY_BUILDING -> lined(VERMILION, (u, v) -> Math.floorMod(u - v, PERIOD) < 2);
+            case HIDDEN_BY_VEGETATION -> lined(GREEN, (u, v) -> (u + v) % (2 * PERIOD) < 2);
+            case HIDDEN_BY_OTHER -> lined(BLUE, (u, v) -> Math.floorMod(u - v, 2 * PERIOD) < 2);
+            case TOO_WEAK -> lined(YELLOW, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
+            case DETECTED -> (u, v, ground) -> MapSheet.mixed(ground, LIGHT_BLUE, STRENGTH);
+        };
+    }
+
+    /** Where the lines of a pattern are. */
+    private interface Pattern {
+        boolean isLine(int u, int v);
+    }
+
+    private static MapSheet.Fill lined(Color colour, Pattern pattern) {
+        Color line = MapSheet.mixed(colour, Color.BLACK, 0.45);
+        return (u, v, ground) -> pattern.isLine(u, v)
+                ? MapSheet.mixed(ground, line, LINE_STRENGTH)
+                : MapSheet.mixed(ground, colour, STRENGTH);
+    }
+}

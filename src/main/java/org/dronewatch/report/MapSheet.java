@@ -1,0 +1,168 @@
+package org.dronewatch.report;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.List;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.dronewatch.analysis.FieldGrid;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.world.World;
+
+/** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */
+final class MapSheet {
+    private static final int MAP = 1000;
+    private static final int SIDE = 400;
+    private static final int MARGIN = 24;
+    private static final int LINE = 26;
+    private static final int SWATCH_WIDTH = 22;
+    private static final int SWATCH_HEIGHT = 16;
+    private static final Color PALE = new Color(255, 255, 255, 200);
+    private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
+    private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
+
+    private final BufferedImage image = new BufferedImage(MAP + SIDE, MAP, BufferedImage.TYPE_INT_RGB);
+    private final Graphics2D g = image.createGraphics();
+    private final FieldGrid grid;
+    private final double side;
+    private int line = MARGIN + 16;
+
+    /** What fills a cell or a swatch of the legend: by the position of a pixel, so that it may be a pattern. */
+    @FunctionalInterface
+    interface Fill {
+        /** The colour of a pixel over that of the ground. */
+        Color at(int u, int v, Color ground);
+    }
+
+    /** The fill of each cell. */
+    @FunctionalInterface
+    interface Cells {
+        /** By column from the west and row from the north. */
+        Fill at(int column, int row);
+    }
+
+    MapSheet(FieldGrid grid) {
+        this.grid = grid;
+        this.side = grid.columns() * grid.cell();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setColor(Color.WHITE);
+        g.fillRect(MAP, 0, SIDE, MAP);
+    }
+
+    /** Draws the cells, the sensors and the scale. */
+    void drawMap(World world, Cells cells, List<Position> sensors) {
+        ReliefShade relief = new ReliefShade(world);
+        double pixel = side / MAP;
+        for (int v = 0; v < MAP; v++) {
+            for (int u = 0; u < MAP; u++) {
+                double x = grid.east() - 0.5 * side + (u + 0.5) * pixel;
+                double y = grid.north() + 0.5 * side - (v + 0.5) * pixel;
+                Fill fill = cells.at(u * grid.columns() / MAP, v * grid.columns() / MAP);
+                image.setRGB(u, v, fill.at(u, v, relief.shade(x, y)).getRGB());
+            }
+        }
+        sensors.forEach(this::drawSensor);
+        drawScale();
+    }
+
+    private void drawSensor(Position at) {
+        int u = (int) Math.round((at.x() - grid.east()) / side * MAP + 0.5 * MAP);
+        int v = (int) Math.round(0.5 * MAP - (at.y() - grid.north()) / side * MAP);
+        if (u >= 0 && u < MAP && v >= 0 && v < MAP) {
+            g.setColor(Color.WHITE);
+            g.fillOval(u - 6, v - 6, 12, 12);
+            g.setColor(Color.BLACK);
+            g.fillOval(u - 4, v - 4, 8, 8);
+        }
+    }
+
+    /** A bar of 1, 2 or 5 times a power of ten, about a fifth of the map; north is up. */
+    private void drawScale() {
+        double wanted = 0.2 * side;
+        double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
+        double length = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
+        int pixels = (int) Math.round(length / side * MAP);
+        int y = MAP - MARGIN;
+        g.setColor(PALE);
+        g.fillRect(MARGIN - 12, y - 34, pixels + 24, 46);
+        g.setColor(Color.BLACK);
+        g.setStroke(new BasicStroke(3f));
+        g.drawLine(MARGIN, y, MARGIN + pixels, y);
+        g.setFont(TEXT);
+        g.drawString(String.format(Locale.ROOT, "%s m", Numbers.text(length)), MARGIN, y - 10);
+        g.setColor(PALE);
+        g.fillRect(MAP - 58, 12, 44, 66);
+        g.setColor(Color.BLACK);
+        g.fillPolygon(new int[] {MAP - 36, MAP - 46, MAP - 26}, new int[] {18, 46, 46}, 3);
+        g.setFont(TITLE);
+        g.drawString("N", MAP - 43, 70);
+    }
+
+    /** Writes the title of the legend. */
+    void title(String text) {
+        g.setFont(TITLE);
+        write(text, MAP + MARGIN);
+        g.setFont(TEXT);
+    }
+
+    /** Writes a line of the legend. */
+    void line(String text) {
+        write(text, MAP + MARGIN);
+    }
+
+    private void write(String text, int x) {
+        g.setColor(Color.BLACK);
+        g.drawString(text, x, line);
+        line += LINE;
+    }
+
+    /** Leaves half a line free. */
+    void space() {
+        line += LINE / 2;
+    }
+
+    /** Writes a line of the legend with a swatch before it. */
+    void entry(Fill fill, String text) {
+        int left = MAP + MARGIN;
+        int top = line - SWATCH_HEIGHT + 2;
+        for (int v = 0; v < SWATCH_HEIGHT; v++) {
+            for (int u = 0; u < SWATCH_WIDTH; u++) {
+                image.setRGB(
+                        left + u, top + v, fill.at(u, v, new Color(0xd8d4cc)).getRGB());
+            }
+        }
+        g.setColor(Color.DARK_GRAY);
+        g.setStroke(new BasicStroke(1f));
+        g.drawRect(left, top, SWATCH_WIDTH, SWATCH_HEIGHT);
+        write(text, left + SWATCH_WIDTH + 12);
+    }
+
+    /** The colour of a pixel, from the top left. */
+    Color colour(int column, int row) {
+        return new Color(image.getRGB(column, row));
+    }
+
+    /** Writes the sheet as PNG. */
+    void writePng(OutputStream target) throws IOException {
+        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
+            ImageIO.write(image, "png", stream);
+        }
+    }
+
+    /** A colour over another. */
+    static Color mixed(Color below, Color above, double share) {
+        return new Color(
+                (int) Math.round((1 - share) * below.getRed() + share * above.getRed()),
+                (int) Math.round((1 - share) * below.getGreen() + share * above.getGreen()),
+                (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
+    }
+}

@@ -1,0 +1,171 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.dronewatch.analysis.FieldSite;
+import org.dronewatch.app.Program.Outcome;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The coverage at several heights, as the command prints and writes it. */
+class CoverageCommandTest {
+    @TempDir
+    private static Path directory;
+
+    private static Outcome outcome;
+    private static JsonNode json;
+
+    @BeforeAll
+    static void run() throws IOException {
+        FieldSite.in(directory, FieldSite.ROUND + "  radio: {kind: rf, position: [0, 5, 4], threshold: 45}\n");
+        outcome = coverage("1", "field");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        json = JsonMapper.builder()
+                .build()
+                .readTree(directory.resolve("field/coverage.json").toFile());
+    }
+
+    private static Outcome coverage(String threads, String out) {
+        return Program.run(
+                "coverage",
+                directory.resolve("site.yaml").toString(),
+                "--heights=2,60m",
+                "--side=300",
+                "--cell=20m",
+                "--heading=best",
+                "--covered=0.9",
+                "--threads=" + threads,
+                "--out=" + directory.resolve(out));
+    }
+
+    @Test
+    void theFileStatesWhatWasAskedAndWhatWasFound() {
+        assertThat(json.propertyNames())
+                .containsExactly(
+                        "format",
+                        "scene",
+                        "drone",
+                        "covered",
+                        "heading",
+                        "pointing",
+                        "cell_m",
+                        "cells_per_side",
+                        "west_m",
+                        "north_m",
+                        "heights",
+                        "idle_sensors",
+                        "complete");
+        assertThat(json.get("heading").asString()).isEqualTo("best");
+        assertThat(json.get("covered").asDouble()).isEqualTo(0.9);
+        assertThat(json.get("cells_per_side").asInt()).isEqualTo(15);
+        assertThat(json.get("west_m").asDouble()).isEqualTo(-150.0);
+        assertThat(json.get("north_m").asDouble()).isEqualTo(152.5);
+        assertThat(json.get("complete").asBoolean()).isTrue();
+        JsonNode low = json.get("heights").get(0);
+        assertThat(low.propertyNames())
+                .containsExactly(
+                        "height_m",
+                        "known",
+                        "unknown_share",
+                        "inside_share",
+                        "covered_share",
+                        "visible_share",
+                        "volume_m3",
+                        "causes",
+                        "count_shares",
+                        "n_minus_1",
+                        "largest_gap_m2",
+                        "gap");
+        assertThat(low.get("gap").propertyNames()).containsExactly("x", "y", "cause", "touches_rim");
+    }
+
+    /** Fractions of one whole add up to it, and what is covered is what the radar and the receiver cover. */
+    @Test
+    void sharesAddUp() {
+        for (JsonNode height : json.get("heights")) {
+            double inside = height.get("inside_share").asDouble();
+            assertThat(height.get("known").asInt()).isEqualTo((int) Math.round((1 - inside) * 225));
+            assertThat(sum(height.get("causes"))).isCloseTo(1.0, within(1e-5));
+            assertThat(sum(height.get("count_shares"))).isCloseTo(1.0, within(1e-5));
+            JsonNode none = height.get("count_shares").path("0");
+            assertThat(height.get("covered_share").asDouble()).isCloseTo(1.0 - none.asDouble(), within(1e-5));
+            assertThat(height.get("n_minus_1").propertyNames()).containsExactly("round", "radio");
+        }
+        JsonNode low = json.get("heights").get(0);
+        JsonNode high = json.get("heights").get(1);
+        assertThat(low.get("inside_share").asDouble()).isPositive();
+        assertThat(high.get("inside_share").asDouble()).isZero();
+        assertThat(low.get("visible_share").asDouble()).isBetween(0.5, 0.99);
+        assertThat(high.get("visible_share").asDouble()).isBetween(0.95, 1.0);
+        assertThat(low.get("n_minus_1").get("round").asDouble()).isPositive();
+    }
+
+    private static double sum(JsonNode shares) {
+        double sum = 0.0;
+        for (JsonNode share : shares) {
+            sum += share.asDouble();
+        }
+        return sum;
+    }
+
+    @Test
+    void theTablesAreThoseOfTheFile() {
+        String covered = String.format(
+                "%.1f", 100 * json.get("heights").get(0).get("covered_share").asDouble());
+        assertThat(outcome.out().lines()).anyMatch(line -> line.matches(" +2 m +2\\d\\d +" + covered + " .*"));
+        assertThat(outcome.out())
+                .contains("free line of sight at a height or below")
+                .contains("any of them")
+                .contains("largest gap:")
+                .contains("no longer covered without a sensor");
+    }
+
+    @Test
+    void anyNumberOfThreadsWritesTheSameBytes() throws IOException {
+        assertThat(coverage("8", "again").out()).isEqualTo(outcome.out());
+        List<Path> files;
+        try (Stream<Path> all = Files.list(directory.resolve("field"))) {
+            files = all.sorted().toList();
+        }
+        assertThat(files)
+                .extracting(file -> file.getFileName().toString())
+                .containsExactly("cause-2.png", "cause-60.png", "coverage.json", "visible-height.png");
+        for (Path file : files) {
+            assertThat(directory.resolve("again").resolve(file.getFileName()))
+                    .as(file.toString())
+                    .hasSameBinaryContentAs(file);
+        }
+    }
+
+    /** A pixel of the picture for each answer: the light blue of what is detected, the dark grey of what is solid. */
+    @Test
+    void thePicturesShowTheCells() throws IOException {
+        BufferedImage causes =
+                ImageIO.read(directory.resolve("field/cause-2.png").toFile());
+        int near = pixel(causes, 12, -10);
+        int solid = pixel(causes, 0, 65);
+        assertThat(near & 0xff).as("blue").isGreaterThan((near >> 16 & 0xff) + 20);
+        assertThat(solid & 0xff).isLessThan(0x60);
+        BufferedImage visible =
+                ImageIO.read(directory.resolve("field/visible-height.png").toFile());
+        assertThat(visible.getWidth()).isEqualTo(causes.getWidth());
+        int seen = pixel(visible, 12, -10);
+        int behind = pixel(visible, 0, 85);
+        assertThat(seen >> 8 & 0xff).as("lighter").isGreaterThan((behind >> 8 & 0xff) + 60);
+    }
+
+    private static int pixel(BufferedImage picture, double x, double y) {
+        return picture.getRGB((int) ((x - 2.5 + 150) / 300 * 1000), (int) ((150 + 2.5 - y) / 300 * 1000));
+    }
+}
