@@ -47,9 +47,13 @@ final class CoveredGround {
         return names;
     }
 
+    boolean isGround(int triangle) {
+        return triangle < groundTriangles;
+    }
+
     /** The number of the material of a triangle at a point on it. */
     int material(int triangle, double x, double y) {
-        int covering = triangle < groundTriangles ? materialOfClass[raster.code(x, y)] : OF_THE_MESH;
+        int covering = isGround(triangle) ? materialOfClass[raster.code(x, y)] : OF_THE_MESH;
         return covering == OF_THE_MESH ? mesh.material(triangle) : covering;
     }
 }

@@ -141,6 +141,12 @@ public final class Visibility {
         return tracer.triangle();
     }
 
+    /** The number of the material of the last surface, where it was found. */
+    public int material() {
+        double along = tracer.distance();
+        return world.material(tracer.triangle(), x + along * dx, y + along * dy);
+    }
+
     /** The last surface found, as a multiple of the vector. */
     public double distance() {
         return tracer.distance();

@@ -9,6 +9,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.bvh.RayTraversal;
 import org.dronewatch.bvh.TracingIndex;
@@ -341,6 +342,14 @@ public final class World {
      */
     public int material(int triangle, double x, double y) {
         return cover == null ? mesh().material(triangle) : cover.material(triangle, x, y);
+    }
+
+    /** The numbers of all materials that may be found on a triangle: that of the mesh, and on ground the land cover's. */
+    public IntStream materialsOf(int triangle) {
+        IntStream own = IntStream.of(mesh().material(triangle));
+        return cover == null || !cover.isGround(triangle)
+                ? own
+                : IntStream.concat(own, IntStream.range(mesh().materialNames().size(), surfaces.size()));
     }
 
     /** The name of the material where a ray hits. */

@@ -32,6 +32,7 @@ final class BackwardRay {
     private static final double DRAWN = 1000.0;
 
     private final EnergyModel model;
+    private final World world;
     private final TriangleMesh mesh;
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
@@ -72,6 +73,7 @@ final class BackwardRay {
             DiffuseConnection connection,
             EnergyPacket energy) {
         this.model = model;
+        this.world = world;
         this.mesh = world.mesh();
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
@@ -177,9 +179,9 @@ final class BackwardRay {
     }
 
     private void meet(int triangle, double distance) {
-        int material = mesh.material(triangle);
         Normals.facing(mesh, triangle, ray, normal);
         ray.advance(distance);
+        int material = world.material(triangle, ray.originX, ray.originY);
         ray.order++;
         double cosine = -along();
         arrival.meet(distance, cosine, ray.order);

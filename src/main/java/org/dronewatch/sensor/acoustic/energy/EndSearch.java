@@ -100,11 +100,19 @@ final class EndSearch {
                 samples.from(sensor, SAMPLES, SCATTERINGS));
         this.mirrored = new double[planes.count()];
         for (int wall = 0; wall < mirrored.length; wall++) {
-            for (int band = 0; band < OctaveBands.COUNT; band++) {
-                mirrored[wall] +=
-                        surfaces.mirrored(world.mesh().material(planes.triangleOf(wall)), band) / OctaveBands.COUNT;
-            }
+            mirrored[wall] = world.materialsOf(planes.triangleOf(wall))
+                    .mapToDouble(material -> mirrored(material, surfaces))
+                    .max()
+                    .orElseThrow();
         }
+    }
+
+    private static double mirrored(int material, BandSurfaces surfaces) {
+        double mean = 0.0;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            mean += surfaces.mirrored(material, band) / OctaveBands.COUNT;
+        }
+        return mean;
     }
 
     /**

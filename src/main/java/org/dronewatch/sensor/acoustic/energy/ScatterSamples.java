@@ -23,6 +23,7 @@ final class ScatterSamples {
 
     private static final double FAINT = 1e-3;
 
+    private final World world;
     private final TriangleMesh mesh;
     private final RayTracer tracer;
     private final double[] reflected;
@@ -31,6 +32,7 @@ final class ScatterSamples {
     private final double[] normal = new double[3];
 
     ScatterSamples(World world, BandSurfaces surfaces) {
+        this.world = world;
         this.mesh = world.mesh();
         this.tracer = world.newIncoherentRayTracer();
         int materials = world.surfaces().size();
@@ -90,9 +92,9 @@ final class ScatterSamples {
             if (!ray.meets(tracer)) {
                 return true;
             }
-            int material = mesh.material(tracer.triangle());
             Normals.facing(mesh, tracer.triangle(), ray, normal);
             ray.advance(tracer.distance());
+            int material = world.material(tracer.triangle(), ray.originX, ray.originY);
             ray.standOff(normal, 1.0);
             left *= reflected[material];
             if (scattered[material] > 0.0) {

@@ -24,6 +24,7 @@ final class ScatteredSound {
     /** Maximum number of surfaces that a ray hits. */
     static final int MOST = 6;
 
+    private final World world;
     private final TriangleMesh mesh;
     private final RayTracer tracer;
     private final WallPlanes planes;
@@ -47,6 +48,7 @@ final class ScatteredSound {
             ReceiverSphere ofTarget,
             ReceiverSphere ofStart,
             Air air) {
+        this.world = world;
         this.mesh = world.mesh();
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
@@ -132,10 +134,10 @@ final class ScatteredSound {
                 return order;
             }
             int triangle = tracer.triangle();
-            int material = mesh.material(triangle);
             double flown = tracer.distance();
             Normals.facing(mesh, triangle, ray, normal);
             ray.advance(flown);
+            int material = world.material(triangle, ray.originX, ray.originY);
             ray.standOff(normal, 1.0);
             ray.travelled += flown;
             leg.fly(flown);

@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.ArcLine;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -16,7 +15,6 @@ import org.dronewatch.world.World;
 final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
 
-    private final TriangleMesh mesh;
     private final Visibility visibility;
     private final BandSurfaces surfaces;
     private final ArcLine line = new ArcLine();
@@ -27,7 +25,6 @@ final class WallTransmission {
     private int within;
 
     WallTransmission(World world, BandSurfaces surfaces) {
-        this.mesh = world.mesh();
         this.visibility = Visibility.ofClearPoints(world);
         this.surfaces = surfaces;
     }
@@ -83,7 +80,7 @@ final class WallTransmission {
         }
         boolean found = visibility.findFirstAlong(fromX, fromY, fromZ, x, y, z, 1.0);
         while (found) {
-            int material = mesh.material(visibility.triangle());
+            int material = visibility.material();
             if (!surfaces.transmits(material)) {
                 return false;
             }

@@ -36,6 +36,7 @@ public final class ImageSourceSearch {
     /** An image source found by this few rays has neighbours that were missed. */
     private static final double FEW = 2.0;
 
+    private final World world;
     private final TriangleMesh mesh;
     private final RayTracer tracer;
     private final WallPlanes planes;
@@ -44,6 +45,7 @@ public final class ImageSourceSearch {
     private final double[] normal = new double[3];
 
     public ImageSourceSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
+        this.world = world;
         this.mesh = world.mesh();
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
@@ -143,12 +145,12 @@ public final class ImageSourceSearch {
                 break;
             }
             int triangle = tracer.triangle();
-            left *= mirrored[mesh.material(triangle)];
+            Normals.facing(mesh, triangle, ray, normal);
+            ray.advance(tracer.distance());
+            left *= mirrored[world.material(triangle, ray.originX, ray.originY)];
             if (left < FAINT) {
                 break;
             }
-            Normals.facing(mesh, triangle, ray, normal);
-            ray.advance(tracer.distance());
             ray.standOff(normal, 1.0);
             ray.reflect(normal);
             image = tree.add(image, planes.wallOf(triangle), left);

@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.ArcSight;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
@@ -20,7 +19,7 @@ public final class SpecularPath {
     /** The largest part of a leg, at either end, along which an arc need not be free. */
     private static final double MOST_OFF = 0.01;
 
-    private final TriangleMesh mesh;
+    private final World world;
     private final WallPlanes planes;
     private final BandSurfaces surfaces;
     private final Visibility visibility;
@@ -38,7 +37,7 @@ public final class SpecularPath {
     private final double[] last = new double[3];
 
     public SpecularPath(World world, WallPlanes planes, BandSurfaces surfaces) {
-        this.mesh = world.mesh();
+        this.world = world;
         this.planes = planes;
         this.surfaces = surfaces;
         this.visibility = Visibility.ofClearPoints(world);
@@ -108,7 +107,7 @@ public final class SpecularPath {
                 length = whole;
                 set(first, dx / whole, dy / whole, dz / whole);
             }
-            int material = mesh.material(triangle);
+            int material = world.material(triangle, x + fraction * dx, y + fraction * dy);
             double cosine = Math.abs(here - there) / whole;
             for (int band = 0; band < BANDS; band++) {
                 reflected[band] *= surfaces.mirrored(material, band, cosine);

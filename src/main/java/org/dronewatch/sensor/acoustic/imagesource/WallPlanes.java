@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -53,18 +54,30 @@ public final class WallPlanes {
 
     /** The planes of a world, found once. */
     public static WallPlanes of(World world) {
-        return KNOWN.computeIfAbsent(
-                world, unknown -> new WallPlanes(unknown.mesh(), new BandSurfaces(unknown.surfaces())));
+        return KNOWN.computeIfAbsent(world, WallPlanes::found);
+    }
+
+    private static WallPlanes found(World world) {
+        BandSurfaces surfaces = new BandSurfaces(world.surfaces());
+        TriangleMesh mesh = world.mesh();
+        return new WallPlanes(
+                mesh,
+                triangle -> surfaces.mirrors(mesh.material(triangle))
+                        || world.materialsOf(triangle).anyMatch(surfaces::mirrors));
     }
 
     public WallPlanes(TriangleMesh mesh, BandSurfaces surfaces) {
+        this(mesh, triangle -> surfaces.mirrors(mesh.material(triangle)));
+    }
+
+    private WallPlanes(TriangleMesh mesh, IntPredicate mirrors) {
         this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * size(mesh));
         this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
         Grouping grouping = new Grouping(mesh);
         // The largest triangle has the most exact plane, so it comes first: by its area, then by its number.
         long[] order = IntStream.range(0, wallOf.length)
-                .filter(triangle -> surfaces.mirrors(mesh.material(triangle)) && grouping.area(triangle) > 0.0f)
+                .filter(triangle -> mirrors.test(triangle) && grouping.area(triangle) > 0.0f)
                 .mapToLong(triangle -> (long) -Float.floatToIntBits(grouping.area(triangle)) << Integer.SIZE | triangle)
                 .sorted()
                 .toArray();

@@ -43,7 +43,7 @@ final class RayChunk {
         this.radius = radius;
         this.detectionLevel = detectionLevel;
         this.traversal = world.newRayTracer();
-        this.reflections = new ReflectionGenerator(model, world.mesh(), surfaces, sensor);
+        this.reflections = new ReflectionGenerator(model, world, surfaces, sensor);
     }
 
     /**

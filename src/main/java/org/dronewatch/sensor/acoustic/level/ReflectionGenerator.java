@@ -21,6 +21,7 @@ public final class ReflectionGenerator {
     private static final double STAND_OFF = 1e-9;
 
     private final LevelModel model;
+    private final World world;
     private final TriangleMesh mesh;
     private final SurfaceLevels surfaces;
     private final Position sensor;
@@ -44,12 +45,13 @@ public final class ReflectionGenerator {
      * @param sensor position at which the second ray is aimed, m
      */
     public ReflectionGenerator(LevelModel model, World world, Position sensor) {
-        this(model, world.mesh(), new SurfaceLevels(world), sensor);
+        this(model, world, new SurfaceLevels(world), sensor);
     }
 
-    ReflectionGenerator(LevelModel model, TriangleMesh mesh, SurfaceLevels surfaces, Position sensor) {
+    ReflectionGenerator(LevelModel model, World world, SurfaceLevels surfaces, Position sensor) {
         this.model = model;
-        this.mesh = mesh;
+        this.world = world;
+        this.mesh = world.mesh();
         this.surfaces = surfaces;
         this.sensor = sensor;
     }
@@ -80,7 +82,7 @@ public final class ReflectionGenerator {
     public void acousticDistribution(
             AcousticRay ray, double distance, int triangle, double arriving, RandomGenerator random, Branches target) {
         setHit(ray, distance, triangle);
-        int material = mesh.material(triangle);
+        int material = world.material(triangle, hitX, hitY);
         branch.order = ray.order + 1;
         branch.travelled = ray.travelled + distance;
         reflect(ray, material, arriving, random, target);

@@ -104,9 +104,9 @@ final class GroundProfile {
         return from.y() + northOfU * u + eastOfU * v;
     }
 
-    /** The mesh's number of the material that {@link #z} has found last. */
+    /** The world's number of the material that {@link #z} has found last. */
     int material() {
-        return mesh.material(visibility.triangle());
+        return visibility.material();
     }
 
     /** The coordinate u of a position. */

@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.dronewatch.buildings.land.LandClass;
+import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Hover;
@@ -122,6 +124,25 @@ class LevelModelTest {
                 .isTrue();
         assertThat(fully(open, drone(55, new Position(range + 0.01, 0, 0)), TEN).detected())
                 .isFalse();
+    }
+
+    /** Ground that is covered reflects like ground that is made of what covers it. */
+    @Test
+    void aWoodOnTheGroundTakesItsSound() {
+        TriangleMesh floor = wall(2, -2, 100);
+        World rock = World.of(named("perfect_mirror", floor));
+        World covered = rock.withLandCover(
+                new LandRaster(100.0, 1, new byte[] {(byte) LandClass.WOOD.code()}), SurfaceSettings.DEFAULT);
+        Drone drone = drone(80, new Position(0, 30, 1));
+        LevelModel model = TEN.withRays(2000, 4);
+        double overWood =
+                fully(World.of(named("forest_floor", floor)), drone, model).energy();
+        assertThat(fully(covered, drone, model).energy()).isEqualTo(overWood);
+        assertThat(fully(rock, drone, model).energy()).isGreaterThan(1.05 * overWood);
+    }
+
+    private static TriangleMesh named(String material, TriangleMesh mesh) {
+        return new TriangleMesh(mesh.vertices(), mesh.corners(), new int[2], new int[2], List.of(material));
     }
 
     @Test
