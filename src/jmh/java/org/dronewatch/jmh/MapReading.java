@@ -17,7 +17,7 @@ import org.openjdk.jmh.annotations.State;
 @State(Scope.Benchmark)
 public class MapReading extends FreshJvm {
     /** Path of the map. */
-    @Param("sites/monaco-buildings.osm.gz")
+    @Param("sites/monaco.osm.gz")
     public String map;
 
     /** Latitude of the origin, about which features are kept, degrees. */

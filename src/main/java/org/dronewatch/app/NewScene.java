@@ -75,11 +75,21 @@ record NewScene(
             line(text, "    file: %s", quoted(file));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
             line(text, "    height: 9 m  # of buildings for which the map states neither height nor levels");
+            if (!terrain.isEmpty() && !isCityModel(file)) {
+                line(
+                        text,
+                        "    landCover: true  # colours and acoustic surfaces of water, roads, woods, ... on the ground");
+            }
         });
         line(text, "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet country, 40 in a suburb, 55 in a city by day");
         line(text, "");
         line(text, "run: {duration: 1 s}");
         return text.toString();
+    }
+
+    /** City models state no land cover. */
+    private static boolean isCityModel(String file) {
+        return file.toLowerCase(Locale.ROOT).endsWith(".city.json");
     }
 
     private String names() {

@@ -26,8 +26,9 @@ import org.dronewatch.setting.file.PackagedSite;
  *     refer to a different level from that of {@code world.origin.height} and the terrain
  * @param woodHeight height of the woods on the map, which are modelled as opaque canopies, 1 to 100 m; omit it to leave
  *     out woods
- * @param landCover whether the ground of {@code world.terrain} has the colours of what the map shows there (water,
- *     roads, woods, ...); ground about which the map states nothing keeps the material of the terrain
+ * @param landCover whether the ground of {@code world.terrain} has the colours and the acoustic surfaces of what the
+ *     map shows there (water, roads, woods, ...); ground for which the map has no land cover keeps the material of the
+ *     terrain
  * @param material material of buildings for which the map states none: a name in the table of surfaces
  */
 public record BuildingSettings(

@@ -344,7 +344,7 @@ public final class World {
         return cover == null ? mesh().material(triangle) : cover.material(triangle, x, y);
     }
 
-    /** The numbers of all materials that may be found on a triangle: that of the mesh, and on ground the land cover's. */
+    /** The numbers of all materials that a triangle may have: that of the mesh, and on the ground the land cover's. */
     public IntStream materialsOf(int triangle) {
         IntStream own = IntStream.of(mesh().material(triangle));
         return cover == null || !cover.isGround(triangle)

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** What 'new' creates is ready to run, and what is wrong leaves nothing behind. */
 class NewCommandTest {
     private static final String SRTM = "sites/monaco-srtm.asc";
-    private static final String MAP = "sites/monaco-buildings.osm.gz";
+    private static final String MAP = "sites/monaco.osm.gz";
 
     @TempDir
     private Path directory;
@@ -51,9 +51,7 @@ class NewCommandTest {
                 make("--at 43.7314,7.4202 --radius 1km --terrain " + SRTM + " --crs EPSG:4326 --buildings " + MAP);
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out()).contains("scene in ").contains("town.yaml");
-        assertThat(outcome.err())
-                .containsOnlyOnce("read monaco-buildings.osm.gz")
-                .contains("next: dronewatch view");
+        assertThat(outcome.err()).containsOnlyOnce("read monaco.osm.gz").contains("next: dronewatch view");
         assertThat(left()).containsExactly("town");
 
         SceneSettings scene = settings();
@@ -68,6 +66,7 @@ class NewCommandTest {
         assertThat(echo.droneClass()).contains(DroneClass.SMALL_UAV);
         assertThat(echo.deviation()).isEqualTo(3.74);
         assertThat(scene.world().terrain().orElseThrow().allFiles()).containsExactly("monaco-srtm.asc");
+        assertThat(scene.world().buildings().orElseThrow().landCover()).isTrue();
         assertThat(Files.readString(directory.resolve("town/town.yaml"))).contains("of the path is hidden.");
     }
 
@@ -105,7 +104,7 @@ class NewCommandTest {
                 "--at 43.7314,7.4202 --terrain SRTM | --terrain SRTM: does not state its coordinate reference system",
                 "--at 43.7314,7.4202 --terrain SRTM --crs EPSG:1 | --crs EPSG:1: ",
                 "--at 43.7314,7.4202 --terrain SRTM SRTM --crs EPSG:4326 | another file has the same name",
-                "--at 10,10 --buildings MAP | monaco-buildings.osm.gz: has no building within 2000 m of the origin",
+                "--at 10,10 --buildings MAP | monaco.osm.gz: has no building within 2000 m of the origin",
                 "--at 10,10 --terrain SRTM --crs EPSG:4326 | monaco-srtm.asc",
                 "--at 43.7,7.4 --buildings README.md | README.md: is not OpenStreetMap XML",
             })

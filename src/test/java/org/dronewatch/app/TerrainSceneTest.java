@@ -396,7 +396,8 @@ class TerrainSceneTest {
                 .contains("of 5,118 triangles")
                 .contains("1 post without a height (holes)")
                 .contains("889 buildings within 2000 m of the origin, 554,760 m2")
-                .containsOnlyOnce("warning: monaco-buildings.osm.gz: 889 of 889 buildings have no height")
+                .contains("cells of 1 m: water 8,795,460 m2, residential area 1,038,957 m2, road 328,346 m2")
+                .containsOnlyOnce("warning: monaco.osm.gz: 889 of 889 buildings have no height")
                 .containsOnlyOnce("warning: world.terrain.surface is dsm");
     }
 }

@@ -465,8 +465,7 @@ class BuildingLoaderTest {
     @Test
     void monacoHasItsArea() throws IOException {
         Origin origin = Origin.at(Math.toRadians(43.7369557132469), Math.toRadians(7.422733173869995));
-        BuildingSettings settings =
-                BuildingSettings.of("monaco-buildings.osm.gz").withRadius(4000);
+        BuildingSettings settings = BuildingSettings.of("monaco.osm.gz").withRadius(4000);
         LoadedBuildings loaded = new BuildingLoader(Path.of("sites")).load(settings, origin, Optional.empty());
 
         assertThat(loaded.count()).isEqualTo(966);

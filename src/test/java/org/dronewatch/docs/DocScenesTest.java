@@ -100,7 +100,7 @@ class DocScenesTest {
                 scene.append('\n').append(text);
             }
         });
-        for (String file : List.of("monaco-srtm.asc", "monaco-buildings.osm.gz", "approach.plan", "approach.gpx")) {
+        for (String file : List.of("monaco-srtm.asc", "monaco.osm.gz", "approach.plan", "approach.gpx")) {
             String where = file.startsWith("monaco") ? "sites" : "src/examples/terrain";
             Files.copy(Path.of(where, file), directory.resolve(file));
         }

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The same outlines from each format, and one line for what is damaged, hostile or something else. */
 class MapFilesTest {
     private static final MapArea ANYWHERE = new MapArea(-180, 180, -90, 90);
-    private static final Path MONACO = Path.of("sites/monaco-buildings.osm.gz");
+    private static final Path MONACO = Path.of("sites/monaco.osm.gz");
 
     private static final String NODES =
             """
