@@ -28,7 +28,7 @@ public final class PilotedRun {
     /**
      * A run.
      *
-     * @param pilot the pilot, to whom its mistakes are attributed in messages
+     * @param pilot class of the pilot, to which its mistakes are attributed in messages
      */
     PilotedRun(RunSession session, DevsSimulatorInterface<Double> simulator, Class<?> pilot) {
         this.session = session;
