@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.buildings.io.CityModel;
 import org.dronewatch.geo.MapTransform;
+import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
@@ -44,7 +45,7 @@ final class CityBuildings {
         for (int i = 0; i < vertices.length; i++) {
             floats[i] = (float) vertices[i];
         }
-        int[] corners = new int[0];
+        Ints all = new Ints();
         for (CityModel.Solid solid : model.solids()) {
             if (isNear(solid)) {
                 CitySolid cut = CitySolid.of(solid.surfaces(), vertices);
@@ -52,9 +53,9 @@ final class CityBuildings {
                     report.leave("building without a surface");
                     continue;
                 }
-                int[] more = Arrays.copyOf(corners, corners.length + cut.corners().length);
-                System.arraycopy(cut.corners(), 0, more, corners.length, cut.corners().length);
-                corners = more;
+                for (int corner : cut.corners()) {
+                    all.add(corner);
+                }
                 report.add(cut, upwardArea(cut.corners()), CityOutlines.of(solid.id(), cut.corners(), vertices));
                 if (!cut.isClosed()) {
                     report.doubt("the solid is not closed", solid.id());
@@ -66,6 +67,7 @@ final class CityBuildings {
             }
         }
         report.floors(floors);
+        int[] corners = all.toArray();
         int[] numbers = new int[corners.length / 3];
         for (int i = 0; i < numbers.length; i++) {
             numbers[i] = i;

@@ -20,12 +20,11 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.file.JsonText;
 import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.setting.file.PackagedSite;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Reads map files; the format is recognised by the first bytes, not by the name. Text may be compressed with gzip. */
 public final class MapFiles {
@@ -208,11 +207,11 @@ public final class MapFiles {
                 elements.read(in, target);
             }
         };
-        OsmFeatures features = new OsmFeatures(name, area, false);
+        OsmFeatures features = new OsmFeatures(name, area, false, budget(name));
         pass.read(features);
         if (features.isIncomplete()) {
             // Ways come before their nodes, as Overpass writes them.
-            features = new OsmFeatures(name, area, true);
+            features = new OsmFeatures(name, area, true, budget(name));
             pass.read(features);
         }
         // Before nodes elsewhere are added.
@@ -228,16 +227,22 @@ public final class MapFiles {
     }
 
     private static MapFeatures json(String name, Source source, boolean withLand, FileHash hash) throws IOException {
+        // While it is read, there are two copies of it.
+        int most = (int) Math.min(MOST_JSON, Runtime.getRuntime().maxMemory() / 8);
         byte[] all;
         try (InputStream in = unpacked(source)) {
-            all = in.readNBytes(MOST_JSON + 1);
+            all = in.readNBytes(most + 1);
         }
-        if (all.length > MOST_JSON) {
-            throw new InputException(String.format(
-                    Locale.ROOT, "%s: has more than %,d bytes of JSON: cut out the site", name, MOST_JSON));
+        if (all.length > most) {
+            throw new InputException(
+                    String.format(Locale.ROOT, "%s: has more than %,d bytes of JSON: cut out the site", name, most)
+                            + (most < MOST_JSON ? ", or give Java more memory, as in java -Xmx4g" : ""));
         }
-        JsonNode root = tree(name, all);
+        HeapBudget budget = budget(name);
+        JsonNode root = JsonText.read(name, all, budget);
         if (root.path("type").asString("").equals("CityJSON")) {
+            // Solids are closed by their sides, which take as much again.
+            budget.take(JsonText.memory(all));
             CityJsonFile.Read read = CityJsonFile.read(name, root);
             return new MapFeatures(
                     List.of(), Optional.of(read.model()), MapLand.NONE, read.leftOut(), "CityJSON", read.crs(), hash);
@@ -247,16 +252,8 @@ public final class MapFiles {
                 read.features(), Optional.empty(), read.land(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
     }
 
-    private static JsonNode tree(String name, byte[] bytes) {
-        try {
-            return JsonMapper.shared().readTree(bytes);
-        } catch (JacksonException e) {
-            TokenStreamLocation at = e.getLocation();
-            throw new InputException(
-                    name + (at == null ? "" : ":" + at.getLineNr()) + ": not valid JSON: "
-                            + PlainText.line(e.getOriginalMessage()),
-                    e);
-        }
+    private static HeapBudget budget(String name) {
+        return new HeapBudget(name, "cut out the site, as with 'osmium extract'");
     }
 
     /** Ends a file that never stops unpacking. */

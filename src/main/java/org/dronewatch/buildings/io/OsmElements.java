@@ -1,10 +1,31 @@
 package org.dronewatch.buildings.io;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 
 /** Receives the elements of an OpenStreetMap file in its order. */
 interface OsmElements {
+    /** More tags than any element of the map has; they are kept in a table. */
+    int MOST_TAGS = 10_000;
+
+    /** More ways than any relation of the map has. */
+    int MOST_MEMBERS = 100_000;
+
+    /** Refuses elements with more tags. */
+    static void checkTags(int count) throws IOException {
+        if (count > MOST_TAGS) {
+            throw new IOException("an element with more than " + MOST_TAGS + " tags");
+        }
+    }
+
+    /** Refuses relations with more members. */
+    static void checkMembers(int count) throws IOException {
+        if (count > MOST_MEMBERS) {
+            throw new IOException("a relation with more than " + MOST_MEMBERS + " members");
+        }
+    }
+
     /** A node, degrees. */
     void node(long id, double longitude, double latitude);
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.HeapBudget;
 
 /**
  * Makes outlines of the elements of OpenStreetMap: closed ways, and multipolygons, whose ways are joined end to end.
@@ -57,12 +58,13 @@ final class OsmFeatures implements OsmElements {
      * @param file its name
      * @param area what lies elsewhere is dropped
      * @param keepsAll whether ways are kept although their nodes are not there yet
+     * @param budget memory for all that is kept
      */
-    OsmFeatures(String file, MapArea area, boolean keepsAll) {
+    OsmFeatures(String file, MapArea area, boolean keepsAll, HeapBudget budget) {
         this.file = file;
         this.area = area;
         this.keepsAll = keepsAll;
-        this.nodes = new OsmNodes(file);
+        this.nodes = new OsmNodes(file, budget);
     }
 
     /** The nodes of the area. */
@@ -102,6 +104,7 @@ final class OsmFeatures implements OsmElements {
             throw new InputException(file + ": ways with more than " + MOST_CORNERS
                     + " corners: cut out the site with 'osmium extract'");
         }
+        nodes.takeMemoryOfWay(refs.length, isWanted(tags) ? tags : Map.of());
         ways.putIfAbsent(id, new Way(id, refs, isWanted(tags) ? sensible(tags) : Map.of()));
     }
 
@@ -109,6 +112,7 @@ final class OsmFeatures implements OsmElements {
     public void relation(long id, List<Member> members, Map<String, String> tags) {
         boolean isArea = "multipolygon".equals(tags.get("type")) || "building".equals(tags.get("type"));
         if (isArea && isWanted(tags) && !members.isEmpty()) {
+            nodes.takeMemoryOfWay(8 * members.size(), tags);
             relations.add(new Relation(id, members, sensible(tags)));
         }
     }

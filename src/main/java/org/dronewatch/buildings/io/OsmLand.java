@@ -102,6 +102,7 @@ final class OsmLand {
             if ("multipolygon".equals(tags.get("type"))
                     && MapLand.isLand(tags)
                     && members.stream().anyMatch(member -> ways.containsKey(member.way()))) {
+                nodes.takeMemoryOfWay(8 * members.size(), tags);
                 relations.add(new Relation(id, members, tags));
             }
         }
@@ -113,6 +114,7 @@ final class OsmLand {
             throw new InputException(file + ": ways with more than " + MOST_CORNERS
                     + " corners: cut out the site with 'osmium extract'");
         }
+        nodes.takeMemoryOfWay(refs.length, tags);
         ways.putIfAbsent(id, new Way(refs, tags));
     }
 

@@ -1,19 +1,45 @@
 package org.dronewatch.buildings.io;
 
 import java.util.Arrays;
+import java.util.Map;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.HeapBudget;
 
 /** The coordinates of nodes of OpenStreetMap by their identifiers, without an object for each. */
 final class OsmNodes {
     private static final int MOST = 30_000_000;
 
+    /** Bytes of a node, in tables that have just grown. */
+    private static final int NODE = 100;
+
+    private static final int WAY = 160;
+    /** Bytes of a node of a way, and of a corner of the outline that is made of it. */
+    private static final int CORNER = 24;
+
+    private static final int TAG = 160;
+
     private final String file;
+    private final HeapBudget budget;
     private final LongIndex numbers = new LongIndex();
     private double[] coordinates = new double[1 << 12];
 
     /** None yet; {@code file} is for messages. */
-    OsmNodes(String file) {
+    OsmNodes(String file, HeapBudget budget) {
         this.file = file;
+        this.budget = budget;
+    }
+
+    /**
+     * Takes the memory of a way of some nodes and tags.
+     *
+     * @throws InputException when there is too little
+     */
+    void takeMemoryOfWay(int corners, Map<String, String> tags) {
+        long bytes = WAY + (long) CORNER * corners + (long) TAG * tags.size();
+        for (Map.Entry<String, String> tag : tags.entrySet()) {
+            bytes += 2L * (tag.getKey().length() + tag.getValue().length());
+        }
+        budget.take(bytes);
     }
 
     boolean contains(long id) {
@@ -41,6 +67,7 @@ final class OsmNodes {
         if (number >= MOST) {
             throw new InputException(file + ": more than " + MOST + " nodes near the origin: choose a smaller radius");
         }
+        budget.take(NODE);
         numbers.put(id, number);
         if (2 * number + 2 > coordinates.length) {
             coordinates = Arrays.copyOf(coordinates, 2 * coordinates.length);

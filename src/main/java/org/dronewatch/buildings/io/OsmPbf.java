@@ -20,7 +20,7 @@ final class OsmPbf {
     private static final int WAY = 1;
 
     private final OsmElements target;
-    private String[] strings = {};
+    private PbfStrings strings = PbfStrings.NONE;
     private long granularity;
     private long latitudeOffset;
     private long longitudeOffset;
@@ -68,55 +68,43 @@ final class OsmPbf {
         granularity = 100;
         latitudeOffset = 0;
         longitudeOffset = 0;
-        List<ProtoReader> groups = new ArrayList<>();
+        // What applies to all groups comes before and after them.
         for (ProtoReader reader = new ProtoReader(bytes); reader.next(); ) {
             switch (reader.field()) {
-                case 1 -> strings = strings(reader.message());
-                case 2 -> groups.add(reader.message());
+                case 1 -> strings = PbfStrings.of(reader.message());
                 case 17 -> granularity = reader.number();
                 case 19 -> latitudeOffset = reader.number();
                 case 20 -> longitudeOffset = reader.number();
                 default -> reader.skip();
             }
         }
-        for (ProtoReader group : groups) {
-            while (group.next()) {
-                switch (group.field()) {
-                    case 1 -> node(group.message());
-                    case 2 -> dense(group.message());
-                    case 3 -> way(group.message());
-                    case 4 -> relation(group.message());
-                    default -> group.skip();
-                }
-            }
-        }
-    }
-
-    private static String[] strings(ProtoReader table) throws IOException {
-        List<String> strings = new ArrayList<>();
-        while (table.next()) {
-            if (table.field() == 1) {
-                strings.add(table.text());
+        for (ProtoReader reader = new ProtoReader(bytes); reader.next(); ) {
+            if (reader.field() == 2) {
+                group(reader.message());
             } else {
-                table.skip();
+                reader.skip();
             }
         }
-        return strings.toArray(String[]::new);
     }
 
-    private String string(long number) throws IOException {
-        if (number < 0 || number >= strings.length) {
-            throw new IOException("text " + number + " of a block that has " + strings.length);
+    private void group(ProtoReader group) throws IOException {
+        while (group.next()) {
+            switch (group.field()) {
+                case 1 -> node(group.message());
+                case 2 -> dense(group.message());
+                case 3 -> way(group.message());
+                case 4 -> relation(group.message());
+                default -> group.skip();
+            }
         }
-        return strings[(int) number];
     }
 
     private void node(ProtoReader node) throws IOException {
         long id = 0;
         long latitude = 0;
         long longitude = 0;
-        List<Long> keys = List.of();
-        List<Long> values = List.of();
+        long[] keys = {};
+        long[] values = {};
         while (node.next()) {
             switch (node.field()) {
                 case 1 -> id = node.signed();
@@ -128,7 +116,7 @@ final class OsmPbf {
             }
         }
         target.node(id, longitude(longitude), latitude(latitude));
-        if (!keys.isEmpty()) {
+        if (keys.length > 0) {
             target.taggedNode(tags(keys, values));
         }
     }
@@ -176,7 +164,8 @@ final class OsmPbf {
                 if (key == 0) {
                     break;
                 }
-                tags.put(string(key), string(keysAndValues.packed()));
+                tags.put(strings.get(key), strings.get(keysAndValues.packed()));
+                OsmElements.checkTags(tags.size());
             }
             if (!tags.isEmpty()) {
                 target.taggedNode(tags);
@@ -186,8 +175,8 @@ final class OsmPbf {
 
     private void way(ProtoReader way) throws IOException {
         long id = 0;
-        List<Long> keys = List.of();
-        List<Long> values = List.of();
+        long[] keys = {};
+        long[] values = {};
         long[] nodes = {};
         while (way.next()) {
             switch (way.field()) {
@@ -203,10 +192,10 @@ final class OsmPbf {
 
     private void relation(ProtoReader relation) throws IOException {
         long id = 0;
-        List<Long> keys = List.of();
-        List<Long> values = List.of();
-        List<Long> roles = List.of();
-        List<Long> types = List.of();
+        long[] keys = {};
+        long[] values = {};
+        long[] roles = {};
+        long[] types = {};
         long[] ids = {};
         while (relation.next()) {
             switch (relation.field()) {
@@ -219,34 +208,36 @@ final class OsmPbf {
                 default -> relation.skip();
             }
         }
-        if (roles.size() != ids.length || types.size() != ids.length) {
-            throw new IOException("relation " + id + " has " + ids.length + " members, " + roles.size() + " roles and "
-                    + types.size() + " types");
+        if (roles.length != ids.length || types.length != ids.length) {
+            throw new IOException("relation " + id + " has " + ids.length + " members, " + roles.length + " roles and "
+                    + types.length + " types");
         }
+        OsmElements.checkMembers(ids.length);
         List<OsmElements.Member> members = new ArrayList<>();
         for (int i = 0; i < ids.length; i++) {
-            if (types.get(i) == WAY) {
-                members.add(new OsmElements.Member(ids[i], string(roles.get(i))));
+            if (types[i] == WAY) {
+                members.add(new OsmElements.Member(ids[i], strings.get(roles[i])));
             }
         }
         target.relation(id, members, tags(keys, values));
     }
 
-    private Map<String, String> tags(List<Long> keys, List<Long> values) throws IOException {
-        if (keys.size() != values.size()) {
-            throw new IOException(keys.size() + " keys with " + values.size() + " values");
+    private Map<String, String> tags(long[] keys, long[] values) throws IOException {
+        if (keys.length != values.length) {
+            throw new IOException(keys.length + " keys with " + values.length + " values");
         }
+        OsmElements.checkTags(keys.length);
         Map<String, String> tags = new HashMap<>();
-        for (int i = 0; i < keys.size(); i++) {
-            tags.put(string(keys.get(i)), string(values.get(i)));
+        for (int i = 0; i < keys.length; i++) {
+            tags.put(strings.get(keys[i]), strings.get(values[i]));
         }
         return tags;
     }
 
-    private static List<Long> numbers(ProtoReader packed) throws IOException {
-        List<Long> numbers = new ArrayList<>();
-        while (packed.hasMore()) {
-            numbers.add(packed.packed());
+    private static long[] numbers(ProtoReader packed) throws IOException {
+        long[] numbers = new long[packed.countPacked()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = packed.packed();
         }
         return numbers;
     }

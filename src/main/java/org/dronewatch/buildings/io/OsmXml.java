@@ -22,6 +22,9 @@ import org.dronewatch.setting.PlainText;
 final class OsmXml {
     private static final char BYTE_ORDER_MARK = '\uFEFF';
 
+    /** The map's own limit is 2000. */
+    private static final int MOST_NODES = 1_000_000;
+
     private final String file;
     private final OsmElements target;
     private long id;
@@ -59,7 +62,8 @@ final class OsmXml {
 
     /** Always UTF-8; the parser would print what is wrong with bytes, in addition to throwing it. */
     private static Reader text(InputStream in) throws IOException {
-        BufferedReader reader = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8), 1 << 16);
+        BufferedReader reader =
+                new BufferedReader(new MarkupReader(new InputStreamReader(in, StandardCharsets.UTF_8)), 1 << 16);
         reader.mark(1);
         if (reader.read() != BYTE_ORDER_MARK) {
             reader.reset();
@@ -67,7 +71,7 @@ final class OsmXml {
         return reader;
     }
 
-    private void read(XMLStreamReader xml) throws XMLStreamException {
+    private void read(XMLStreamReader xml) throws XMLStreamException, IOException {
         boolean isOsm = false;
         while (xml.hasNext()) {
             int event = xml.next();
@@ -84,7 +88,7 @@ final class OsmXml {
         }
     }
 
-    private void start(XMLStreamReader xml) {
+    private void start(XMLStreamReader xml) throws IOException {
         switch (xml.getLocalName()) {
             case "node" -> {
                 begin(xml);
@@ -94,6 +98,9 @@ final class OsmXml {
             }
             case "way", "relation" -> begin(xml);
             case "nd" -> {
+                if (count == MOST_NODES) {
+                    throw new IOException("a way with more than " + MOST_NODES + " nodes");
+                }
                 if (count == nodes.length) {
                     nodes = Arrays.copyOf(nodes, 2 * count);
                 }
@@ -103,6 +110,7 @@ final class OsmXml {
                 if ("way".equals(xml.getAttributeValue(null, "type"))) {
                     String role = xml.getAttributeValue(null, "role");
                     members.add(new OsmElements.Member(number(xml, "ref"), role == null ? "" : role));
+                    OsmElements.checkMembers(members.size());
                 }
             }
             case "tag" -> {
@@ -110,6 +118,7 @@ final class OsmXml {
                 String value = xml.getAttributeValue(null, "v");
                 if (key != null && value != null) {
                     tags.put(key, value);
+                    OsmElements.checkTags(tags.size());
                 }
             }
             default -> {

@@ -15,7 +15,10 @@ import org.dronewatch.setting.InputException;
  */
 final class PbfBlocks {
     private static final int MOST_HEADER = 64 * 1024;
-    private static final int MOST_BLOB = 32 * 1024 * 1024;
+    private static final int FORMAT_LIMIT = 32 * 1024 * 1024;
+    /** What is made of a block takes up to fifteen times its size. */
+    private static final int MOST_BLOB =
+            (int) Math.min(FORMAT_LIMIT, Runtime.getRuntime().maxMemory() / 32);
 
     private final String file;
     private final DataInputStream in;
@@ -58,10 +61,15 @@ final class PbfBlocks {
             }
         }
         if (size < 0 || size > MOST_BLOB) {
-            throw new IOException("a block has " + size + " bytes, must have at most " + MOST_BLOB);
+            throw tooLarge(size);
         }
         blob = exactly(in, (int) size);
         return true;
+    }
+
+    private static IOException tooLarge(long size) {
+        return new IOException("a block has " + size + " bytes, must have at most " + MOST_BLOB
+                + (MOST_BLOB < FORMAT_LIMIT ? ", a part of the memory that Java may use (-Xmx)" : ""));
     }
 
     /** What the block holds. */
@@ -96,7 +104,7 @@ final class PbfBlocks {
             }
         }
         if (deflated == null || size < 0 || size > MOST_BLOB) {
-            throw new IOException("a block of " + size + " bytes, must have at most " + MOST_BLOB);
+            throw tooLarge(size);
         }
         return inflated(deflated, (int) size);
     }

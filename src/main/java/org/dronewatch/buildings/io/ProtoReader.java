@@ -89,6 +89,18 @@ final class ProtoReader {
         return Arrays.copyOfRange(bytes, inner.at, inner.end);
     }
 
+    /** Where the bytes of a field lie: the first in the upper half, the one after the last in the lower half. */
+    long range() throws IOException {
+        ProtoReader inner = message();
+        return (long) inner.at << 32 | inner.end;
+    }
+
+    /** The text of a {@linkplain #range() range}. */
+    String text(long range) {
+        int from = (int) (range >> 32);
+        return new String(bytes, from, (int) range - from, StandardCharsets.UTF_8);
+    }
+
     String text() throws IOException {
         ProtoReader inner = message();
         return new String(bytes, inner.at, inner.end - inner.at, StandardCharsets.UTF_8);

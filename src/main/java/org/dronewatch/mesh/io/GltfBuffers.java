@@ -12,6 +12,7 @@ import java.util.List;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.HeapBudget;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -27,6 +28,7 @@ final class GltfBuffers {
 
     private final ModelFile file;
     private final JsonNode root;
+    private final HeapBudget budget;
     private final List<ByteBuffer> buffers = new ArrayList<>();
     private final List<FileHash> files = new ArrayList<>();
 
@@ -34,10 +36,12 @@ final class GltfBuffers {
      * The buffers of a file.
      *
      * @param binary what follows the JSON in a GLB file; empty for none
+     * @param budget memory for the buffers
      */
-    GltfBuffers(ModelFile file, JsonNode root, byte[] binary) throws IOException {
+    GltfBuffers(ModelFile file, JsonNode root, byte[] binary, HeapBudget budget) throws IOException {
         this.file = file;
         this.root = root;
+        this.budget = budget;
         for (JsonNode buffer : root.path("buffers")) {
             JsonNode uri = buffer.path("uri");
             byte[] bytes = uri.isMissingNode() ? binary : bytes(uri.asString(""));
@@ -60,6 +64,7 @@ final class GltfBuffers {
             if (comma < 0 || !uri.substring(0, comma).endsWith(";base64")) {
                 throw wrong("a buffer whose data is not base64");
             }
+            budget.take(uri.length());
             try {
                 return Base64.getDecoder().decode(uri.substring(comma + 1));
             } catch (IllegalArgumentException e) {
@@ -73,14 +78,17 @@ final class GltfBuffers {
             throw new InputException(
                     file.name() + ": buffer '" + PlainText.value(uri) + "' is not the name of a file", e);
         }
+        ModelFile beside;
         try {
-            ModelFile beside = file.beside(name, ModelFile.MAX_BYTES);
+            beside = file.beside(name, ModelFile.MAX_BYTES);
             files.add(beside.hash());
-            try (InputStream in = beside.open()) {
-                return in.readAllBytes();
-            }
         } catch (InputException e) {
             throw new InputException(file.name() + ": buffer '" + PlainText.value(uri) + "' " + e.getMessage(), e);
+        }
+        // While it is read, there are two copies of it.
+        budget.take(2 * beside.size());
+        try (InputStream in = beside.open()) {
+            return in.readAllBytes();
         }
     }
 

@@ -8,6 +8,8 @@ import java.util.Arrays;
 import java.util.Set;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.file.JsonText;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -40,8 +42,9 @@ public final class GltfReader implements MeshReader {
     @Override
     public LoadedModel read(ModelFile file, ModelSettings settings) {
         try {
-            Parts parts = parts(file);
-            return new GltfScene(file, parts.root(), parts.binary(), new ModelCollector(file, settings)).read();
+            ModelCollector collector = new ModelCollector(file, settings);
+            Parts parts = parts(file, collector.budget());
+            return new GltfScene(file, parts.root(), parts.binary(), collector).read();
         } catch (EOFException e) {
             throw new InputException(file.name() + ": ends too early: it is cut off or damaged", e);
         } catch (IOException e) {
@@ -51,12 +54,13 @@ public final class GltfReader implements MeshReader {
 
     private record Parts(JsonNode root, byte[] binary) {}
 
-    private static Parts parts(ModelFile file) throws IOException {
+    private static Parts parts(ModelFile file, HeapBudget budget) throws IOException {
         try (DataInputStream in = new DataInputStream(file.open())) {
             in.mark(MAGIC.length);
             if (!Arrays.equals(in.readNBytes(MAGIC.length), MAGIC)) {
                 in.reset();
-                return new Parts(json(file, bounded(file, in)), new byte[0]);
+                budget.take(2 * file.size());
+                return new Parts(json(file, bounded(file, in), budget), new byte[0]);
             }
             int version = Integer.reverseBytes(in.readInt());
             if (version != 2) {
@@ -76,12 +80,14 @@ public final class GltfReader implements MeshReader {
                     throw new InputException(file.name() + ": a chunk of " + Integer.toUnsignedLong(length)
                             + " bytes in a file of " + file.size());
                 }
+                // While it is read, there are two copies of it.
+                budget.take(2L * length);
                 byte[] bytes = in.readNBytes(length);
                 if (bytes.length < length) {
                     throw new EOFException();
                 }
                 if (type == JSON_CHUNK) {
-                    root = json(file, bytes);
+                    root = json(file, bytes, budget);
                 } else if (type == BINARY_CHUNK) {
                     binary = bytes;
                 }
@@ -101,7 +107,8 @@ public final class GltfReader implements MeshReader {
         return bytes;
     }
 
-    private static JsonNode json(ModelFile file, byte[] bytes) {
+    private static JsonNode json(ModelFile file, byte[] bytes, HeapBudget budget) {
+        budget.take(JsonText.memory(bytes));
         try {
             return JsonMapper.shared().readTree(bytes);
         } catch (JacksonException e) {

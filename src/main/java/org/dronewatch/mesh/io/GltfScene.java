@@ -21,6 +21,9 @@ final class GltfScene {
     private static final int TRIANGLES = 4;
     private static final int STRIP = 5;
     private static final int FAN = 6;
+    /** Bytes of an entry of a map from number to number. */
+    private static final int ENTRY = 120;
+
     private static final String UNNAMED = "default";
     private static final Set<String> PACKED =
             Set.of("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression");
@@ -59,7 +62,7 @@ final class GltfScene {
                         + PlainText.value(extension.asString("")) + "', which is not read");
             }
         }
-        this.buffers = new GltfBuffers(file, root, binary);
+        this.buffers = new GltfBuffers(file, root, binary, collector.budget());
     }
 
     /** Everything that the scene has. */
@@ -234,6 +237,7 @@ final class GltfScene {
      */
     private int[] corners(JsonNode primitive, GltfBuffers.Accessor positions, double[] matrix) {
         if (!primitive.has("indices")) {
+            collector.budget().check((long) Integer.BYTES * positions.count());
             int[] corners = new int[positions.count()];
             for (int i = 0; i < corners.length; i++) {
                 corners[i] = vertex(positions, i, matrix);
@@ -242,6 +246,7 @@ final class GltfScene {
         }
         int number = primitive.path("indices").asInt(-1);
         GltfBuffers.Accessor indices = buffers.accessor(number, "SCALAR", 1);
+        collector.budget().check((long) Integer.BYTES * indices.count());
         int[] corners = new int[indices.count()];
         Map<Integer, Integer> added = new HashMap<>();
         for (int i = 0; i < corners.length; i++) {
@@ -251,6 +256,7 @@ final class GltfScene {
                         + " must be 0 to " + (positions.count() - 1));
             }
             corners[i] = added.computeIfAbsent((int) index, at -> vertex(positions, at, matrix));
+            collector.budget().check((long) ENTRY * added.size());
         }
         return corners;
     }

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.HeapBudget;
 
 /**
  * Collects the contents of a file for a {@link MeshReader}, and makes a model of them: places vertices, cuts polygons
@@ -16,7 +17,13 @@ public final class ModelCollector {
     /** Maximum number of triangles of a model. */
     public static final int MAX_TRIANGLES = 50_000_000;
 
+    /** Bytes of a vertex and of a triangle, in lists that have just grown and are copied. */
+    private static final int VERTEX = 44;
+
+    private static final int TRIANGLE = 72;
+
     private final ModelFile file;
+    private final HeapBudget budget;
     private final Placement placement;
     private final Floats vertices = new Floats();
     private final MeshTriangles triangles = new MeshTriangles(vertices);
@@ -33,6 +40,7 @@ public final class ModelCollector {
      */
     public ModelCollector(ModelFile file, ModelSettings settings) {
         this.file = file;
+        this.budget = new HeapBudget(file.name(), "simplify the model");
         this.placement = file.placement(settings);
     }
 
@@ -42,10 +50,11 @@ public final class ModelCollector {
      * {@linkplain ModelSettings#origin() origin} lies on the site.
      *
      * @return its index, from 0 on
-     * @throws InputException when it is not finite, or placed too far from the origin, or lies where the model's grid
-     *     has no coordinates
+     * @throws InputException when it is not finite, placed too far from the origin, does not fit into memory, or lies
+     *     where the model's grid has no coordinates
      */
     public int addVertex(double x, double y, double z) {
+        budget.take(VERTEX);
         try {
             placement.place(x, y, z, vertices);
         } catch (InputException e) {
@@ -66,7 +75,8 @@ public final class ModelCollector {
      *
      * @param material its name; not empty
      * @param corners three or more indices of vertices that were added before
-     * @throws InputException when there are fewer corners, a vertex is missing, or there are too many triangles
+     * @throws InputException when there are fewer corners, a vertex is missing, or there are too many triangles, in all
+     *     or for the memory that Java may use
      */
     public void addFace(String material, int... corners) {
         if (corners.length < 3) {
@@ -84,7 +94,14 @@ public final class ModelCollector {
         if (stated > MAX_TRIANGLES) {
             throw new InputException(file.name() + ": more than " + MAX_TRIANGLES + " triangles");
         }
+        int before = triangles.size();
         triangles.add(corners.clone(), materials.computeIfAbsent(material, name -> materials.size()));
+        budget.take((long) TRIANGLE * (triangles.size() - before));
+    }
+
+    /** The memory that the content of the file may take. */
+    HeapBudget budget() {
+        return budget;
     }
 
     /**

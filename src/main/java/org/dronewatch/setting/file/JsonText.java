@@ -9,7 +9,51 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Reads JSON files named by the user; the library limits their nesting depth. */
 public final class JsonText {
+    /** Bytes that the tree takes for each character of its syntax, from the sizes of its objects. */
+    private static final int ARRAY = 112;
+
+    private static final int OBJECT = 160;
+    private static final int FIELD = 136;
+    private static final int ELEMENT = 40;
+    private static final int QUOTE = 32;
+    private static final int CHARACTER = 3;
+
     private JsonText() {}
+
+    /**
+     * The document, if it fits.
+     *
+     * @param name its name in messages
+     * @param budget memory for the document and its tree
+     * @throws InputException in one line when it is not JSON, or takes too much
+     */
+    public static JsonNode read(String name, byte[] bytes, HeapBudget budget) {
+        budget.take(memory(bytes));
+        return read(name, bytes);
+    }
+
+    /** About how much memory a document and its tree take, bytes; rather too much. */
+    public static long memory(byte[] bytes) {
+        long memory = (long) CHARACTER * bytes.length;
+        boolean isText = false;
+        for (int i = 0; i < bytes.length; i++) {
+            switch (bytes[i]) {
+                case '"' -> {
+                    memory += QUOTE;
+                    isText = !isText;
+                }
+                case '\\' -> i += isText ? 1 : 0;
+                case '[' -> memory += isText ? 0 : ARRAY;
+                case '{' -> memory += isText ? 0 : OBJECT;
+                case ':' -> memory += isText ? 0 : FIELD;
+                case ',' -> memory += isText ? 0 : ELEMENT;
+                default -> {
+                    // Part of a text or a number.
+                }
+            }
+        }
+        return memory;
+    }
 
     /**
      * The document.

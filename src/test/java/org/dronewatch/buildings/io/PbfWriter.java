@@ -3,6 +3,7 @@ package org.dronewatch.buildings.io;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,7 +13,7 @@ import java.util.Map;
 import java.util.zip.Deflater;
 
 /** Writes OpenStreetMap's binary format, for tests: a header, and blocks of nodes, ways and relations. */
-final class PbfWriter implements OsmElements {
+public final class PbfWriter implements OsmElements {
     private final boolean isDense;
     private final Map<String, Integer> strings = new LinkedHashMap<>();
     private final List<Node> nodes = new ArrayList<>();
@@ -110,6 +111,22 @@ final class PbfWriter implements OsmElements {
         return file.toByteArray();
     }
 
+    /** A file with one house of 20 m x 10 m. */
+    public static byte[] house(double latitude, double longitude, boolean isDense, Map<String, String> tags) {
+        PbfWriter writer = new PbfWriter(isDense);
+        double[][] corners = {{0, 0}, {0, 2.8e-4}, {0.9e-4, 2.8e-4}, {0.9e-4, 0}};
+        for (int i = 0; i < corners.length; i++) {
+            writer.node(i + 1, longitude + corners[i][1], latitude + corners[i][0]);
+        }
+        writer.way(10, new long[] {1, 2, 3, 4, 1}, tags);
+        writer.relation(20, List.of(new Member(10, "outer")), Map.of("type", "multipolygon", "building", "yes"));
+        try {
+            return writer.bytes();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     private byte[] plain(Node node) {
         ByteArrayOutputStream target = new ByteArrayOutputStream();
         field(target, 1, zigzag(node.id));
@@ -151,7 +168,7 @@ final class PbfWriter implements OsmElements {
     }
 
     /** A block; states another size than it has if that is not negative. */
-    static byte[] blob(String type, byte[] content, int stated) throws IOException {
+    public static byte[] blob(String type, byte[] content, int stated) throws IOException {
         Deflater deflater = new Deflater();
         deflater.setInput(content);
         deflater.finish();
@@ -177,7 +194,7 @@ final class PbfWriter implements OsmElements {
         return all.toByteArray();
     }
 
-    static byte[] text(int number, String text) {
+    public static byte[] text(int number, String text) {
         ByteArrayOutputStream target = new ByteArrayOutputStream();
         bytes(target, number, text.getBytes(StandardCharsets.UTF_8));
         return target.toByteArray();

@@ -1,0 +1,58 @@
+package org.dronewatch.setting.file;
+
+import org.dronewatch.setting.InputException;
+
+/**
+ * The memory that the content of one file may take: half of what Java may use, so that a file which unpacks to more is
+ * refused in one line before memory runs out. What is taken is estimated by the caller. One thread at a time.
+ */
+public final class HeapBudget {
+    private static final int MEBIBYTE = 1 << 20;
+
+    private final String file;
+    private final String advice;
+    private final long most;
+    private long taken;
+
+    /**
+     * The budget of this process.
+     *
+     * @param file its name in messages
+     * @param advice what the user can do instead, as the middle of a sentence
+     */
+    public HeapBudget(String file, String advice) {
+        this(file, advice, Runtime.getRuntime().maxMemory());
+    }
+
+    /** The same for another size of the heap, bytes. */
+    public HeapBudget(String file, String advice, long heap) {
+        this.file = file;
+        this.advice = advice;
+        this.most = heap / 2;
+    }
+
+    /**
+     * Takes memory that stays in use while the file is read.
+     *
+     * @param bytes 0 or more
+     * @throws InputException when this is more than there is left
+     */
+    public void take(long bytes) {
+        check(bytes);
+        taken += bytes;
+    }
+
+    /**
+     * Checks whether there is memory for something that is soon dropped.
+     *
+     * @param bytes 0 or more
+     * @throws InputException when there is not
+     */
+    public void check(long bytes) {
+        if (bytes > most - taken) {
+            throw new InputException(file + ": its content takes more than " + most / MEBIBYTE
+                    + " MB, half of the memory that Java may use: " + advice
+                    + ", or give Java more memory, as in java -Xmx4g");
+        }
+    }
+}
