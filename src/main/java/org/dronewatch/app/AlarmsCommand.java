@@ -19,6 +19,7 @@ import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
+import org.dronewatch.world.Weather;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -96,7 +97,7 @@ final class AlarmsCommand implements Callable<Integer> {
         out.printf(
                 "%-16s %-9s %12s %12s %12s %12s%n", "sensor", "kind", "per hour", "per look", "cells", "lasts [looks]");
         settings.enabledSensors().forEach((id, one) -> {
-            Optional<FalseAlarmRate> known = rate(one);
+            Optional<FalseAlarmRate> known = rate(one, settings.world().weather());
             out.printf(
                     "%-16s %-9s %12s %12s %12s %12s%n",
                     id,
@@ -113,7 +114,11 @@ final class AlarmsCommand implements Callable<Integer> {
         out.println();
         if (alert.rule() instanceof AlertRule.UnionOfProbabilities) {
             out.println("false alerts: "
-                    + FalseAlertRate.of(alert, settings.enabledSensors()).inWords());
+                    + FalseAlertRate.of(
+                                    alert,
+                                    settings.enabledSensors(),
+                                    settings.world().weather())
+                            .inWords());
             return;
         }
         out.printf("%-8s %18s %18s   %s%n", "confirm", "50 % per look", "90 % per look", "false alerts");
@@ -133,7 +138,12 @@ final class AlarmsCommand implements Callable<Integer> {
                 confirm.hits() + " of " + confirm.looks(),
                 100.0 * confirm.probability(EVEN),
                 100.0 * confirm.probability(LIKELY),
-                FalseAlertRate.of(changed, settings.enabledSensors()).inWords() + (isOwn ? "  <- this scene" : ""));
+                FalseAlertRate.of(
+                                        changed,
+                                        settings.enabledSensors(),
+                                        settings.world().weather())
+                                .inWords()
+                        + (isOwn ? "  <- this scene" : ""));
     }
 
     private String wanted(SceneSettings settings) {
@@ -161,7 +171,7 @@ final class AlarmsCommand implements Callable<Integer> {
         }
     }
 
-    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor) {
-        return sensor.as(FalseAlarming.class).flatMap(FalseAlarming::falseAlarmRate);
+    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor, Weather weather) {
+        return sensor.as(FalseAlarming.class).flatMap(capability -> capability.falseAlarmRate(weather));
     }
 }

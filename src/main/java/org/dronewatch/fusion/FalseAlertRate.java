@@ -10,6 +10,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.AzimuthSpan;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.world.Weather;
 
 /**
  * False alerts per day that result from a rule, in closed form.
@@ -55,11 +56,11 @@ public record FalseAlertRate(
         merging = List.copyOf(merging);
     }
 
-    /** The rate with an alert rule and a scene's sensors. */
-    public static FalseAlertRate of(AlertSettings alert, Map<String, SensorSettings<?>> sensors) {
+    /** The rate with an alert rule and a scene's sensors, in some weather. */
+    public static FalseAlertRate of(AlertSettings alert, Map<String, SensorSettings<?>> sensors, Weather weather) {
         Map<String, Confirmed> known = new LinkedHashMap<>();
         List<String> unknown = new ArrayList<>();
-        sensors.forEach((id, sensor) -> confirmed(alert.confirm(), sensor)
+        sensors.forEach((id, sensor) -> confirmed(alert.confirm(), sensor, weather)
                 .ifPresentOrElse(confirmed -> known.put(id, confirmed), () -> unknown.add(id)));
         List<Confirmed> all = List.copyOf(known.values());
         boolean isBound = all.stream().anyMatch(Confirmed::isUpperBound);
@@ -80,10 +81,10 @@ public record FalseAlertRate(
      *
      * @throws IllegalArgumentException if it does
      */
-    public static void check(AlertSettings alert, Map<String, SensorSettings<?>> sensors) {
+    public static void check(AlertSettings alert, Map<String, SensorSettings<?>> sensors, Weather weather) {
         if (alert.rule() instanceof AlertRule.SeveralSensors several) {
             double perSecond = sensors.values().stream()
-                    .flatMap(sensor -> confirmed(alert.confirm(), sensor).stream())
+                    .flatMap(sensor -> confirmed(alert.confirm(), sensor, weather).stream())
                     .mapToDouble(Confirmed::perSecond)
                     .sum();
             if (perSecond * several.within() > MOST_AT_A_TIME) {
@@ -123,9 +124,9 @@ public record FalseAlertRate(
         return String.format(Locale.ROOT, "%.1e", value);
     }
 
-    private static Optional<Confirmed> confirmed(Confirmation confirm, SensorSettings<?> sensor) {
+    private static Optional<Confirmed> confirmed(Confirmation confirm, SensorSettings<?> sensor, Weather weather) {
         return sensor.as(FalseAlarming.class).flatMap(capability -> capability
-                .falseAlarmRate()
+                .falseAlarmRate(weather)
                 .map(rate -> Confirmed.of(confirm, rate, capability.falseBearings())));
     }
 

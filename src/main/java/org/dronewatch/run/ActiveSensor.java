@@ -15,6 +15,7 @@ import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarmSource;
+import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /** A sensor during a run: when it looks next, which drones its observer has found, and its false alarms. */
@@ -27,12 +28,12 @@ final class ActiveSensor {
     private long nextIndex;
     private Encounters encounters = Encounters.NONE;
 
-    ActiveSensor(String id, SensorSettings<?> settings) {
+    ActiveSensor(String id, SensorSettings<?> settings, Weather weather) {
         this.id = id;
         this.settings = settings;
         this.sensor = settings.create();
         this.rate = settings.rate();
-        this.falseAlarms = FalseAlarmSource.of(settings);
+        this.falseAlarms = FalseAlarmSource.of(settings, weather);
     }
 
     String id() {

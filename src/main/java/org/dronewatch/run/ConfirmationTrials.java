@@ -40,8 +40,11 @@ final class ConfirmationTrials {
     private static Set<Confirmation> of(SceneSettings settings) {
         Set<Confirmation> all = new TreeSet<>(Comparator.comparingInt(Confirmation::hits)
                 .thenComparing(Confirmation::looks, Comparator.reverseOrder()));
-        boolean isPriced =
-                !FalseAlertRate.of(settings.alert(), settings.enabledSensors()).isUnknown();
+        boolean isPriced = !FalseAlertRate.of(
+                        settings.alert(),
+                        settings.enabledSensors(),
+                        settings.world().weather())
+                .isUnknown();
         if (isPriced && !(settings.alert().rule() instanceof AlertRule.UnionOfProbabilities)) {
             all.addAll(USUAL);
             all.add(settings.alert().confirm());

@@ -63,7 +63,8 @@ public record RunResult(
         AlertSettings alert = settings.alert();
         AlertSettings changed =
                 confirm.equals(alert.confirm()) ? alert : alert.withConfirmation(confirm.hits(), confirm.looks());
-        return FalseAlertRate.of(changed, settings.enabledSensors());
+        return FalseAlertRate.of(
+                changed, settings.enabledSensors(), settings.world().weather());
     }
 
     /** The observation with which a sensor first detected a drone; empty for never. */

@@ -98,7 +98,7 @@ public final class Stage {
         adviseOnFlights(settings, models);
         this.sensors = settings.enabledSensors();
         sensors.forEach((id, sensor) -> {
-            active.add(new ActiveSensor(id, sensor));
+            active.add(new ActiveSensor(id, sensor, settings.world().weather()));
             sensor.as(Mounted.class)
                     .flatMap(Mounted::createPositioner)
                     .ifPresent(positioner -> dispatch.add(id, positioner));

@@ -74,7 +74,7 @@ public record SceneSettings(
         }
         double duration = run.duration();
         sensors.forEach((id, sensor) -> checkLooks(id, sensor.rate(), duration));
-        FalseAlertRate.check(alert, sensors);
+        FalseAlertRate.check(alert, sensors, world.weather());
         sensors.forEach((id, sensor) -> Mounted.positioner(sensor)
                 .ifPresent(positioner -> positioner.cues().forEach(cue -> checkCue(id, cue, all))));
     }

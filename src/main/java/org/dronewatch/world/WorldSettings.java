@@ -174,6 +174,11 @@ public record WorldSettings(
         return SettingsForm.with(this, "rain", millimetresPerHour);
     }
 
+    /** The weather and light that they state. */
+    public Weather weather() {
+        return new Weather(rain, atmosphere.wind().speed(), light.visibility(), light.illuminance());
+    }
+
     /** These settings with other light. */
     public WorldSettings withLight(Light other) {
         return SettingsForm.with(this, "light", other);

@@ -1,10 +1,12 @@
 package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -48,13 +50,44 @@ class AlarmsCommandTest {
                 .contains("per day from radar, camera; unknown from radio");
     }
 
+    /** The radio receiver mistakes more in rain; the number in a run of 400 s has a Poisson distribution. */
+    @Test
+    void ratesAreThoseOfTheWeather() throws IOException {
+        String[] words = {
+            "falseAlarms: {perHour: 2, cells: 20, duration: 10 s}",
+            "falseAlarms: {perHour: 2, cells: 20, duration: 0, weather: [{rain: 4 mm/h, perHour: 1800}]}"
+        };
+        assertThat(changed(words[0], words[1])).containsPattern("radio +rf +2\\.00 ");
+        assertThat(changed(words[0], words[1], "--set", "world.rain=4")).containsPattern("radio +rf +1800 ");
+
+        Path results = directory.resolve("results");
+        Program.Outcome outcome = Program.run(
+                "run",
+                directory.resolve("changed.yaml").toString(),
+                "--set",
+                "world.rain=4",
+                "--set",
+                "run.duration=400",
+                "--set",
+                "sensors.camera.enabled=false",
+                "--out",
+                results.toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        long count = Files.readAllLines(results.resolve("detections.csv")).stream()
+                .filter(row -> row.contains(",false,") && row.contains(",radio,"))
+                .count();
+        assertThat((double) count).isCloseTo(200.0, within(4.0 * Math.sqrt(200.0)));
+        assertThat(Files.readString(results.resolve("report.html"))).contains("only where a rate is stated for them");
+    }
+
     /** What the command prints of the scene with some words replaced. */
-    private String changed(String words, String others) throws IOException {
+    private String changed(String words, String others, String... options) throws IOException {
         String text = Files.readString(Path.of(SCENE));
         assertThat(text).contains(words);
         Path scene = directory.resolve("changed.yaml");
         Files.writeString(scene, text.replace(words, others));
-        Program.Outcome outcome = Program.run("alarms", scene.toString());
+        Program.Outcome outcome = Program.run(Stream.concat(Stream.of("alarms", scene.toString()), Stream.of(options))
+                .toArray(String[]::new));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         return outcome.out();
     }

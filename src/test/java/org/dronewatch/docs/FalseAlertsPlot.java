@@ -11,6 +11,7 @@ import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.rf.RfSettings;
+import org.dronewatch.world.Weather;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.Styler.LegendPosition;
 
@@ -62,7 +63,8 @@ final class FalseAlertsPlot {
     private static double perDay(Confirmation rule, double perHour) {
         RfSettings sensor = RfSettings.at(new Position(0, 0, 0)).withFalseAlarms(new FalseAlarms(perHour, CELLS, 0));
         AlertSettings alert = AlertSettings.DEFAULT.withConfirmation(rule.hits(), rule.looks());
-        return FalseAlertRate.of(alert, Map.of("sensor", sensor)).perDay();
+        return FalseAlertRate.of(alert, Map.of("sensor", sensor), new Weather(0.0, 0.0, 20_000.0, 5_000.0))
+                .perDay();
     }
 
     /** Look by look over all combinations of the latest looks, of which none before the first has detected anything. */

@@ -45,7 +45,8 @@ class FalseAlarmsSceneTest {
                         .alert()
                         .withConfirmation(
                                 trial.confirm().hits(), trial.confirm().looks()),
-                radar);
+                radar,
+                run.settings().world().weather());
         return List.of(
                 FalseAlertRate.brief(run.falseAlertRate(trial.confirm()).perDay()),
                 FalseAlertRate.brief(alone.perDay()));

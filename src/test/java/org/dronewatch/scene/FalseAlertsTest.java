@@ -22,10 +22,13 @@ import org.dronewatch.sensor.radar.RadarFalseAlarms;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.world.Weather;
 import org.junit.jupiter.api.Test;
 
 /** False alarms and false alerts counted in runs without drones, against the closed forms. */
 class FalseAlertsTest {
+    private static final Weather FAIR = new Weather(0.0, 0.0, 20_000.0, 5_000.0);
+
     private static final long SEED = 31_337L;
     private static final Position PLACE = new Position(0, 0, 30);
     private static final double DAY = 86_400.0;
@@ -84,7 +87,7 @@ class FalseAlertsTest {
 
     private void assertAgrees(AlertSettings alert, Map<String, SensorSettings<?>> sensors, double duration) {
         RunResult run = run(alert, sensors, duration);
-        double expected = FalseAlertRate.of(alert, sensors).perDay() * duration / DAY;
+        double expected = rate(alert, sensors).perDay() * duration / DAY;
         long counted = run.falseAlarms().alertCount();
         System.out.printf("%d false alerts, expected %.1f%n", counted, expected);
         assertThat(expected).as("enough to tell").isGreaterThan(100.0);
@@ -131,7 +134,7 @@ class FalseAlertsTest {
     @Test
     void whatLastsTooShortlyNeedsAnother() {
         Map<String, SensorSettings<?>> sensors = Map.of("radio", radio(new FalseAlarms(100, 1, 2)));
-        FalseAlertRate bound = FalseAlertRate.of(confirmed(3, 5), sensors);
+        FalseAlertRate bound = rate(confirmed(3, 5), sensors);
         RunResult run = run(confirmed(3, 5), sensors, 60_000);
         double most = bound.perDay() * 60_000 / DAY;
         long counted = run.falseAlarms().alertCount();
@@ -147,7 +150,7 @@ class FalseAlertsTest {
             for (double lasting : new double[] {0.0, 1.5, 4.0, 10.0}) {
                 double before = 0.0;
                 for (double perHour = 1.0; perHour <= 3e5; perHour *= 3.0) {
-                    FalseAlertRate rate = FalseAlertRate.of(
+                    FalseAlertRate rate = rate(
                             confirmed(rule[0], rule[1]), Map.of("radio", radio(new FalseAlarms(perHour, 1, lasting))));
                     assertThat(rate.perDay())
                             .as("%d of %d, %s s, %s an hour", rule[0], rule[1], lasting, perHour)
@@ -156,11 +159,10 @@ class FalseAlertsTest {
                 }
             }
         }
-        FalseAlertRate merged =
-                FalseAlertRate.of(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(36_000, 1, 10))));
+        FalseAlertRate merged = rate(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(36_000, 1, 10))));
         assertThat(merged.merging()).containsExactly("radio");
         assertThat(merged.inWords()).isEqualTo("2192 per day, radio in false alarm most of the time");
-        assertThat(FalseAlertRate.of(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(100, 1, 10))))
+        assertThat(rate(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(100, 1, 10))))
                         .merging())
                 .isEmpty();
     }
@@ -189,9 +191,9 @@ class FalseAlertsTest {
         two.put("one", radar(0.2, 0.07));
         two.put("other", radar(0.25, 0.06));
         assertAgrees(gated(40), two, 300_000);
-        double nearly = FalseAlertRate.of(gated(10), two).perDay();
-        assertThat(FalseAlertRate.of(gated(20), two).perDay()).isCloseTo(2.0 * nearly, withinPercentage(2));
-        assertThat(FalseAlertRate.of(gated(180), two).perDay()).isBetween(15.0 * nearly, 18.0 * nearly);
+        double nearly = rate(gated(10), two).perDay();
+        assertThat(rate(gated(20), two).perDay()).isCloseTo(2.0 * nearly, withinPercentage(2));
+        assertThat(rate(gated(180), two).perDay()).isBetween(15.0 * nearly, 18.0 * nearly);
     }
 
     /** A radar all round and a camera of 60 degrees. */
@@ -240,5 +242,9 @@ class FalseAlertsTest {
                                 + " count at a time, must be at most 200000");
         run(hour.withConfirmation(3, 5), Map.of("radar", radar(1, 4), "camera", CameraSettings.at(PLACE)), 1);
         run(AlertSettings.DEFAULT.withRule(new AlertRule.SeveralSensors(2, 60)), two, 1);
+    }
+
+    private static FalseAlertRate rate(AlertSettings alert, Map<String, SensorSettings<?>> sensors) {
+        return FalseAlertRate.of(alert, sensors, FAIR);
     }
 }

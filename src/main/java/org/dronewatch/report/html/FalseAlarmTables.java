@@ -19,6 +19,7 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.world.Weather;
 
 /** What the alert rule of a run costs in false alerts, and what another confirmation would gain or lose. */
 final class FalseAlarmTables {
@@ -133,7 +134,7 @@ final class FalseAlarmTables {
         }
         List<List<String>> rows = new ArrayList<>();
         run.settings().enabledSensors().forEach((id, sensor) -> {
-            Optional<FalseAlarmRate> known = rate(sensor);
+            Optional<FalseAlarmRate> known = rate(sensor, run.settings().world().weather());
             List<String> row = new ArrayList<>(List.of(
                     id,
                     known.map(one -> FalseAlertRate.brief(one.perHour())).orElse("unknown"),
@@ -142,7 +143,10 @@ final class FalseAlarmTables {
                     known.map(one -> Integer.toString(one.looks())).orElse(NONE),
                     Long.toString(counted.counted().getOrDefault(id, 0L))));
             if (isAlone) {
-                FalseAlertRate alone = FalseAlertRate.of(run.settings().alert(), Map.of(id, sensor));
+                FalseAlertRate alone = FalseAlertRate.of(
+                        run.settings().alert(),
+                        Map.of(id, sensor),
+                        run.settings().world().weather());
                 row.add(known.isPresent() ? FalseAlertRate.brief(alone.perDay()) : "unknown");
             }
             rows.add(row);
@@ -150,7 +154,7 @@ final class FalseAlarmTables {
         return Html.table(head, rows);
     }
 
-    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor) {
-        return sensor.as(FalseAlarming.class).flatMap(FalseAlarming::falseAlarmRate);
+    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor, Weather weather) {
+        return sensor.as(FalseAlarming.class).flatMap(capability -> capability.falseAlarmRate(weather));
     }
 }

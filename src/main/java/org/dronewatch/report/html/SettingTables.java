@@ -225,7 +225,8 @@ final class SettingTables {
                 result.runs().stream().anyMatch(run -> !run.settings().birds().isEmpty());
         String ofBirds = hasBirds ? " Birds that sensors detect are false alarms, too." : "";
         if (!rate.isUnknown()) {
-            return "False alarms occur at the stated rates, independently of weather, light and site." + rest + ofBirds;
+            return "False alarms occur at the stated rates, which depend on weather and light only where a rate is stated for"
+                    + " them, and not on the site." + rest + ofBirds;
         }
         return hasBirds
                 ? "Birds that sensors detect are the only false alarms: no sensor's false-alarm rate is known."

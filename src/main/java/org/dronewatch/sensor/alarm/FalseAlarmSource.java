@@ -12,6 +12,7 @@ import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /**
@@ -48,10 +49,15 @@ public final class FalseAlarmSource {
         this.dimensions = capability.dimensions();
     }
 
-    /** The source of a sensor's false alarms; empty for one that raises none, or whose rate is not known. */
-    public static Optional<FalseAlarmSource> of(SensorSettings<?> settings) {
+    /**
+     * The source of a sensor's false alarms; empty for one that raises none, or whose rate is not known.
+     *
+     * @param settings of the sensor
+     * @param weather of its site
+     */
+    public static Optional<FalseAlarmSource> of(SensorSettings<?> settings, Weather weather) {
         return settings.as(FalseAlarming.class).flatMap(capability -> capability
-                .falseAlarmRate()
+                .falseAlarmRate(weather)
                 .filter(rate -> rate.perLook() > 0.0)
                 .map(rate -> new FalseAlarmSource(settings, capability, rate)));
     }

@@ -3,6 +3,7 @@ package org.dronewatch.sensor.alarm;
 import java.util.Optional;
 import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.Reading;
+import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /**
@@ -12,8 +13,13 @@ import org.dronewatch.world.World;
  */
 public interface FalseAlarming {
 
-    /** The rate of its false alarms; empty when that is not known. */
+    /** The rate of its false alarms, in weather for which no other is stated; empty when that is not known. */
     Optional<FalseAlarmRate> falseAlarmRate();
+
+    /** The rate of its false alarms in some weather: the same in any, unless overridden; empty when not known. */
+    default Optional<FalseAlarmRate> falseAlarmRate(Weather weather) {
+        return falseAlarmRate();
+    }
 
     /**
      * How many of three random numbers, 0 to 1 each, determine the cell of a false alarm, 0 to 3; 0 unless overridden,
@@ -61,6 +67,11 @@ public interface FalseAlarming {
         @Override
         default Optional<FalseAlarmRate> falseAlarmRate() {
             return falseAlarms().map(known -> known.rate(rate()));
+        }
+
+        @Override
+        default Optional<FalseAlarmRate> falseAlarmRate(Weather weather) {
+            return falseAlarms().map(known -> known.in(weather).rate(rate()));
         }
     }
 }

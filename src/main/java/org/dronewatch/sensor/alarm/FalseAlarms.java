@@ -1,10 +1,13 @@
 package org.dronewatch.sensor.alarm;
 
+import java.util.List;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.Weather;
 
 /**
  * The rate at which a sensor mistakes other things for drones, as stated by its manufacturer or counted in a trial.
@@ -14,11 +17,14 @@ import org.dronewatch.setting.SettingsForm;
  *     same cell confirm each other; 1, the most cautious value, if all of them do
  * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
  *     confirmed like a drone
+ * @param weather rates that apply instead of {@code perHour} in some weather or light; the first whose conditions the
+ *     site meets. None unless set: then the rate is the same in all weathers
  */
 public record FalseAlarms(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
         @In(value = Quantity.NUMBER, from = 1, to = 1e9) int cells,
-        @In(value = Quantity.DURATION, from = 0, to = 600) double duration) {
+        @In(value = Quantity.DURATION, from = 0, to = 600) double duration,
+        @Minor List<WeatherRate> weather) {
     private static final double HOUR = 3600.0;
 
     /** A duration that is a whole number of looks but for rounding is not one look longer. */
@@ -26,7 +32,13 @@ public record FalseAlarms(
 
     /** Checks the limits. */
     public FalseAlarms {
-        Limits.check(FalseAlarms.class, perHour, cells, duration);
+        Limits.check(FalseAlarms.class, perHour, cells, duration, weather);
+        weather = List.copyOf(weather);
+    }
+
+    /** False alarms with the same rate in all weathers. */
+    public FalseAlarms(double perHour, int cells, double duration) {
+        this(perHour, cells, duration, List.of());
     }
 
     /**
@@ -49,13 +61,30 @@ public record FalseAlarms(
         return SettingsForm.with(this, "duration", seconds);
     }
 
+    /** These false alarms with other rates in some weathers. */
+    public FalseAlarms withWeather(List<WeatherRate> rates) {
+        return SettingsForm.with(this, "weather", rates);
+    }
+
+    /** These false alarms in some weather: with the rate that applies there, and no other. */
+    public FalseAlarms in(Weather given) {
+        double applies = weather.stream()
+                .filter(one -> one.appliesIn(given))
+                .findFirst()
+                .map(WeatherRate::perHour)
+                .orElse(perHour);
+        return new FalseAlarms(applies, cells, duration);
+    }
+
     /**
-     * The rate of these false alarms for a sensor's looks.
+     * The rate of these false alarms for a sensor's looks, in weather for which no other is stated.
      *
      * @param lookRate looks per second, above 0, Hz
-     * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} are expected in a look
+     * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} are expected in a look, in
+     *     any weather
      */
     public FalseAlarmRate rate(double lookRate) {
+        weather.forEach(one -> new FalseAlarms(one.perHour(), cells, duration).rate(lookRate));
         int looks = (int) Math.max(1.0, Math.ceil(duration * lookRate - ROUNDING));
         return new FalseAlarmRate(perHour / (HOUR * lookRate), cells, looks, lookRate);
     }

@@ -23,6 +23,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /**
@@ -185,7 +186,16 @@ public record ThermalSettings(
     /** {@inheritDoc} The stated rate; otherwise that of noise with point targets. */
     @Override
     public Optional<FalseAlarmRate> falseAlarmRate() {
-        return falseAlarms.map(known -> known.rate(rate)).or(() -> pointTargets.map(rule -> rule.rate(pixels(), rate)));
+        return falseAlarms.map(known -> known.rate(rate)).or(this::rateOfNoise);
+    }
+
+    @Override
+    public Optional<FalseAlarmRate> falseAlarmRate(Weather weather) {
+        return falseAlarms.map(known -> known.in(weather).rate(rate)).or(this::rateOfNoise);
+    }
+
+    private Optional<FalseAlarmRate> rateOfNoise() {
+        return pointTargets.map(rule -> rule.rate(pixels(), rate));
     }
 
     /** A reading exactly at the threshold. */

@@ -30,12 +30,17 @@ import org.dronewatch.sensor.radar.RadarFalseAlarms;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.sensor.thermal.ThermalSettings;
+import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What sensors report although there is nothing. */
 class FalseAlarmSourceTest {
     private static final long SEED = 4_711L;
+    private static final Weather FAIR = new Weather(0.0, 0.0, 20_000.0, 5_000.0);
+
     private static final Position PLACE = new Position(1, 2, 3);
     private static final World WORLD =
             World.of(TriangleMesh.of(new float[] {-9, -9, -9, 9, -9, -9, 9, 9, -9}, new int[] {0, 1, 2}));
@@ -45,7 +50,7 @@ class FalseAlarmSourceTest {
     private static final double IMPROBABLE = 61.7;
 
     private static List<Observation> observe(SensorSettings<?> sensor, int looks) {
-        FalseAlarmSource source = FalseAlarmSource.of(sensor).orElseThrow();
+        FalseAlarmSource source = FalseAlarmSource.of(sensor, FAIR).orElseThrow();
         List<Observation> all = new ArrayList<>();
         for (int i = 0; i < looks; i++) {
             all.addAll(source.observe(WORLD, Look.of(SEED, "watch", i, i / sensor.rate())));
@@ -190,7 +195,7 @@ class FalseAlarmSourceTest {
                 .withPositioner(PositionerSettings.DEFAULT)
                 .withFalseAlarms(new FalseAlarms(36_000, 1, 0));
         Pointing south = new Pointing(new Direction(Math.PI, 0.1), 0, 0, 0.05, java.util.OptionalInt.empty());
-        FalseAlarmSource source = FalseAlarmSource.of(camera).orElseThrow();
+        FalseAlarmSource source = FalseAlarmSource.of(camera, FAIR).orElseThrow();
         List<Observation> seen =
                 source.observe(WORLD, Look.of(SEED, "watch", 0, 0).withPointing(Optional.of(south)));
         assertThat(seen).isNotEmpty().allSatisfy(one -> {
@@ -257,7 +262,8 @@ class FalseAlarmSourceTest {
         RfSettings sensor = RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(3600, 1, 100));
         int sum = 0;
         for (int i = 0; i < 200; i++) {
-            List<Observation> first = FalseAlarmSource.of(sensor).orElseThrow().observe(WORLD, Look.of(i, "x", 0, 0));
+            List<Observation> first =
+                    FalseAlarmSource.of(sensor, FAIR).orElseThrow().observe(WORLD, Look.of(i, "x", 0, 0));
             assertThat(first).allMatch(FalseAlarmSource::isNew);
             sum += first.size();
         }
@@ -272,10 +278,48 @@ class FalseAlarmSourceTest {
         assertThat(observe(chance, 50)).isEqualTo(observe(chance, 50)).allMatch(Observation::isDetected);
     }
 
+    /** With 60 in calm and dry hours, 1,800 in wind, and 7,200 in rain, windy or not: Poisson numbers. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 60", "1.9, 7.9, 60", "0, 8, 1800", "2, 0, 7200", "2, 20, 7200"})
+    void asManyAsTheRateOfTheWeather(double rain, double wind, double perHour) {
+        FalseAlarms alarms = new FalseAlarms(60.0, 1, 0.0)
+                .withWeather(List.of(
+                        WeatherRate.of(7200.0).withRain(2.0),
+                        WeatherRate.of(1800.0).withWind(8.0)));
+        SensorSettings<?> sensor = RfSettings.at(PLACE).withFalseAlarms(alarms);
+        FalseAlarmSource source = FalseAlarmSource.of(sensor, new Weather(rain, wind, 20_000.0, 5_000.0))
+                .orElseThrow();
+        double hours = 2.0;
+        int count = 0;
+        for (int i = 0; i < hours * 3600.0 * sensor.rate(); i++) {
+            count += source.observe(WORLD, Look.of(SEED, "ear", i, i / sensor.rate()))
+                    .size();
+        }
+        double expected = perHour * hours;
+        assertThat((double) count).as("seed %d", SEED).isCloseTo(expected, within(4.0 * Math.sqrt(expected)));
+    }
+
+    /** All conditions count; in haze and at night are up to a limit, rain and wind from one on. */
+    @Test
+    void aRateAppliesWhereTheWeatherMeetsItsConditions() {
+        WeatherRate misty = WeatherRate.of(5.0).withVisibility(1000.0).withIlluminance(10.0);
+        assertThat(misty.appliesIn(new Weather(0, 0, 1000.0, 10.0))).isTrue();
+        assertThat(misty.appliesIn(new Weather(500, 60, 1.0, 1e-5))).isTrue();
+        assertThat(misty.appliesIn(new Weather(0, 0, 1001.0, 10.0))).isFalse();
+        assertThat(misty.appliesIn(new Weather(0, 0, 1000.0, 11.0))).isFalse();
+        assertThat(WeatherRate.of(5.0).appliesIn(new Weather(0, 0, 1e6, 200_000)))
+                .isTrue();
+        assertThat(WeatherRate.of(5.0).withRain(1e-3).appliesIn(FAIR)).isFalse();
+        // Too many are too many in any weather.
+        FalseAlarms storm =
+                FalseAlarms.of(1.0).withWeather(List.of(WeatherRate.of(1e7).withWind(30.0)));
+        assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(storm)).hasMessageContaining("must be 0 to 1000");
+    }
+
     @Test
     void whereNoRateIsKnownThereIsNothing() {
-        assertThat(FalseAlarmSource.of(RfSettings.at(PLACE))).isEmpty();
-        assertThat(FalseAlarmSource.of(RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(0))))
+        assertThat(FalseAlarmSource.of(RfSettings.at(PLACE), FAIR)).isEmpty();
+        assertThat(FalseAlarmSource.of(RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(0)), FAIR))
                 .isEmpty();
         assertThat(RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(0)).falseAlarmRate())
                 .isPresent();

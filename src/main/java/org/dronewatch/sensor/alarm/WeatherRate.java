@@ -1,0 +1,64 @@
+package org.dronewatch.sensor.alarm;
+
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.Weather;
+
+/**
+ * A rate of false alarms that applies in some weather or light: where the site's meets all its conditions. One that is
+ * left out is always met.
+ *
+ * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
+ * @param rain rain rate from which it applies, 0 to 500 mm/h
+ * @param wind wind speed at a height of 10 m from which it applies, 0 to 60 m/s
+ * @param visibility visibility up to which it applies, above 0 and at most 1000 km
+ * @param illuminance illuminance of the ground up to which it applies, 1e-5 to 200,000 lx
+ */
+public record WeatherRate(
+        @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
+        @In(value = Quantity.PRECIPITATION, from = 0, to = 500) double rain,
+        @In(value = Quantity.SPEED, from = 0, to = 60) double wind,
+        @In(value = Quantity.LENGTH, above = 0, to = 1e6) double visibility,
+        @In(value = Quantity.ILLUMINANCE, from = 1e-5, to = 200_000) double illuminance) {
+    /** Checks the limits. */
+    public WeatherRate {
+        Limits.check(WeatherRate.class, perHour, rain, wind, visibility, illuminance);
+    }
+
+    /** A rate that applies in any weather. */
+    @Defaults("perHour")
+    public static WeatherRate of(double perHour) {
+        return new WeatherRate(perHour, 0.0, 0.0, 1e6, 200_000.0);
+    }
+
+    /** This rate in rain only, from a rain rate on, mm/h. */
+    public WeatherRate withRain(double millimetresPerHour) {
+        return SettingsForm.with(this, "rain", millimetresPerHour);
+    }
+
+    /** This rate in wind only, from a speed on, m/s. */
+    public WeatherRate withWind(double metresPerSecond) {
+        return SettingsForm.with(this, "wind", metresPerSecond);
+    }
+
+    /** This rate in haze only, up to a visibility, m. */
+    public WeatherRate withVisibility(double metres) {
+        return SettingsForm.with(this, "visibility", metres);
+    }
+
+    /** This rate in the dark only, up to an illuminance, lx. */
+    public WeatherRate withIlluminance(double lux) {
+        return SettingsForm.with(this, "illuminance", lux);
+    }
+
+    /** Whether it applies in some weather. */
+    public boolean appliesIn(Weather weather) {
+        return weather.rain() >= rain
+                && weather.wind() >= wind
+                && weather.visibility() <= visibility
+                && weather.illuminance() <= illuminance;
+    }
+}

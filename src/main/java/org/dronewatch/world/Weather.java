@@ -1,0 +1,11 @@
+package org.dronewatch.world;
+
+/**
+ * The weather and light of a site, as far as the number of a sensor's false alarms may depend on them.
+ *
+ * @param rain rain rate, mm/h
+ * @param wind wind speed at a height of 10 m, m/s
+ * @param visibility m
+ * @param illuminance of the ground, lx
+ */
+public record Weather(double rain, double wind, double visibility, double illuminance) {}
