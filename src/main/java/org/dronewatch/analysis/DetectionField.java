@@ -71,14 +71,14 @@ public final class DetectionField {
             List<Course> courses,
             IntConsumer progress) {
         Drone sample = droneOf(stage, drone);
-        FieldColumns columns = new FieldColumns(stage.world(), grid);
+        FieldColumns columns = FieldColumns.of(stage.world(), grid);
         Map<String, FieldProbe> probes = new LinkedHashMap<>();
         List<SensorLayer> layers = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             FieldProbe probe = new FieldProbe(
                     stage.world(), sample, id, sensor, settings.run().seed(), List.copyOf(courses));
             probes.put(id, probe);
-            layers.add(SensorLayer.of(probe, grid, columns, progress));
+            layers.add(SensorLayer.of(probe, columns, progress));
         });
         int[] all = new int[courses.size()];
         for (int i = 0; i < all.length; i++) {

@@ -9,7 +9,7 @@ import org.dronewatch.world.SurfaceColumn;
 import org.dronewatch.world.World;
 
 /**
- * The ground below the cells of a grid, and which cells are inside something solid. Heights count from the ground, not
+ * The ground below columns of cells, and which cells are inside something solid. Heights count from the ground, not
  * from roofs: from the terrain, or, where there is none, from the lowest surface that faces up, such as a floor. A cell
  * is inside something solid where the nearest surface above it faces up: it is seen from its back.
  */
@@ -18,35 +18,81 @@ final class FieldColumns {
     private static final byte INSIDE = 1;
     private static final byte NO_GROUND = 2;
 
-    private final FieldGrid grid;
+    private final int columns;
+    private final int rows;
+    private final List<Double> heights;
+    private final Plan plan;
     private final double[] ground;
     private final byte[] kinds;
 
+    /** Where the columns are. */
+    interface Plan {
+        /** The east coordinate of a column, m. */
+        double x(int column, int row);
+
+        /** Its north coordinate, m. */
+        double y(int column, int row);
+    }
+
     /** The columns of a grid, on the threads of the {@link Workers} that call. */
-    FieldColumns(World world, FieldGrid grid) {
-        this.grid = grid;
-        this.ground = new double[grid.cells()];
-        this.kinds = new byte[grid.cells() * grid.heights().size()];
-        Workers.forEach(grid.columns(), row -> {
-            for (int column = 0; column < grid.columns(); column++) {
-                set(column, row, SurfaceColumn.at(world, grid.x(column), grid.y(row)));
+    static FieldColumns of(World world, FieldGrid grid) {
+        Plan square = new Plan() {
+            @Override
+            public double x(int column, int row) {
+                return grid.x(column);
+            }
+
+            @Override
+            public double y(int column, int row) {
+                return grid.y(row);
+            }
+        };
+        return new FieldColumns(world, grid.columns(), grid.columns(), grid.heights(), square);
+    }
+
+    /** Columns anywhere, on the threads of the {@link Workers} that call; heights above the ground, m. */
+    FieldColumns(World world, int columns, int rows, List<Double> heights, Plan plan) {
+        this.columns = columns;
+        this.rows = rows;
+        this.heights = heights;
+        this.plan = plan;
+        this.ground = new double[columns * rows];
+        this.kinds = new byte[ground.length * heights.size()];
+        Workers.forEach(rows, row -> {
+            for (int column = 0; column < columns; column++) {
+                set(column, row, SurfaceColumn.at(world, plan.x(column, row), plan.y(column, row)));
             }
         });
     }
 
     private void set(int column, int row, SurfaceColumn surfaces) {
         Optional<SurfaceColumn.Surface> lowest = surfaces.ground();
-        int cell = row * grid.columns() + column;
+        int cell = row * columns + column;
         ground[cell] = lowest.map(SurfaceColumn.Surface::z).orElse(Double.NaN);
-        for (int height = 0; height < grid.heights().size(); height++) {
-            kinds[height * grid.cells() + cell] = lowest.isEmpty()
+        for (int height = 0; height < heights.size(); height++) {
+            kinds[index(height, column, row)] = lowest.isEmpty()
                     ? NO_GROUND
-                    : isInside(
-                                    surfaces.surfaces(),
-                                    ground[cell] + grid.heights().get(height))
-                            ? INSIDE
-                            : OPEN;
+                    : isInside(surfaces.surfaces(), ground[cell] + heights.get(height)) ? INSIDE : OPEN;
         }
+    }
+
+    private int index(int height, int column, int row) {
+        return (height * rows + row) * columns + column;
+    }
+
+    /** The number of columns in a row. */
+    int columns() {
+        return columns;
+    }
+
+    /** The number of rows. */
+    int rows() {
+        return rows;
+    }
+
+    /** The heights above the ground, m. */
+    List<Double> heights() {
+        return heights;
     }
 
     /** Surfaces are given from the highest to the lowest. */
@@ -63,7 +109,7 @@ final class FieldColumns {
 
     /** Whether there is ground below a column. */
     boolean hasGround(int column, int row) {
-        return !Double.isNaN(ground[row * grid.columns() + column]);
+        return !Double.isNaN(ground[row * columns + column]);
     }
 
     /** The number of columns with ground below them. */
@@ -73,24 +119,21 @@ final class FieldColumns {
 
     /** The height of the ground, m; NaN where there is none. */
     double ground(int column, int row) {
-        return ground[row * grid.columns() + column];
+        return ground[row * columns + column];
     }
 
     /** Whether a cell is inside something solid. */
     boolean isInside(int height, int column, int row) {
-        return kinds[height * grid.cells() + row * grid.columns() + column] == INSIDE;
+        return kinds[index(height, column, row)] == INSIDE;
     }
 
     /** Whether a drone can be in a cell: there is ground below, and nothing solid around it. */
     boolean isOpen(int height, int column, int row) {
-        return kinds[height * grid.cells() + row * grid.columns() + column] == OPEN;
+        return kinds[index(height, column, row)] == OPEN;
     }
 
     /** The middle of a cell, m; over ground only. */
     Position middle(int height, int column, int row) {
-        return new Position(
-                grid.x(column),
-                grid.y(row),
-                ground(column, row) + grid.heights().get(height));
+        return new Position(plan.x(column, row), plan.y(column, row), ground(column, row) + heights.get(height));
     }
 }

@@ -45,7 +45,7 @@ public final class FieldCoverage {
         }
         this.field = field;
         this.choice = choice;
-        this.needed = (int) Math.ceil(covered * SensorLayer.STEPS - 1e-9);
+        this.needed = SensorLayer.stepsToCover(covered);
         int all = field.grid().cells() * field.grid().heights().size();
         this.courses = new byte[all];
         this.causes = new byte[all];

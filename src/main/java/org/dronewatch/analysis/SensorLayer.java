@@ -48,19 +48,19 @@ final class SensorLayer {
      *
      * @param progress receives the number of cells done since the last call; from any thread
      */
-    static SensorLayer of(FieldProbe probe, FieldGrid grid, FieldColumns columns, IntConsumer progress) {
-        SensorLayer layer = new SensorLayer(grid.columns(), grid.heights().size());
+    static SensorLayer of(FieldProbe probe, FieldColumns columns, IntConsumer progress) {
+        SensorLayer layer = new SensorLayer(columns.rows(), columns.heights().size());
         Workers.forEach(layer.entries.length, probe::newAssessor, (assessor, index) -> {
-            Row row = new Row(grid.columns(), probe.courses().size());
+            Row row = new Row(columns.columns(), probe.courses().size());
             int height = index / layer.rows;
-            for (int column = 0; column < grid.columns(); column++) {
+            for (int column = 0; column < columns.columns(); column++) {
                 if (columns.isOpen(height, column, index % layer.rows)) {
                     row.set(column, probe, assessor, columns.middle(height, column, index % layer.rows));
                 }
             }
             layer.entries[index] = row.entries;
             layer.byCourse[index] = Arrays.copyOf(row.pool, row.used);
-            progress.accept(grid.columns());
+            progress.accept(columns.columns());
         });
         return layer;
     }
@@ -131,6 +131,11 @@ final class SensorLayer {
             int steps = cause == Cause.UNKNOWN ? 0 : steps(assessment.probability());
             return steps | cause.ordinal() << CAUSE_SHIFT;
         }
+    }
+
+    /** The least number of steps of a probability with which a sensor covers a cell. */
+    static int stepsToCover(double covered) {
+        return (int) Math.ceil(covered * STEPS - 1e-9);
     }
 
     /** A probability in steps of 1/250: 0 and 250 for exactly 0 and 1 alone. */

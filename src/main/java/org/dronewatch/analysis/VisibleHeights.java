@@ -41,7 +41,7 @@ public final class VisibleHeights {
     }
 
     private static VisibleHeights of(Map<String, Position> positions, Stage stage, FieldGrid grid) {
-        FieldColumns columns = new FieldColumns(stage.world(), grid);
+        FieldColumns columns = FieldColumns.of(stage.world(), grid);
         List<Position> points = new ArrayList<>(positions.values());
         float[][] heights = new float[points.size()][grid.cells()];
         double top = grid.heights().get(grid.heights().size() - 1);

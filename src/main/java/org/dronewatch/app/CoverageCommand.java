@@ -17,14 +17,17 @@ import org.dronewatch.analysis.DetectionField;
 import org.dronewatch.analysis.FieldGrid;
 import org.dronewatch.analysis.FieldSummary;
 import org.dronewatch.analysis.InboundTarget;
+import org.dronewatch.analysis.InboundWarnings;
 import org.dronewatch.analysis.VisibleHeights;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.CoverageDirectory;
+import org.dronewatch.report.CoverageFindings;
 import org.dronewatch.report.CoverageInputs;
 import org.dronewatch.report.CoveragePicture;
 import org.dronewatch.report.CoverageTable;
 import org.dronewatch.report.FieldPictures;
 import org.dronewatch.report.FieldTable;
+import org.dronewatch.report.WarningTable;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -162,19 +165,23 @@ final class CoverageCommand implements Callable<Integer> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);
                 List<Course> courses = field.courses(settings, stage, id);
-                DetectionField found = withProgress(
-                        (long) grid.cells() * grid.heights().size(),
+                CoverageFindings found = withProgress(
+                        (long) grid.cells() * grid.heights().size() + InboundWarnings.cells(grid),
                         settings,
-                        progress -> DetectionField.of(settings, stage, id, grid, courses, progress));
-                FieldSummary summary = FieldSummary.of(found, field.choice(), field.covered());
-                VisibleHeights visible = VisibleHeights.of(settings, stage, grid);
+                        progress -> new CoverageFindings(
+                                FieldSummary.of(
+                                        DetectionField.of(settings, stage, id, grid, courses, progress),
+                                        field.choice(),
+                                        field.covered()),
+                                VisibleHeights.of(settings, stage, grid),
+                                InboundWarnings.of(settings, stage, id, grid, field.covered(), progress)));
                 if (target != null) {
                     List<Position> sensors = settings.enabledSensors().values().stream()
                             .map(sensor -> sensor.position())
                             .toList();
-                    target.write(summary, visible, inputs, new FieldPictures(stage.world(), sensors, inputs));
+                    target.write(found, inputs, new FieldPictures(stage.world(), sensors, stage.protection(), inputs));
                 }
-                print(summary, visible);
+                print(found);
                 return 0;
             });
         }
@@ -248,14 +255,16 @@ final class CoverageCommand implements Callable<Integer> {
         CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
     }
 
-    private void print(FieldSummary summary, VisibleHeights visible) {
+    private void print(CoverageFindings found) {
         PrintWriter target = spec.commandLine().getOut();
-        FieldTable.causes(summary).forEach(target::println);
+        FieldTable.causes(found.summary()).forEach(target::println);
         target.println();
-        FieldTable.visible(visible).forEach(target::println);
+        FieldTable.visible(found.visible()).forEach(target::println);
         target.println();
-        FieldTable.gaps(summary).forEach(target::println);
+        FieldTable.gaps(found.summary()).forEach(target::println);
         target.println();
-        FieldTable.losses(summary).forEach(target::println);
+        FieldTable.losses(found.summary()).forEach(target::println);
+        target.println();
+        WarningTable.lines(found.warnings()).forEach(target::println);
     }
 }

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.analysis.FieldSummary;
-import org.dronewatch.analysis.VisibleHeights;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {
@@ -26,14 +25,16 @@ public final class CoverageDirectory implements AutoCloseable {
      *
      * @throws org.dronewatch.setting.InputException when writing fails
      */
-    public void write(FieldSummary summary, VisibleHeights visible, CoverageInputs inputs, FieldPictures pictures) {
+    public void write(CoverageFindings findings, CoverageInputs inputs, FieldPictures pictures) {
+        FieldSummary summary = findings.summary();
         directory.write(() -> {
-            JsonFile.write(directory.file("coverage.json"), FieldFile.toJson(summary, visible, inputs));
+            JsonFile.write(directory.file("coverage.json"), FieldFile.toJson(findings, inputs));
             for (int height = 0; height < summary.heights().size(); height++) {
                 String metres = Numbers.text(summary.heights().get(height).height());
                 write("cause-" + metres + ".png", pictures.causes(summary, height));
             }
-            write("visible-height.png", pictures.visibleHeights(visible));
+            write("visible-height.png", pictures.visibleHeights(findings.visible()));
+            write("warning.png", pictures.warnings(findings.visible().grid(), findings.warnings()));
             directory.publish(List.of());
         });
     }

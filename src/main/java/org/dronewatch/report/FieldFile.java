@@ -6,6 +6,7 @@ import org.dronewatch.analysis.FieldSummary;
 import org.dronewatch.analysis.Gap;
 import org.dronewatch.analysis.HeightSummary;
 import org.dronewatch.analysis.VisibleHeights;
+import org.dronewatch.analysis.Warning;
 import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -18,7 +19,8 @@ final class FieldFile {
 
     private FieldFile() {}
 
-    static ObjectNode toJson(FieldSummary summary, VisibleHeights visible, CoverageInputs inputs) {
+    static ObjectNode toJson(CoverageFindings findings, CoverageInputs inputs) {
+        FieldSummary summary = findings.summary();
         FieldGrid grid = summary.coverage().field().grid();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);
@@ -33,9 +35,14 @@ final class FieldFile {
         root.put("north_m", Numbers.rounded(grid.y(0) + 0.5 * grid.cell()));
         inputs.origin().ifPresent(origin -> ResultFile.add(root.putObject("origin"), origin));
         ArrayNode heights = root.putArray("heights");
-        summary.heights().forEach(height -> add(heights.addObject(), height, visible));
+        summary.heights().forEach(height -> add(heights.addObject(), height, findings.visible()));
         ArrayNode idle = root.putArray("idle_sensors");
         summary.idleSensors().forEach(idle::add);
+        ArrayNode warnings = root.putArray("warning");
+        findings.warnings()
+                .all()
+                .forEach(one ->
+                        add(warnings.addObject(), one, findings.warnings().response()));
         root.put("complete", true);
         return root;
     }
@@ -63,6 +70,24 @@ final class FieldFile {
             add(node.putObject("gap"), height.gap().get());
         } else {
             node.putNull("gap");
+        }
+    }
+
+    /** Without a required response, it is not stated whether a warning is in time. */
+    private static void add(ObjectNode node, Warning warning, double response) {
+        node.put("bearing_deg", Numbers.rounded(Math.toDegrees(warning.bearing())));
+        node.put("height_m", Numbers.rounded(warning.height()));
+        if (warning.range().isPresent() && warning.time().isPresent()) {
+            node.put("range_m", Numbers.rounded(warning.range().getAsDouble()));
+            node.put("warning_s", Numbers.rounded(warning.time().getAsDouble()));
+        } else {
+            node.putNull("range_m");
+            node.putNull("warning_s");
+        }
+        if (response > 0.0) {
+            node.put("in_time", warning.isInTime(response));
+        } else {
+            node.putNull("in_time");
         }
     }
 

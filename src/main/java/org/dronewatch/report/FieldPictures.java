@@ -1,19 +1,24 @@
 package org.dronewatch.report;
 
 import java.awt.Color;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.FieldCoverage;
 import org.dronewatch.analysis.FieldGrid;
 import org.dronewatch.analysis.FieldSummary;
 import org.dronewatch.analysis.HeightSummary;
+import org.dronewatch.analysis.InboundWarnings;
 import org.dronewatch.analysis.VisibleHeights;
+import org.dronewatch.analysis.Warning;
+import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.world.World;
 
-/** Maps of a site's coverage: the dominant cause at each height, and the least visible height. */
+/** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
 public final class FieldPictures {
     /** From light to dark, so that they keep their order in black and white; above the last one nothing is visible. */
     private static final Color LOWEST = new Color(0xfff3c4);
@@ -22,19 +27,30 @@ public final class FieldPictures {
     private static final Color HIDDEN = new Color(0x2b2b2b);
     private static final double STRENGTH = 0.75;
 
+    /** Lines on a pale map. */
+    private static final Color NEAR_GROUND = new Color(0xd55e00);
+
+    /** Corners of the outline of a sphere. */
+    private static final int CIRCLE = 72;
+
+    private static final Color HIGH_UP = new Color(0x0072b2);
+
     private final World world;
     private final List<Position> sensors;
+    private final Protection protection;
     private final CoverageInputs inputs;
 
     /**
      * Maps of one site.
      *
      * @param sensors where they are, m
+     * @param protection the protected zones
      * @param inputs what the coverage was asked for
      */
-    public FieldPictures(World world, List<Position> sensors, CoverageInputs inputs) {
+    public FieldPictures(World world, List<Position> sensors, Protection protection, CoverageInputs inputs) {
         this.world = world;
         this.sensors = List.copyOf(sensors);
+        this.protection = protection;
         this.inputs = inputs;
     }
 
@@ -100,6 +116,68 @@ public final class FieldPictures {
         sheet.space();
         sheet.line("cells of " + metres(grid.cell()));
         return sheet;
+    }
+
+    /**
+     * Where straight inbound flights are first detected, a line for each height, and where they have to be if the
+     * response is to be in time.
+     */
+    MapSheet warnings(FieldGrid grid, InboundWarnings warnings) {
+        MapSheet sheet = new MapSheet(grid);
+        sheet.drawMap(world, (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35), sensors);
+        sheet.title(inputs.scene());
+        sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
+        sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
+        sheet.line("is first detected, from up to " + metres(warnings.reach()) + ";");
+        sheet.line("least warning until it arrives:");
+        sheet.space();
+        double[] heights = WarningTable.heights(warnings);
+        for (int i = 0; i < heights.length; i++) {
+            double height = heights[i];
+            List<Warning> its = warnings.all().stream()
+                    .filter(one -> one.height() == height)
+                    .toList();
+            Color colour =
+                    MapSheet.mixed(NEAR_GROUND, HIGH_UP, heights.length == 1 ? 0.0 : (double) i / (heights.length - 1));
+            sheet.outline(outline(warnings, its), colour, i + 1);
+            sheet.sample(colour, i + 1, metres(height) + ": least " + WarningTable.least(its));
+        }
+        for (List<Position> zone : zones()) {
+            sheet.outline(zone, Color.BLACK, 0);
+        }
+        if (warnings.isZone()) {
+            sheet.sample(Color.BLACK, 0, "protected zone");
+        }
+        sheet.space();
+        sheet.line("where a line meets the zone, or the middle:");
+        sheet.line("no detection before the drone arrives");
+        return sheet;
+    }
+
+    private static List<Position> outline(InboundWarnings warnings, List<Warning> bearings) {
+        return bearings.stream()
+                .map(one -> around(warnings.target(), one.bearing(), one.range().orElse(one.arrival())))
+                .toList();
+    }
+
+    private static Position around(Position middle, double bearing, double distance) {
+        return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));
+    }
+
+    /** The outlines of the protected zones in plan view. */
+    private List<List<Position>> zones() {
+        List<List<Position>> outlines = new ArrayList<>();
+        protection
+                .zone()
+                .ifPresent(ball -> outlines.add(IntStream.range(0, CIRCLE)
+                        .mapToObj(i -> around(ball.centre(), 2.0 * Math.PI * i / CIRCLE, ball.radius()))
+                        .toList()));
+        protection
+                .areas()
+                .forEach(area -> outlines.add(area.outline().stream()
+                        .map(corner -> new Position(corner.x(), corner.y(), 0.0))
+                        .toList()));
+        return outlines;
     }
 
     private static MapSheet.Fill fill(FieldGrid grid, double height) {

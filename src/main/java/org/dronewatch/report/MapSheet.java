@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.Polygon;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -74,9 +75,48 @@ final class MapSheet {
         drawScale();
     }
 
+    private int column(Position at) {
+        return (int) Math.round((at.x() - grid.east()) / side * MAP + 0.5 * MAP);
+    }
+
+    private int row(Position at) {
+        return (int) Math.round(0.5 * MAP - (at.y() - grid.north()) / side * MAP);
+    }
+
+    /**
+     * Draws a closed line on the map.
+     *
+     * @param style a number, by which lines differ also in black and white: 0 is solid, others are dashed
+     */
+    void outline(List<Position> corners, Color colour, int style) {
+        Polygon line = new Polygon();
+        corners.forEach(corner -> line.addPoint(column(corner), row(corner)));
+        g.setClip(0, 0, MAP, MAP);
+        g.setColor(colour);
+        g.setStroke(stroke(style));
+        g.draw(line);
+        g.setClip(null);
+    }
+
+    /** Writes a line of the legend with a piece of a line before it. */
+    void sample(Color colour, int style, String text) {
+        int left = MAP + MARGIN;
+        g.setColor(colour);
+        g.setStroke(stroke(style));
+        g.drawLine(left, line - 5, left + 2 * SWATCH_WIDTH, line - 5);
+        write(text, left + 2 * SWATCH_WIDTH + 12);
+    }
+
+    private static BasicStroke stroke(int style) {
+        float[] dashes = {4f * style, 4f};
+        return style == 0
+                ? new BasicStroke(3f)
+                : new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, dashes, 0f);
+    }
+
     private void drawSensor(Position at) {
-        int u = (int) Math.round((at.x() - grid.east()) / side * MAP + 0.5 * MAP);
-        int v = (int) Math.round(0.5 * MAP - (at.y() - grid.north()) / side * MAP);
+        int u = column(at);
+        int v = row(at);
         if (u >= 0 && u < MAP && v >= 0 && v < MAP) {
             g.setColor(Color.WHITE);
             g.fillOval(u - 6, v - 6, 12, 12);

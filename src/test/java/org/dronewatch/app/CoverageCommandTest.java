@@ -65,6 +65,7 @@ class CoverageCommandTest {
                         "north_m",
                         "heights",
                         "idle_sensors",
+                        "warning",
                         "complete");
         assertThat(json.get("heading").asString()).isEqualTo("best");
         assertThat(json.get("covered").asDouble()).isEqualTo(0.9);
@@ -140,12 +141,29 @@ class CoverageCommandTest {
         }
         assertThat(files)
                 .extracting(file -> file.getFileName().toString())
-                .containsExactly("cause-2.png", "cause-60.png", "coverage.json", "visible-height.png");
+                .containsExactly("cause-2.png", "cause-60.png", "coverage.json", "visible-height.png", "warning.png");
         for (Path file : files) {
             assertThat(directory.resolve("again").resolve(file.getFileName()))
                     .as(file.toString())
                     .hasSameBinaryContentAs(file);
         }
+    }
+
+    /** For each bearing and height; without a required response it cannot be in time or late. */
+    @Test
+    void theWarningIsStatedForEachBearing() {
+        JsonNode warnings = json.get("warning");
+        assertThat(warnings).hasSize(2 * 36);
+        JsonNode east = warnings.get(9);
+        assertThat(east.propertyNames()).containsExactly("bearing_deg", "height_m", "range_m", "warning_s", "in_time");
+        assertThat(east.get("bearing_deg").asDouble()).isEqualTo(90.0);
+        assertThat(east.get("height_m").asDouble()).isEqualTo(2.0);
+        assertThat(east.get("warning_s").asDouble())
+                .isCloseTo(east.get("range_m").asDouble() / 12, within(1e-5));
+        assertThat(east.get("in_time").isNull()).isTrue();
+        assertThat(outcome.out())
+                .contains(
+                        "from a distance of 150 m to the first detection until they reach the middle of the sensors:");
     }
 
     /** A pixel of the picture for each answer: the light blue of what is detected, the dark grey of what is solid. */

@@ -1,0 +1,173 @@
+package org.dronewatch.analysis;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.IntConsumer;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * The warning that the sensors give of a drone that flies in straight, from every bearing and at several heights above
+ * the ground: to the middle of the protected zone or, without one, of the sensors, at its cruise speed. It is detected
+ * where a sensor covers it; it is assessed once per cell of its path, but not inside something solid. Immutable.
+ *
+ * @param target where it flies to, m
+ * @param reach the horizontal distance from there at which it begins, m
+ * @param response the time that is required after a detection, s; 0 if none is
+ * @param isZone whether there is a protected zone
+ * @param all by height, then bearing
+ */
+public record InboundWarnings(Position target, double reach, double response, boolean isZone, List<Warning> all) {
+    /** The number of bearings. */
+    public static final int BEARINGS = 36;
+
+    /** How accurately the entry into a zone is found, m. */
+    private static final double ACCURACY = 1e-3;
+
+    /** Into how many steps a flight is divided to find where it enters a zone. */
+    private static final int STEPS = 4000;
+
+    /** Copies the list: later changes by the caller have no effect. */
+    public InboundWarnings {
+        all = List.copyOf(all);
+    }
+
+    /**
+     * The warnings of the enabled sensors of a scene, on the threads of the {@link Workers} that call; the same for any
+     * number of them. Flights begin half a side of the grid away from their target.
+     *
+     * @param drone name of the drone
+     * @param covered the probability of one look with which a sensor detects it
+     * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
+     */
+    public static InboundWarnings of(
+            SceneSettings settings, Stage stage, String drone, FieldGrid grid, double covered, IntConsumer progress) {
+        Position target = InboundTarget.of(settings, stage.protection());
+        Drone sample = DetectionField.droneOf(stage, drone);
+        Flights flights = new Flights(target, 0.5 * grid.side(), grid.cell());
+        FieldColumns paths = new FieldColumns(stage.world(), flights.steps(), BEARINGS, grid.heights(), flights);
+        List<SensorLayer> layers = new ArrayList<>();
+        for (Map.Entry<String, SensorSettings<?>> sensor :
+                settings.enabledSensors().entrySet()) {
+            FieldProbe probe = new FieldProbe(
+                    stage.world(),
+                    sample,
+                    sensor.getKey(),
+                    sensor.getValue(),
+                    settings.run().seed(),
+                    List.of(Course.inbound(target)));
+            layers.add(SensorLayer.of(probe, paths, progress));
+        }
+        List<Warning> all = new ArrayList<>();
+        for (int height = 0; height < grid.heights().size(); height++) {
+            for (int bearing = 0; bearing < BEARINGS; bearing++) {
+                double arrival = arrival(flights, bearing, stage.protection());
+                OptionalDouble range =
+                        firstDetection(layers, flights, height, bearing, arrival, SensorLayer.stepsToCover(covered));
+                all.add(new Warning(
+                        angle(bearing),
+                        grid.heights().get(height),
+                        arrival,
+                        range,
+                        range.isPresent()
+                                ? OptionalDouble.of((range.getAsDouble() - arrival)
+                                        / sample.settings().speed())
+                                : OptionalDouble.empty()));
+            }
+        }
+        return new InboundWarnings(
+                target,
+                flights.reach(),
+                settings.alert().response(),
+                !stage.protection().isEmpty(),
+                all);
+    }
+
+    /** How many cells a sensor looks at. */
+    public static long cells(FieldGrid grid) {
+        Flights flights = new Flights(new Position(0, 0, 0), 0.5 * grid.side(), grid.cell());
+        return (long) flights.steps() * BEARINGS * grid.heights().size();
+    }
+
+    private static double angle(int bearing) {
+        return 2.0 * Math.PI * bearing / BEARINGS;
+    }
+
+    private static OptionalDouble firstDetection(
+            List<SensorLayer> layers, Flights flights, int height, int bearing, double arrival, int needed) {
+        for (int step = 0; step < flights.steps() && flights.distance(step) > arrival; step++) {
+            for (SensorLayer layer : layers) {
+                if (layer.steps(height, step, bearing, 0) >= needed) {
+                    return OptionalDouble.of(flights.distance(step));
+                }
+            }
+        }
+        return OptionalDouble.empty();
+    }
+
+    /** Where a flight enters a zone, whatever its height: its horizontal distance from the target, m. */
+    private static double arrival(Flights flights, int bearing, Protection protection) {
+        if (protection.isEmpty()) {
+            return 0.0;
+        }
+        double outside = flights.reach();
+        for (int step = 0; step <= STEPS; step++) {
+            double distance = flights.reach() * (STEPS - step) / STEPS;
+            if (protection.distance(flights.at(distance, bearing)) == 0.0) {
+                return entry(flights, bearing, protection, distance, outside);
+            }
+            outside = distance;
+        }
+        return 0.0;
+    }
+
+    private static double entry(Flights flights, int bearing, Protection protection, double inside, double outside) {
+        double low = inside;
+        double high = outside;
+        while (high - low > ACCURACY) {
+            double middle = 0.5 * (low + high);
+            if (protection.distance(flights.at(middle, bearing)) == 0.0) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    /** The plan of all flights: a row for each bearing, a column for each step inward. */
+    private record Flights(Position target, double reach, double step) implements FieldColumns.Plan {
+        int steps() {
+            return (int) Math.floor(reach / step) + 1;
+        }
+
+        double distance(int number) {
+            return Math.max(0.0, reach - number * step);
+        }
+
+        /** At the height of the target. */
+        Position at(double distance, int bearing) {
+            return new Position(
+                    target.x() + distance * StrictMath.sin(angle(bearing)),
+                    target.y() + distance * StrictMath.cos(angle(bearing)),
+                    target.z());
+        }
+
+        @Override
+        public double x(int column, int row) {
+            return at(distance(column), row).x();
+        }
+
+        @Override
+        public double y(int column, int row) {
+            return at(distance(column), row).y();
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package org.dronewatch.report;
+
+import org.dronewatch.analysis.FieldSummary;
+import org.dronewatch.analysis.InboundWarnings;
+import org.dronewatch.analysis.VisibleHeights;
+
+/**
+ * What {@code coverage} has found.
+ *
+ * @param summary the coverage, cell by cell and in numbers
+ * @param visible the least visible heights
+ * @param warnings the warning of inbound flights
+ */
+public record CoverageFindings(FieldSummary summary, VisibleHeights visible, InboundWarnings warnings) {}

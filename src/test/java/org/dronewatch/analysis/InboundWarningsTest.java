@@ -1,0 +1,98 @@
+package org.dronewatch.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The warning of inbound flights, from the geometry of the boxes. */
+class InboundWarningsTest {
+    private static final FieldGrid GRID = new FieldGrid(0, 0, 500, 8, List.of(2.0, 26.0, 60.0));
+    private static final Position RADAR = new Position(0, 0, 4);
+    private static final String ZONE = "alert: {protect: {centre: [0, 0, 10], radius: 30}, response: 9.5 s}\n";
+
+    @TempDir
+    private Path directory;
+
+    private InboundWarnings warnings(String sensors, int threads) throws IOException {
+        FieldSite site = FieldSite.in(directory, sensors);
+        try (Workers workers = new Workers(threads)) {
+            return workers.call(
+                    () -> InboundWarnings.of(site.settings(), site.stage(), FieldSite.DRONE, GRID, 0.5, cells -> {}));
+        }
+    }
+
+    /** The radar detects what is within 150 m, not hidden, and not more than 45 degrees above it. */
+    @Test
+    void theWarningFollowsFromRangeAndShadows() throws IOException {
+        InboundWarnings found = warnings(FieldSite.ROUND + ZONE, 1);
+        assertThat(found.isZone()).isTrue();
+        assertThat(found.target()).isEqualTo(new Position(0, 0, 10));
+        assertThat(found.reach()).isEqualTo(250);
+        assertThat(found.all()).hasSize(3 * 36);
+        int compared = 0;
+        int late = 0;
+        for (Warning one : found.all()) {
+            OptionalDouble expected = expected(one);
+            if (expected.isPresent()) {
+                compared++;
+                double time = (expected.getAsDouble() - 30) / 12;
+                assertThat(one.arrival()).isCloseTo(30, within(2e-3));
+                assertThat(one.range().orElseThrow()).as("%s", one).isCloseTo(expected.getAsDouble(), within(1e-9));
+                assertThat(one.time().orElseThrow()).as("%s", one).isCloseTo(time, within(1e-3));
+                assertThat(one.isInTime(found.response())).isEqualTo(time >= 9.5);
+                late += time < 9.5 ? 1 : 0;
+            }
+        }
+        assertThat(compared).isGreaterThan(60);
+        assertThat(late).as("behind the building, low").isPositive();
+        assertThat(warnings(FieldSite.ROUND + ZONE, 8)).isEqualTo(found);
+    }
+
+    /** Empty where the size of the drone would matter, and over the hill. */
+    private static OptionalDouble expected(Warning one) {
+        for (double distance = 250; distance > 30; distance -= 8) {
+            double x = distance * Math.sin(one.bearing());
+            double y = distance * Math.cos(one.bearing());
+            Position at = new Position(x, y, one.height());
+            if (FieldSite.BOXES.get("terrain").contains(x, y)) {
+                return OptionalDouble.empty();
+            }
+            boolean isInside = FieldSite.BOXES.values().stream()
+                    .anyMatch(box -> box.contains(x, y) && one.height() < box.height());
+            double range = at.distance(RADAR);
+            double elevation = Math.toDegrees(Math.asin((one.height() - 4) / range));
+            int hidden = 0;
+            for (int corner = 0; corner < 8; corner++) {
+                Position offset = new Position(
+                        (corner & 1) == 0 ? -0.5 : 0.5, (corner & 2) == 0 ? -0.5 : 0.5, (corner & 4) == 0 ? -0.5 : 0.5);
+                hidden += FieldSite.hidden(RADAR, at.plus(offset)).isPresent() ? 1 : 0;
+            }
+            if (range <= 150 && elevation < 45 && !isInside && hidden < 8) {
+                return hidden > 0 ? OptionalDouble.empty() : OptionalDouble.of(distance);
+            }
+        }
+        return OptionalDouble.empty();
+    }
+
+    /** A radar that reaches less far than the zone detects nothing in time; without a zone the sensors count. */
+    @Test
+    void whatIsDetectedTooLateHasNoWarning() throws IOException {
+        InboundWarnings blind = warnings(FieldSite.ROUND.replace("maxRange: 150", "maxRange: 25") + ZONE, 2);
+        assertThat(blind.all())
+                .allMatch(one -> one.range().isEmpty() && one.time().isEmpty() && !one.isInTime(0.0));
+
+        InboundWarnings open = warnings(
+                FieldSite.ROUND + FieldSite.ROUND.replace("round", "other").replace("[0, 0, 4]", "[20, 40, 6]"), 2);
+        assertThat(open.isZone()).isFalse();
+        assertThat(open.target()).isEqualTo(new Position(10, 20, 5));
+        assertThat(open.all()).allMatch(one -> one.arrival() == 0.0 && one.isInTime(open.response()));
+    }
+}
