@@ -18,6 +18,8 @@ import org.locationtech.proj4j.ProjCoordinate;
  */
 public final class MapTransform {
     /** How well both directions must agree: far below a micrometre, in metres, feet or degrees. */
+    private static final double HIGHEST = 1e9;
+
     private static final double METRES = 1e-8;
 
     private static final double DEGREES = 1e-13;
@@ -65,10 +67,14 @@ public final class MapTransform {
      *
      * @param x to the east, in the unit of the system
      * @param y to the north, in the unit of the system
-     * @param height above the datum of the origin's height; above 0 if that is not known, m
-     * @throws InputException when the point is outside the domain of the system
+     * @param height above the datum of the origin's height; above 0 if that is not known, -1e9 to 1e9 m
+     * @throws InputException when the point is outside the domain of the system, or the height out of its range
      */
     public Position inWorld(double x, double y, double height) {
+        if (!(Math.abs(height) <= HIGHEST)) {
+            throw new InputException(
+                    "point (" + x + ", " + y + ") has a height of " + height + " m, must be within " + HIGHEST + " m");
+        }
         toEarth(x, y);
         return geodesy.inWorld(Math.toRadians(to.y), Math.toRadians(to.x), height);
     }

@@ -94,6 +94,14 @@ public final class PbfWriter implements OsmElements {
         features.writeBytes(text(4, "DenseNodes"));
         file.writeBytes(blob("OSMHeader", features.toByteArray(), -1));
         file.writeBytes(blob("SomethingElse", new byte[] {1, 2, 3}, -1));
+        for (byte[] block : blocks()) {
+            file.writeBytes(blob("OSMData", block, -1));
+        }
+        return file.toByteArray();
+    }
+
+    private List<byte[]> blocks() {
+        List<byte[]> blocks = new ArrayList<>();
         ByteArrayOutputStream group = new ByteArrayOutputStream();
         if (isDense) {
             bytes(group, 2, dense());
@@ -106,13 +114,27 @@ public final class PbfWriter implements OsmElements {
             ByteArrayOutputStream block = new ByteArrayOutputStream();
             bytes(block, 1, table.toByteArray());
             bytes(block, 2, part);
-            file.writeBytes(blob("OSMData", block.toByteArray(), -1));
+            blocks.add(block.toByteArray());
         }
-        return file.toByteArray();
+        return blocks;
     }
 
     /** A file with one house of 20 m x 10 m. */
     public static byte[] house(double latitude, double longitude, boolean isDense, Map<String, String> tags) {
+        try {
+            return ofAHouse(latitude, longitude, isDense, tags).bytes();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Its blocks of data, not packed. */
+    public static List<byte[]> blocksOfAHouse(
+            double latitude, double longitude, boolean isDense, Map<String, String> tags) {
+        return ofAHouse(latitude, longitude, isDense, tags).blocks();
+    }
+
+    private static PbfWriter ofAHouse(double latitude, double longitude, boolean isDense, Map<String, String> tags) {
         PbfWriter writer = new PbfWriter(isDense);
         double[][] corners = {{0, 0}, {0, 2.8e-4}, {0.9e-4, 2.8e-4}, {0.9e-4, 0}};
         for (int i = 0; i < corners.length; i++) {
@@ -120,11 +142,7 @@ public final class PbfWriter implements OsmElements {
         }
         writer.way(10, new long[] {1, 2, 3, 4, 1}, tags);
         writer.relation(20, List.of(new Member(10, "outer")), Map.of("type", "multipolygon", "building", "yes"));
-        try {
-            return writer.bytes();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return writer;
     }
 
     private byte[] plain(Node node) {
