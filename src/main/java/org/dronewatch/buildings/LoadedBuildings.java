@@ -43,4 +43,9 @@ public record LoadedBuildings(
         description = List.copyOf(description);
         warnings = List.copyOf(warnings);
     }
+
+    /** The attribution as short as it may be in a picture. */
+    public Optional<String> credit() {
+        return attribution.map(text -> "© OpenStreetMap contributors");
+    }
 }

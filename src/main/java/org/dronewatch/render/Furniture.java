@@ -35,6 +35,8 @@ final class Furniture {
     private final double scale;
     private final int margin;
     private final List<Rectangle> occupied = new ArrayList<>();
+    /** What the credits take up at the bottom on the right. */
+    private int credited;
 
     Furniture(Graphics2D g, int width, int height, double scale) {
         this.g = g;
@@ -183,6 +185,44 @@ final class Furniture {
                 (cy + (reach + 6 * scale) * uy + 0.36 * metrics.getAscent()));
     }
 
+    /** The credits for the data of the site, in the lower right corner. */
+    void credits(List<String> credits) {
+        g.setFont(font(Font.PLAIN, 10));
+        FontMetrics metrics = g.getFontMetrics();
+        List<String> lines = new ArrayList<>();
+        for (String credit : credits) {
+            lines.addAll(wrapped(credit, metrics, width / 2));
+        }
+        if (lines.isEmpty()) {
+            return;
+        }
+        int w = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + px(12);
+        int h = px(13) * lines.size() + px(7);
+        int x = width - margin - w;
+        int y = height - margin - h;
+        paper(x, y, w, h);
+        g.setColor(INK);
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), x + px(6), y + px(13) * (i + 1));
+        }
+        credited = h + px(6);
+    }
+
+    /** A text in lines of at most a width, if its words allow that. */
+    static List<String> wrapped(String text, FontMetrics metrics, int most) {
+        List<String> lines = new ArrayList<>();
+        StringBuilder line = new StringBuilder();
+        for (String word : text.strip().split("\\s+")) {
+            if (!line.isEmpty() && metrics.stringWidth(line + " " + word) > most) {
+                lines.add(line.toString());
+                line.setLength(0);
+            }
+            line.append(line.isEmpty() ? "" : " ").append(word);
+        }
+        lines.add(line.toString());
+        return lines;
+    }
+
     /**
      * The colours of levels, how many segments of rays are drawn, and for which time they were traced.
      *
@@ -207,7 +247,7 @@ final class Furniture {
         int w = Math.max(bar, text) + px(24);
         int h = px(103);
         int x = width - margin - w;
-        int y = height - margin - h;
+        int y = height - margin - h - credited;
         paper(x, y, w, h);
         g.setColor(INK);
         g.drawString(whose, x + px(12), y + px(19));

@@ -217,6 +217,7 @@ public final class SitePicture {
                 state, colours, view(backdrop.orbit()), settings.alert().isProtecting());
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
+        furniture.credits(stage.credits());
         state.rays().ifPresent(rays -> furniture.levels(rays, style.filter(), state.time()));
         drawSymbols(
                 new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
@@ -29,6 +30,7 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 import org.dronewatch.world.Places;
@@ -43,6 +45,7 @@ import org.dronewatch.world.WorldSettings;
 public final class Stage {
     private final World world;
     private final List<String> siteNotes;
+    private final List<String> credits;
     private final Optional<LoadedBuildings> buildings;
     private final Protection protection;
     private final Map<String, Integer> colours;
@@ -73,6 +76,11 @@ public final class Stage {
         this.world = worldOf(site, models);
         this.siteNotes = models.siteNotes(site);
         this.buildings = models.buildings(site);
+        this.credits = Stream.of(
+                        buildings.flatMap(LoadedBuildings::credit),
+                        site.terrain().flatMap(TerrainSettings::credit))
+                .flatMap(Optional::stream)
+                .toList();
         this.colours = Map.copyOf(models.colours(site));
         this.protection = Protection.of(settings.alert(), world);
         new SiteAdvice(settings, world).giveTo(models::warn);
@@ -147,6 +155,11 @@ public final class Stage {
     void release() {
         active.clear();
         clock.end();
+    }
+
+    /** The credits that the data of the site require wherever it is shown: of its map, then of its elevations. */
+    public List<String> credits() {
+        return credits;
     }
 
     /** Notes on the data of a real place, one line each, with the attribution that a map requires; none for models. */

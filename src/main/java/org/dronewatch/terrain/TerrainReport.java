@@ -3,18 +3,12 @@ package org.dronewatch.terrain;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.terrain.io.ElevationFile;
 
 /** Describes in lines what was read of a terrain, and warns of anything suspicious. */
 record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile> files) {
-    /** The notice that the licence of the Copernicus DEM requires of whoever shows it or what is made of it. */
-    private static final String COPERNICUS =
-            "produced using Copernicus WorldDEM-30 © DLR e.V. 2010-2014 and © Airbus Defence and Space GmbH 2014-2018"
-                    + " provided under COPERNICUS by the European Union and ESA; all rights reserved";
-
     List<String> lines(Posts posts, Heights heights, int all, PostTriangles kept, double level, Origin origin) {
         List<String> lines = new ArrayList<>();
         for (ElevationFile file : files) {
@@ -68,15 +62,8 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                                 "; %,d %s without a height (holes)",
                                 heights.holes(),
                                 heights.holes() == 1 ? "post" : "posts")));
-        attribution().ifPresent(text -> lines.add("elevations: " + PlainText.line(text)));
+        settings.credit().ifPresent(text -> lines.add("elevations: " + PlainText.line(text)));
         return lines;
-    }
-
-    private Optional<String> attribution() {
-        return settings.attribution().or(() -> files.stream()
-                .filter(file -> file.name().toLowerCase(Locale.ROOT).contains("copernicus"))
-                .findFirst()
-                .map(file -> COPERNICUS));
     }
 
     private static String atOrigin(double level, Origin origin) {

@@ -2,6 +2,7 @@ package org.dronewatch.terrain;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.Defaults;
@@ -33,9 +34,9 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
  * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; a name in
  *     the table of surfaces needs no assignment
- * @param attribution credit required by the source of the elevations, at most 300 characters; {@code check} and the
- *     report show it. For Copernicus files, recognised by their names, the credit is added automatically if this is
- *     omitted
+ * @param attribution credit required by the source of the elevations, at most 300 characters; {@code check}, the report
+ *     and pictures of the site show it. For Copernicus files, recognised by their names, the credit is added
+ *     automatically if this is omitted
  */
 public record TerrainSettings(
         @FileName(unless = PackagedSite.PREFIX) Optional<String> file,
@@ -50,6 +51,11 @@ public record TerrainSettings(
         @Minor Optional<String> attribution) {
     /** The longest credit, characters. */
     private static final int LONGEST_ATTRIBUTION = 300;
+
+    /** The notice that the licence of the Copernicus DEM requires of whoever shows it or what is made of it. */
+    private static final String COPERNICUS =
+            "produced using Copernicus WorldDEM-30 © DLR e.V. 2010-2014 and © Airbus Defence and Space GmbH 2014-2018"
+                    + " provided under COPERNICUS by the European Union and ESA; all rights reserved";
 
     /** The colour of ground in daylight, that of meadows: red, green and blue in the lowest 24 bits. */
     public static final int COLOUR = 0x617838;
@@ -96,6 +102,14 @@ public record TerrainSettings(
         }
         attribution.ifPresent(TerrainSettings::checkAttribution);
         CoordinateReferenceSystem.checkSetting(crs);
+    }
+
+    /** The credit to be shown with the elevations: as stated, or that of Copernicus for its files. */
+    public Optional<String> credit() {
+        return attribution.or(() -> allFiles().stream()
+                .filter(name -> name.toLowerCase(Locale.ROOT).contains("copernicus"))
+                .findFirst()
+                .map(name -> COPERNICUS));
     }
 
     private static void checkAttribution(String text) {

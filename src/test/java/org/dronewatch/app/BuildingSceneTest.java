@@ -2,16 +2,27 @@ package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
+import org.dronewatch.render.Fineness;
+import org.dronewatch.render.Orbit;
+import org.dronewatch.render.RayFilter;
+import org.dronewatch.render.SitePicture;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.render.SiteStyle;
+import org.dronewatch.run.Stage;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -101,6 +112,59 @@ class BuildingSceneTest {
     }
 
     /** What is hidden by a wood is hidden by vegetation. */
+    /** In each picture of the site, in the lower right corner; GeoJSON states no licence. */
+    @Test
+    void picturesShowTheCreditsOfTheirData() throws IOException {
+        assertThat(picture(SITE).credits()).containsExactly("© OpenStreetMap contributors");
+        String stated = SITE.replace("accuracy: 0", "accuracy: 0, attribution: heights of the survey");
+        Pictured both = picture(stated);
+        assertThat(both.credits()).containsExactly("© OpenStreetMap contributors", "heights of the survey");
+        Files.writeString(
+                directory.resolve("map.geojson"),
+                "{\"type\":\"Polygon\",\"coordinates\":[[[15,50.0004],[15.0002,50.0004],[15.0002,50.0005],[15,50.0004]]]}");
+        Pictured none = picture(SITE.replace("map.osm", "map.geojson"));
+        assertThat(none.credits()).isEmpty();
+        assertThat(inkInCorner(none.image())).isZero();
+        assertThat(inkInCorner(both.image()))
+                .isGreaterThan(inkInCorner(picture(SITE).image()));
+        assertThat(inkInCorner(picture(SITE).image())).isGreaterThan(100);
+        assertThat(picture(SITE.replace("ground.asc", "Copernicus_DSM.asc")).credits())
+                .hasSize(2)
+                .anyMatch(credit -> credit.startsWith("produced using Copernicus WorldDEM-30"));
+    }
+
+    private record Pictured(List<String> credits, BufferedImage image) {}
+
+    private Pictured picture(String text) throws IOException {
+        Files.copy(
+                directory.resolve("ground.asc"),
+                directory.resolve("Copernicus_DSM.asc"),
+                StandardCopyOption.REPLACE_EXISTING);
+        SceneRunner runner = new SceneRunner(new SceneFile(scene(text))).notes(note -> {});
+        Stage stage = runner.stage(runner.settings());
+        SitePicture picture = new SitePicture(runner.settings(), stage);
+        Orbit above = new Orbit(new Position(0, 0, 0), 0.0, 1.5, 300, 0.6);
+        SiteState state = new SiteState("site", 0.0, List.of(), List.of(), Optional.empty(), Optional.empty());
+        return new Pictured(
+                stage.credits(),
+                picture.draw(
+                        picture.backdrop(above, 600, 400, Optional.empty(), Fineness.COARSE, () -> false),
+                        state,
+                        new SiteStyle(1.0, false, false, false, RayFilter.ALL)));
+    }
+
+    /** Pixels as dark as text. */
+    private static int inkInCorner(BufferedImage image) {
+        int ink = 0;
+        for (int x = 380; x < 590; x++) {
+            for (int y = 320; y < 390; y++) {
+                Color colour = new Color(image.getRGB(x, y));
+                ink += Math.max(colour.getRed(), Math.max(colour.getGreen(), colour.getBlue())) < 0x60 ? 1 : 0;
+            }
+        }
+        return ink;
+    }
+
     @Test
     void aWoodHidesAsVegetation() throws IOException {
         Files.writeString(

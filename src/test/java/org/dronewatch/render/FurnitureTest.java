@@ -3,6 +3,9 @@ package org.dronewatch.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.entry;
 
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.drone.Drone;
@@ -28,6 +31,32 @@ class FurnitureTest {
             marks.add(new DroneMark(flying, List.of(), List.of(), false));
         }
         return marks;
+    }
+
+    /** One line for each credit, in the lower right corner; a long one takes lines of at most half the width. */
+    @Test
+    void creditsStandInTheLowerRightCorner() {
+        BufferedImage image = new BufferedImage(600, 400, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        Furniture furniture = new Furniture(g, 600, 400, 1.0);
+        furniture.credits(List.of());
+        assertThat(furniture.occupied()).isEmpty();
+
+        String notice = "heights of the survey of a country with a long name, whose licence asks for a long notice";
+        furniture.credits(List.of("© OpenStreetMap contributors", notice));
+        assertThat(furniture.occupied()).hasSize(1);
+        Rectangle paper = furniture.occupied().get(0);
+        assertThat(paper.x + paper.width).isEqualTo(600 - 12);
+        assertThat(paper.y + paper.height).isEqualTo(400 - 12);
+        assertThat(paper.width).isLessThanOrEqualTo(300 + 12);
+        List<String> lines = Furniture.wrapped(notice, g.getFontMetrics(), 300);
+        assertThat(lines)
+                .hasSizeGreaterThan(1)
+                .allMatch(line -> g.getFontMetrics().stringWidth(line) <= 300);
+        assertThat(String.join(" ", lines)).isEqualTo(notice);
+        assertThat(paper.height).isEqualTo(13 * (1 + lines.size()) + 7);
+        assertThat(Furniture.wrapped("unbreakable", g.getFontMetrics(), 5)).containsExactly("unbreakable");
+        g.dispose();
     }
 
     @Test
