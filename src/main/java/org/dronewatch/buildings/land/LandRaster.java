@@ -12,6 +12,9 @@ public final class LandRaster {
     private final double perMetre;
     private final byte[] codes;
 
+    /** How many cells each class has, by its code. */
+    private final int[] counts = new int[LandClass.all().size()];
+
     /**
      * A raster.
      *
@@ -26,9 +29,10 @@ public final class LandRaster {
             throw new IllegalArgumentException(codes.length + " cells for " + side + " rows");
         }
         for (byte code : codes) {
-            if (code < 0 || code >= LandClass.all().size()) {
+            if (code < 0 || code >= counts.length) {
                 throw new IllegalArgumentException("no land cover has the code " + code);
             }
+            counts[code]++;
         }
         this.half = half;
         this.side = side;
@@ -52,24 +56,14 @@ public final class LandRaster {
 
     /** The areas of all classes, m2, by their codes. */
     public double[] areas() {
-        double[] areas = new double[LandClass.all().size()];
-        for (byte code : codes) {
-            areas[code]++;
-        }
-        for (int i = 0; i < areas.length; i++) {
-            areas[i] /= perMetre * perMetre;
-        }
-        return areas;
+        return Arrays.stream(counts)
+                .mapToDouble(count -> count / (perMetre * perMetre))
+                .toArray();
     }
 
     /** Whether any cell has a class. */
     public boolean isAnywhere() {
-        for (byte code : codes) {
-            if (code != LandClass.NONE.code()) {
-                return true;
-            }
-        }
-        return false;
+        return counts[LandClass.NONE.code()] < codes.length;
     }
 
     /** Half of the side of the square, m. */

@@ -61,6 +61,12 @@ class MapFilesTest {
         return new MapFiles(directory).read("map", ANYWHERE);
     }
 
+    /** With what covers the ground. */
+    private MapFeatures readAll(byte[] bytes) throws IOException {
+        Files.write(directory.resolve("map"), bytes);
+        return new MapFiles(directory).read("map", ANYWHERE, true);
+    }
+
     private MapFeatures read(String text) throws IOException {
         return read(text.getBytes(StandardCharsets.UTF_8));
     }
@@ -131,6 +137,22 @@ class MapFilesTest {
         assertThat(binary.format()).isEqualTo("OpenStreetMap PBF");
         assertThat(inWords(binary)).isEqualTo(inWords(xml)).hasSize(966);
         assertThat(inWords(read(pbf(false)))).isEqualTo(inWords(xml));
+    }
+
+    /** The land cover of Monaco, too, whose buildings are the same with it. */
+    @Test
+    void bothFormatsGiveTheSameLandCover() throws IOException {
+        MapFeatures xml = readAll(Files.readAllBytes(MONACO));
+        MapFeatures binary = readAll(pbf(true));
+
+        assertThat(inWords(xml)).hasSize(966);
+        assertThat(xml.land().shapes())
+                .hasSizeGreaterThan(800)
+                .usingRecursiveComparison()
+                .isEqualTo(binary.land().shapes());
+        assertThat(xml.land().shapes().stream()
+                        .filter(shape -> "coastline".equals(shape.tags().get("natural"))))
+                .hasSize(17);
     }
 
     private static byte[] pbf(boolean isDense) throws IOException {
@@ -208,7 +230,8 @@ class MapFilesTest {
     void damagedFilesGiveOneLine() throws IOException {
         long seed = 20261124L;
         Random random = new Random(seed);
-        String xml = "<osm>" + NODES + WAYS + RELATION + "</osm>";
+        String xml = "<osm>" + NODES + WAYS + RELATION
+                + (WAYS + RELATION).replace("building", "landuse").replace("id='", "id='9") + "</osm>";
         PbfWriter writer = new PbfWriter(true);
         OsmXml.read("map", new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), writer);
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
@@ -222,7 +245,7 @@ class MapFilesTest {
                     damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
                 }
                 try {
-                    read(damaged);
+                    readAll(damaged);
                 } catch (InputException e) {
                     assertThat(e.getMessage())
                             .as("seed %d, case %d", seed, i)
