@@ -260,7 +260,7 @@ public final class ModelCache {
         return index;
     }
 
-    private LoadedModel load(SiteKeys.Model which) {
+    private synchronized LoadedModel load(SiteKeys.Model which) {
         long start = System.nanoTime();
         LoadedModel model = loader.load(which.settings(), which.origin());
         loadSeconds += NANO * (System.nanoTime() - start);
