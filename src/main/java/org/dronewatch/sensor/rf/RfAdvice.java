@@ -9,11 +9,14 @@ import java.util.stream.Stream;
 final class RfAdvice {
     private static final double MEGAHERTZ = 1e6;
 
+    /** Dwells that fill a look but for rounding fit into it. */
+    private static final double ROUNDING = 1e-9;
+
     private RfAdvice() {}
 
     /** One sentence for each; none for a receiver that can be built. */
     static List<String> on(RfSettings receiver) {
-        return Stream.of(noise(receiver), gain(receiver))
+        return Stream.of(noise(receiver), gain(receiver), dwells(receiver))
                 .flatMap(Optional::stream)
                 .toList();
     }
@@ -28,6 +31,19 @@ final class RfAdvice {
                                 + " and minFrequency is %.0f MHz",
                         noise.highestFrequency() / MEGAHERTZ,
                         receiver.minFrequency() / MEGAHERTZ));
+    }
+
+    /** Dwells that overlap those of the next look: each look would hear what another has heard already. */
+    private static Optional<String> dwells(RfSettings receiver) {
+        return receiver.dwell()
+                .filter(dwell -> dwell.time() * dwell.count() * receiver.rate() > 1.0 + ROUNDING)
+                .map(dwell -> String.format(
+                        Locale.ROOT,
+                        "%d x %.4g s of dwell take longer than a look, %.4g s: state a rate of at most %.4g Hz",
+                        dwell.count(),
+                        dwell.time(),
+                        1.0 / receiver.rate(),
+                        1.0 / (dwell.time() * dwell.count())));
     }
 
     private static Optional<String> gain(RfSettings receiver) {

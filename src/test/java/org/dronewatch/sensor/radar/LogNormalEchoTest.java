@@ -31,6 +31,9 @@ class LogNormalEchoTest {
         assertThat(10 * Math.log10(large.mean())).isCloseTo(-5.85, within(1e-9));
         assertThat(large.deviation()).isEqualTo(2.5);
         assertThat(RadarSignature.DEFAULT.deviation()).isZero();
+        // Means of five drones from Phantom 3 to Matrice 600 at 24 GHz, IEICE Communications Express 9, 2020.
+        assertThat(10 * Math.log10(small.mean())).isBetween(-19.1, -8.1);
+        assertThat(10 * Math.log10(RadarSignature.DEFAULT.mean())).isLessThan(-19.1);
         // The mean of the decibels lies lower than the mean of the cross-section: 1.610 dB for the small class.
         assertThat(new LogNormalEcho(new SquareLawDetector(1e-6, 1), 3.74).excess(0))
                 .isCloseTo(-1.610, within(5e-4));

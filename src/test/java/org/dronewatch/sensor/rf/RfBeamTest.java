@@ -24,6 +24,7 @@ import org.dronewatch.sensor.radio.AntennaPattern;
 import org.dronewatch.sensor.radio.Polarisation;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.sensor.radio.TwoRays;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -138,6 +139,11 @@ class RfBeamTest {
         assertThat(EAST.withGain(16).advice())
                 .containsExactly(
                         "an antenna of 16.0 dBi cannot have a beam of 60.0 x 20.0 deg: its gain is at most 15.4 dBi");
+        RfSettings dwelling =
+                SettingsForm.with(ROUND, "rate", 4.0).withDwell(Dwell.of(0.05).withCount(5));
+        assertThat(dwelling.advice()).isEmpty();
+        assertThat(SettingsForm.with(dwelling, "rate", 5.0).advice())
+                .containsExactly("5 x 0.05 s of dwell take longer than a look, 0.2 s: state a rate of at most 4 Hz");
         // Another sensor may hand its aim over to an omnidirectional antenna in its place: that is no mistake.
         assertThat(ROUND.withAim(new Aim.Direction(1, 0)).advice()).isEmpty();
     }
