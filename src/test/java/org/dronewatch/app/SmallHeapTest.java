@@ -196,6 +196,10 @@ class SmallHeapTest {
         refused.put("many.ply", HALF);
         write("fits.ply", ply(750_000));
         read.put("fits.ply", "");
+        write("many.obj", ascii("v 1 2 3\nv 2 2 3\nv 2 3 3\n" + "f 1 2 3\n".repeat(270_000)));
+        refused.put("many.obj", HALF);
+        write("fits.obj", ascii("v 1 2 3\nv 2 2 3\nv 2 3 3\n" + "f 1 2 3\n".repeat(250_000)));
+        read.put("fits.obj", "");
         write("positions.bin", new byte[12 * 3000]);
         write("shared.gltf", ascii(gltf(3000, 300, "\"uri\":\"positions.bin\",")));
         refused.put("shared.gltf", HALF);
@@ -258,7 +262,7 @@ class SmallHeapTest {
         }
 
         private static boolean isModel(String name) {
-            return name.matches(".*\\.(stl|ply|glb|gltf)");
+            return name.matches(".*\\.(obj|stl|ply|glb|gltf)");
         }
 
         /** The exit code, the number of lines, and the last one. */

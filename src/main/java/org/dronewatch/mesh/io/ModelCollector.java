@@ -18,9 +18,12 @@ public final class ModelCollector {
     public static final int MAX_TRIANGLES = 50_000_000;
 
     /** Bytes of a vertex and of a triangle, in lists that have just grown and are copied. */
-    private static final int VERTEX = 44;
+    static final int VERTEX = 44;
 
-    private static final int TRIANGLE = 72;
+    static final int TRIANGLE = 72;
+
+    /** What can be done about a model that takes too much memory. */
+    static final String ADVICE = "simplify the model";
 
     private final ModelFile file;
     private final HeapBudget budget;
@@ -40,7 +43,7 @@ public final class ModelCollector {
      */
     public ModelCollector(ModelFile file, ModelSettings settings) {
         this.file = file;
-        this.budget = new HeapBudget(file.name(), "simplify the model");
+        this.budget = new HeapBudget(file.name(), ADVICE);
         this.placement = file.placement(settings);
     }
 

@@ -12,6 +12,7 @@ import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.HeapBudget;
 
 /** Takes what an OBJ file states, checks it while its line is still known, and makes a mesh of it. */
 final class ObjMeshCollector {
@@ -20,7 +21,13 @@ final class ObjMeshCollector {
 
     private static final int MAX_TRIANGLES = 50_000_000;
 
+    /** Bytes of a corner and of a face, in lists that have just grown. */
+    private static final int CORNER = 12;
+
+    private static final int FACE = 24;
+
     private final String file;
+    private final HeapBudget budget;
     private final ObjLines lines;
     private final Placement placement;
     private final Floats vertices = new Floats();
@@ -36,11 +43,13 @@ final class ObjMeshCollector {
 
     ObjMeshCollector(String file, ObjLines lines, Placement placement) {
         this.file = file;
+        this.budget = new HeapBudget(file, ModelCollector.ADVICE);
         this.lines = lines;
         this.placement = placement;
     }
 
     void addVertex(double x, double y, double z) {
+        budget.take(ModelCollector.VERTEX);
         try {
             placement.place(x, y, z, vertices);
         } catch (InputException e) {
@@ -64,6 +73,7 @@ final class ObjMeshCollector {
         if (triangles > MAX_TRIANGLES) {
             throw new InputException(lines.at(file) + "more than " + MAX_TRIANGLES + " triangles");
         }
+        budget.take(FACE + (long) CORNER * size + (long) ModelCollector.TRIANGLE * (size - 2));
         for (int i = 0; i < size; i++) {
             corners.add(vertex(indices.get(i)));
         }

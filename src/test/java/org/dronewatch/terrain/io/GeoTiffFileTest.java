@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -247,6 +249,23 @@ class GeoTiffFileTest {
                     fixture.lies.put(273, 0x7FFFFFF0L);
                 },
                 "beyond the file's");
+    }
+
+    /** A block of 4 KB that unpacks to 30 MB: only its samples are unpacked. */
+    @Test
+    void aBlockThatGoesOnUnpackingIsReadAsFarAsItsSamples() throws IOException {
+        TiffFixture fixture = fixture();
+        fixture.compression = 8;
+        fixture.stripRows = ROWS;
+        fixture.padding = 30_000_000;
+        ElevationFile file = open(fixture);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        float[] heights = all(file);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(10_000_000);
+        for (int i = 0; i < heights.length; i++) {
+            assertThat(heights[i]).isEqualTo((float) fixture.samples[i]);
+        }
     }
 
     /** A file that is cut off anywhere; each length is tried. */

@@ -110,5 +110,19 @@ class HgtFileTest {
             }
         }
         refused("N43E007.hgt.gz", packed.toByteArray(), "unpacks to more than");
+        refused("tile.zip", zipBomb("N43E007.hgt"), "unpacks to more than the 25934402 bytes of the largest tile");
+        refused("tile.zip", zipBomb("readme.txt"), "'readme.txt' unpacks to more than 25934402 bytes: leave it out");
+    }
+
+    private static byte[] zipBomb(String entry) throws IOException {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(all)) {
+            zip.putNextEntry(new ZipEntry(entry));
+            byte[] some = new byte[1 << 20];
+            for (int i = 0; i < 100; i++) {
+                zip.write(some);
+            }
+        }
+        return all.toByteArray();
     }
 }

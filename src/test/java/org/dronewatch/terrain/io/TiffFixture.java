@@ -45,6 +45,9 @@ public final class TiffFixture {
     /** Tags that replace those that are written, by number: type SHORT or LONG, one value. */
     public final Map<Integer, Long> lies = new TreeMap<>();
 
+    /** Zeros that follow the samples of each block before it is packed. */
+    public int padding;
+
     /** A file of these samples, row by row. */
     public TiffFixture(int columns, int rows, double[] samples) {
         this.columns = columns;
@@ -194,7 +197,7 @@ public final class TiffFixture {
         for (int top = 0; top < rows; top += high) {
             for (int left = 0; left < columns; left += wide) {
                 int here = tile > 0 ? tile : Math.min(stripRows, rows - top);
-                blocks.add(blocks.size() == missingBlock ? new byte[0] : packed(block(left, top, wide, here)));
+                blocks.add(blocks.size() == missingBlock ? new byte[0] : packed(padded(block(left, top, wide, here))));
             }
         }
         return blocks;
@@ -250,6 +253,10 @@ public final class TiffFixture {
             bytes[i] -= bytes[i - 1];
         }
         return bytes;
+    }
+
+    private byte[] padded(byte[] block) {
+        return java.util.Arrays.copyOf(block, block.length + padding);
     }
 
     private byte[] packed(byte[] plain) {
