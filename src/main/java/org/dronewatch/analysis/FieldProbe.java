@@ -42,6 +42,17 @@ record FieldProbe(
     }
 
     /**
+     * The same, except for what the steps of a {@link SensorLayer} do not tell apart, and faster.
+     */
+    Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        return assessor.assessCoarsely(
+                there,
+                pointing,
+                Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS),
+                (SensorLayer.STEPS - 1.0) / SensorLayer.STEPS);
+    }
+
+    /**
      * The assessment of the drone with the random rays of the first look of a run: they are the same for all cells, so
      * that the field varies with the place alone.
      */

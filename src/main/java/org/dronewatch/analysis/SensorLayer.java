@@ -102,11 +102,11 @@ final class SensorLayer {
         void set(int column, FieldProbe probe, Assessor assessor, Position at) {
             Optional<Pointing> pointing = probe.pointing(at);
             Drone first = probe.drone(at, 0);
-            codes[0] = code(probe.assess(assessor, first, pointing));
+            codes[0] = code(probe.assessInSteps(assessor, first, pointing));
             boolean alike = true;
             if (courses > 1 && !assessor.isSameAtAllHeadings(first, pointing)) {
                 for (int course = 1; course < courses; course++) {
-                    codes[course] = code(probe.assess(assessor, probe.drone(at, course), pointing));
+                    codes[course] = code(probe.assessInSteps(assessor, probe.drone(at, course), pointing));
                     alike &= codes[course] == codes[0];
                 }
             }

@@ -49,6 +49,19 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
+     * As {@link #assess}, at less cost where possible, for a field that keeps probabilities in steps: of a drone that
+     * is detected, the quantity may be lower, and a probability between {@code high} and 1 may be any other between
+     * them. Cause and evidence of a miss are the same, and so are probabilities of 1 and those below {@code high}. The
+     * same as {@code assess} unless overridden.
+     *
+     * @param high from which probability on those below 1 need not be told apart
+     */
+    default Assessment assessCoarsely(
+            World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
+        return assess(world, drone, pointing, rayRandom);
+    }
+
+    /**
      * The signal that the sensor receives from a drone, and why that is not sufficient; parameters as for
      * {@link #signal}.
      */

@@ -46,6 +46,15 @@ public final class Assessor {
         return isKnown(drone) ? known : new Assessment(known.signal(), Explanation.of(Cause.UNKNOWN));
     }
 
+    /** As {@link AssessableSensor#assessCoarsely}, in this assessor's world; {@link Cause#UNKNOWN} likewise. */
+    public Assessment assessCoarsely(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
+        if (!(sensor instanceof AssessableSensor assessable)) {
+            return assess(drone, pointing, rayRandom);
+        }
+        Assessment known = assessable.assessCoarsely(world, drone, pointing, rayRandom, high);
+        return isKnown(drone) ? known : new Assessment(known.signal(), Explanation.of(Cause.UNKNOWN));
+    }
+
     /** Whether the ground below the line of sight to a drone is known. */
     private boolean isKnown(Drone drone) {
         return world.isKnown(settings.position(), drone.origin());

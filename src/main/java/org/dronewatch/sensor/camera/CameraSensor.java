@@ -5,11 +5,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Cover;
@@ -29,6 +33,9 @@ import org.dronewatch.world.World;
 
 /** A camera for visible light. Keeps its last image, and scratch memory for drones: one thread at a time. */
 public final class CameraSensor implements AssessableSensor {
+    /** Fewer pixels are counted at once. */
+    private static final int FEW_PIXELS = 256;
+
     private final CameraSettings settings;
     private final DronePicture ownAim;
 
@@ -86,14 +93,40 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     @Override
+    public Assessment assess(World site, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom) {
+        turn(site, where);
+        return assess(drone, pixels -> false);
+    }
+
+    /** A drone near the camera covers many thousands of pixels, of which a few decide. */
+    @Override
+    public Assessment assessCoarsely(
+            World site, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom, double high) {
+        turn(site, where);
+        double most = signal(view(drone, picture.mostPixels(world, drone))).probability();
+        double sufficient = most < 1.0 ? high : 1.0;
+        return assess(drone, enough(drone, signal -> signal.probability() >= sufficient && signal.isDetected()));
+    }
+
+    private Assessment assess(Drone drone, IntPredicate enough) {
+        picture.draw(world, drone, enough);
+        int pixels = picture.pixels(0);
+        Signal signal = signal(view(drone, pixels));
+        return new Assessment(
+                signal, signal.isDetected() ? Explanation.DETECTED : explainMiss(drone, () -> pixels > 0));
+    }
+
+    @Override
     public Explanation explainMiss(World site, Drone drone, Optional<Pointing> where) {
         turn(site, where);
+        return explainMiss(drone, () -> isInPicture(drone));
+    }
+
+    private Explanation explainMiss(Drone drone, BooleanSupplier isInPicture) {
         Position vector = drone.origin().minus(settings.position());
-        if (!picture.camera().outline().contains(vector)) {
-            return Explanation.of(Cause.OUT_OF_VIEW);
-        }
-        return cover.explain(drone, () -> !isInPicture(drone), () -> signal(view(drone, picture.pixelsInTheOpen(drone)))
-                .isDetected());
+        return picture.camera().outline().contains(vector)
+                ? cover.explain(drone, () -> !isInPicture.getAsBoolean(), () -> isDetectedInTheOpen(drone))
+                : Explanation.of(Cause.OUT_OF_VIEW);
     }
 
     /** A drone that is outside the image however it turns has no pixels, and is missed for the place of its origin. */
@@ -105,8 +138,22 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     private boolean isInPicture(Drone drone) {
-        picture.draw(world, List.of(drone));
+        picture.draw(world, drone, pixels -> true);
         return picture.pixels(0) > 0;
+    }
+
+    private boolean isDetectedInTheOpen(Drone drone) {
+        return signal(view(drone, picture.pixelsInTheOpen(drone, enough(drone, Signal::isDetected))))
+                .isDetected();
+    }
+
+    /** Whether a number of pixels gives a sufficient signal; false for few pixels, which are counted at once. */
+    private IntPredicate enough(Drone drone, Predicate<Signal> isSufficient) {
+        if (!settings.detection().growsWithPixels() || picture.mostPixels(world, drone) < FEW_PIXELS) {
+            return pixels -> false;
+        }
+        DroneView one = view(drone, 1);
+        return pixels -> isSufficient.test(signal(one.withPixels(pixels)));
     }
 
     private Signal signal(DroneView view) {

@@ -29,6 +29,14 @@ public interface DetectionFunction {
         return threshold();
     }
 
+    /**
+     * Whether neither value nor probability ever decreases when more pixels show the drone and all else is equal: then
+     * an assessment need not count all of them. False unless overridden.
+     */
+    default boolean growsWithPixels() {
+        return false;
+    }
+
     /** Whether the function is probabilistic, and {@link #probability} known. */
     default boolean byChance() {
         return false;

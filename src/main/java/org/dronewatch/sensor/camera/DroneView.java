@@ -27,6 +27,11 @@ public record DroneView(
         Lens lens,
         double background) {
 
+    /** The same view with another number of pixels that show the drone. */
+    DroneView withPixels(int others) {
+        return new DroneView(others, range, focalLength, crossing, light, sunAngle, lens, background);
+    }
+
     /** A view against the sky, in green light through a lens without diffraction. */
     public DroneView(int pixels, double range, double focalLength, double crossing, Light light, double sunAngle) {
         this(pixels, range, focalLength, crossing, light, sunAngle, Lens.perfect(Lens.GREEN), Double.POSITIVE_INFINITY);

@@ -54,6 +54,11 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
     }
 
     @Override
+    public boolean growsWithPixels() {
+        return true;
+    }
+
+    @Override
     public String unit() {
         return Quantity.PIXELS.unit();
     }

@@ -173,6 +173,11 @@ public record TargetTask(
     }
 
     @Override
+    public boolean growsWithPixels() {
+        return true;
+    }
+
+    @Override
     public String unit() {
         return Quantity.RATIO.unit();
     }

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.optics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntPredicate;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
@@ -31,11 +32,31 @@ public final class DronePicture {
 
     /** Draws drones, instead of those drawn before. */
     public void draw(World world, List<Drone> drones) {
+        setWorld(world);
+        dynamicView.draw(staticView, drones);
+    }
+
+    /**
+     * Draws a drone alone, instead of those drawn before, until enough of its pixels have been found.
+     *
+     * @param enough whether so many pixels are sufficient; true for all larger numbers, too
+     */
+    public void draw(World world, Drone drone, IntPredicate enough) {
+        setWorld(world);
+        dynamicView.draw(staticView, drone, enough);
+    }
+
+    /** At most how many pixels can show a drone in a world. */
+    public int mostPixels(World world, Drone drone) {
+        setWorld(world);
+        return dynamicView.mostPixels(drone);
+    }
+
+    private void setWorld(World world) {
         if (staticView == null || !staticView.shows(world)) {
             staticView = new StaticView(camera, world);
             dynamicView = new DynamicView(camera, world::newTileTracer);
         }
-        dynamicView.draw(staticView, drones);
     }
 
     /** The number of pixels that show a drone, by its index in the list that was drawn. */
@@ -43,12 +64,16 @@ public final class DronePicture {
         return dynamicView.pixels(number);
     }
 
-    /** The number of pixels that would show a drone if it were alone and unobstructed; the drones drawn are kept. */
-    public int pixelsInTheOpen(Drone drone) {
+    /**
+     * The number of pixels that would show a drone if it were alone and unobstructed; the drones drawn are kept.
+     *
+     * @param enough whether so many pixels are sufficient: then the count ends
+     */
+    public int pixelsInTheOpen(Drone drone, IntPredicate enough) {
         if (openView == null) {
             openView = new DynamicView(camera, TileTracer::new);
         }
-        openView.draw(Background.NOTHING, List.of(drone));
+        openView.draw(Background.NOTHING, drone, enough);
         return openView.pixels(0);
     }
 

@@ -4,6 +4,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.kdtree.KDTree;
@@ -26,6 +27,9 @@ final class DynamicView {
     private final SignificantPixels significantPixels;
     private final Matrix4d toModel = new Matrix4d();
     private final ModelGrid grid;
+
+    /** Of a drone that is not drawn. */
+    private final PixelRectangle around = new PixelRectangle();
 
     private final Function<KDTree, TileTracer> tracers;
     private final Map<KDTree, TileTracer> traversals = new IdentityHashMap<>();
@@ -54,6 +58,19 @@ final class DynamicView {
 
     /** Draws the drones of a new frame and forgets those of the last. */
     void draw(Background background, List<Drone> drones) {
+        draw(background, drones, pixels -> false);
+    }
+
+    /**
+     * Draws a drone alone and forgets those of the last frame.
+     *
+     * @param enough whether so many of its pixels are sufficient: then the others are left out
+     */
+    void draw(Background background, Drone drone, IntPredicate enough) {
+        draw(background, List.of(drone), enough);
+    }
+
+    private void draw(Background background, List<Drone> drones, IntPredicate enough) {
         int count = drones.size();
         if (silhouettes.length != count) {
             silhouettes = Stream.generate(Silhouette::new).limit(count).toArray(Silhouette[]::new);
@@ -64,7 +81,7 @@ final class DynamicView {
             silhouettes[i].clear();
             if (!silhouettes[i].rectangle().isEmpty()) {
                 findRivals(i);
-                draw(background, drones.get(i), i);
+                draw(background, drones.get(i), i, enough);
             }
         }
     }
@@ -78,11 +95,12 @@ final class DynamicView {
         }
     }
 
-    private void draw(Background background, Drone drone, int number) {
+    private void draw(Background background, Drone drone, int number, IntPredicate enough) {
         PixelRectangle rectangle = silhouettes[number].rectangle();
         TileTracer traversal = traversals.computeIfAbsent(drone.tree(), tracers);
         drone.worldToModel(toModel);
         grid.setPicture(traversal, toModel);
+        int asked = 1;
         boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
         for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTracer.HEIGHT) {
             int rows = Math.min(TileTracer.HEIGHT, rectangle.bottom() + 1 - top);
@@ -94,6 +112,13 @@ final class DynamicView {
                     traversal.traceSingly(left, top, columns, rows);
                 }
                 claimTile(traversal, left, top, columns, rows, background, number);
+                int pixels = silhouettes[number].pixels();
+                if (pixels >= asked) {
+                    if (enough.test(pixels)) {
+                        return;
+                    }
+                    asked = 2 * pixels;
+                }
             }
         }
     }
@@ -125,6 +150,12 @@ final class DynamicView {
             }
         }
         silhouettes[number].show(column, row, distance);
+    }
+
+    /** How many pixels can show a drone: those of the rectangle around it. */
+    int mostPixels(Drone drone) {
+        significantPixels.find(drone, around);
+        return around.isEmpty() ? 0 : around.pixels();
     }
 
     /** How many pixels show a drone, by its index in the list that was drawn. */
