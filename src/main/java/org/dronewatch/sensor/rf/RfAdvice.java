@@ -37,13 +37,9 @@ final class RfAdvice {
     private static Optional<String> dwells(RfSettings receiver) {
         return receiver.dwell()
                 .filter(dwell -> dwell.time() * dwell.count() * receiver.rate() > 1.0 + ROUNDING)
-                .map(dwell -> String.format(
-                        Locale.ROOT,
-                        "%d x %.4g s of dwell take longer than a look, %.4g s: state a rate of at most %.4g Hz",
-                        dwell.count(),
-                        dwell.time(),
-                        1.0 / receiver.rate(),
-                        1.0 / (dwell.time() * dwell.count())));
+                .map(dwell -> dwell.count() + " x " + (float) dwell.time() + " s of dwell take longer than a look, "
+                        + (float) (1.0 / receiver.rate()) + " s: state a rate of at most "
+                        + (float) (1.0 / (dwell.time() * dwell.count())) + " Hz");
     }
 
     private static Optional<String> gain(RfSettings receiver) {

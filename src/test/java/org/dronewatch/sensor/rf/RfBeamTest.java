@@ -143,7 +143,7 @@ class RfBeamTest {
                 SettingsForm.with(ROUND, "rate", 4.0).withDwell(Dwell.of(0.05).withCount(5));
         assertThat(dwelling.advice()).isEmpty();
         assertThat(SettingsForm.with(dwelling, "rate", 5.0).advice())
-                .containsExactly("5 x 0.05 s of dwell take longer than a look, 0.2 s: state a rate of at most 4 Hz");
+                .containsExactly("5 x 0.05 s of dwell take longer than a look, 0.2 s: state a rate of at most 4.0 Hz");
         // Another sensor may hand its aim over to an omnidirectional antenna in its place: that is no mistake.
         assertThat(ROUND.withAim(new Aim.Direction(1, 0)).advice()).isEmpty();
     }
