@@ -5,7 +5,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.dronewatch.analysis.FieldSummary;
+import org.dronewatch.analysis.field.FieldSummary;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {

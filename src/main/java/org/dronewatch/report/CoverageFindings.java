@@ -1,8 +1,8 @@
 package org.dronewatch.report;
 
-import org.dronewatch.analysis.FieldSummary;
-import org.dronewatch.analysis.InboundWarnings;
-import org.dronewatch.analysis.VisibleHeights;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.VisibleHeights;
 
 /**
  * What {@code coverage} has found.

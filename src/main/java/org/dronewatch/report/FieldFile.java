@@ -1,12 +1,12 @@
 package org.dronewatch.report;
 
 import java.util.Locale;
-import org.dronewatch.analysis.FieldGrid;
-import org.dronewatch.analysis.FieldSummary;
-import org.dronewatch.analysis.Gap;
-import org.dronewatch.analysis.HeightSummary;
-import org.dronewatch.analysis.VisibleHeights;
-import org.dronewatch.analysis.Warning;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.Gap;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.VisibleHeights;
+import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;

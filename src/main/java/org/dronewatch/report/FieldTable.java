@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.dronewatch.analysis.FieldSummary;
-import org.dronewatch.analysis.Gap;
-import org.dronewatch.analysis.HeightSummary;
-import org.dronewatch.analysis.VisibleHeights;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.Gap;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.sensor.Cause;
 
 /** Tables of a site's coverage at several heights. */

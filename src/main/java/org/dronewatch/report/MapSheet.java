@@ -14,7 +14,7 @@ import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.dronewatch.analysis.FieldGrid;
+import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.World;
 

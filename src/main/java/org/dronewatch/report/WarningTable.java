@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.analysis.InboundWarnings;
-import org.dronewatch.analysis.Warning;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.Warning;
 
 /** A table of the warning of inbound flights. */
 public final class WarningTable {

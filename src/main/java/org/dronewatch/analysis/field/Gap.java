@@ -1,4 +1,4 @@
-package org.dronewatch.analysis;
+package org.dronewatch.analysis.field;
 
 import java.util.Optional;
 import org.dronewatch.sensor.Cause;

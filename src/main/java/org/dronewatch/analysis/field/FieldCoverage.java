@@ -1,4 +1,4 @@
-package org.dronewatch.analysis;
+package org.dronewatch.analysis.field;
 
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;

@@ -1,4 +1,4 @@
-package org.dronewatch.analysis;
+package org.dronewatch.analysis.field;
 
 import java.io.IOException;
 import java.nio.file.Files;

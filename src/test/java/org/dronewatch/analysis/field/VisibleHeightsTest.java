@@ -1,4 +1,4 @@
-package org.dronewatch.analysis;
+package org.dronewatch.analysis.field;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
