@@ -13,6 +13,7 @@ import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
@@ -165,16 +166,10 @@ final class CoverageCommand implements Callable<Integer> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);
                 List<Course> courses = field.courses(settings, stage, id);
-                CoverageFindings found = withProgress(
-                        (long) grid.cells() * grid.heights().size() + InboundWarnings.cells(grid),
-                        settings,
-                        progress -> new CoverageFindings(
-                                FieldSummary.of(
-                                        DetectionField.of(settings, stage, id, grid, courses, progress),
-                                        field.choice(),
-                                        field.covered()),
-                                VisibleHeights.of(settings, stage, grid),
-                                InboundWarnings.of(settings, stage, id, grid, field.covered(), progress)));
+                long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
+                        + InboundWarnings.cells(grid);
+                CoverageFindings found =
+                        withProgress(cells, settings, progress -> find(settings, stage, id, grid, courses, progress));
                 if (target != null) {
                     List<Position> sensors = settings.enabledSensors().values().stream()
                             .map(sensor -> sensor.position())
@@ -255,11 +250,29 @@ final class CoverageCommand implements Callable<Integer> {
         CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
     }
 
+    private CoverageFindings find(
+            SceneSettings settings,
+            Stage stage,
+            String id,
+            FieldGrid grid,
+            List<Course> courses,
+            IntConsumer progress) {
+        FieldSummary summary = FieldSummary.of(
+                DetectionField.of(settings, stage, id, grid, courses, progress), field.choice(), field.covered());
+        return new CoverageFindings(
+                summary,
+                VisibleHeights.of(settings, stage, grid),
+                DetectableHeights.of(summary.coverage(), progress),
+                InboundWarnings.of(settings, stage, id, grid, field.covered(), progress));
+    }
+
     private void print(CoverageFindings found) {
         PrintWriter target = spec.commandLine().getOut();
         FieldTable.causes(found.summary()).forEach(target::println);
         target.println();
         FieldTable.visible(found.visible()).forEach(target::println);
+        target.println();
+        FieldTable.detectable(found.detectable()).forEach(target::println);
         target.println();
         FieldTable.gaps(found.summary()).forEach(target::println);
         target.println();

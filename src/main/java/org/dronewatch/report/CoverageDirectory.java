@@ -34,6 +34,7 @@ public final class CoverageDirectory implements AutoCloseable {
                 write("cause-" + metres + ".png", pictures.causes(summary, height));
             }
             write("visible-height.png", pictures.visibleHeights(findings.visible()));
+            write("min-height.png", pictures.detectableHeights(findings.detectable()));
             write("warning.png", pictures.warnings(findings.visible().grid(), findings.warnings()));
             directory.publish(List.of());
         });

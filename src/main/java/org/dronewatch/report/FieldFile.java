@@ -1,11 +1,11 @@
 package org.dronewatch.report;
 
 import java.util.Locale;
+import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
-import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
@@ -35,9 +35,13 @@ final class FieldFile {
         root.put("north_m", Numbers.rounded(grid.y(0) + 0.5 * grid.cell()));
         inputs.origin().ifPresent(origin -> ResultFile.add(root.putObject("origin"), origin));
         ArrayNode heights = root.putArray("heights");
-        summary.heights().forEach(height -> add(heights.addObject(), height, findings.visible()));
+        summary.heights().forEach(height -> add(heights.addObject(), height, findings));
         ArrayNode idle = root.putArray("idle_sensors");
         summary.idleSensors().forEach(idle::add);
+        ObjectNode again = root.putObject("covered_again_gap");
+        DetectableHeights detectable = findings.detectable();
+        share(again, "share", detectable.coveredAgain(), detectable.columns());
+        again.put("largest_m", Numbers.rounded(detectable.largestGap()));
         ArrayNode warnings = root.putArray("warning");
         findings.warnings()
                 .all()
@@ -47,13 +51,22 @@ final class FieldFile {
         return root;
     }
 
-    private static void add(ObjectNode node, HeightSummary height, VisibleHeights visible) {
+    private static void add(ObjectNode node, HeightSummary height, CoverageFindings findings) {
         node.put("height_m", Numbers.rounded(height.height()));
         node.put("known", height.known());
         share(node, "unknown_share", height.unknown(), height.cells());
         share(node, "inside_share", height.inside(), height.cells());
         share(node, "covered_share", height.covered(), height.known());
-        share(node, "visible_share", visible.count(height.height()), visible.columns());
+        share(
+                node,
+                "visible_share",
+                findings.visible().count(height.height()),
+                findings.visible().columns());
+        share(
+                node,
+                "detectable_share",
+                findings.detectable().count(height.height()),
+                findings.detectable().columns());
         node.put("volume_m3", Numbers.rounded(height.volume()));
         ObjectNode causes = node.putObject("causes");
         height.causes().forEach((cause, cells) -> share(causes, name(cause), cells, height.known()));

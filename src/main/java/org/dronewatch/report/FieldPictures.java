@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
@@ -99,13 +100,37 @@ public final class FieldPictures {
 
     /** The least height at which any sensor has a free line of sight. */
     MapSheet visibleHeights(VisibleHeights visible) {
-        FieldGrid grid = visible.grid();
+        return heights(
+                visible.grid(),
+                visible::height,
+                List.of(
+                        "least height above the ground that",
+                        "any sensor sees, by the line of sight alone,",
+                        "whatever its range and field of view:"));
+    }
+
+    /** The least height at which a sensor detects the drone. */
+    MapSheet detectableHeights(DetectableHeights detectable) {
+        return heights(
+                detectable.grid(),
+                detectable::height,
+                List.of(
+                        "least height above the ground at which",
+                        "a sensor detects the drone '" + inputs.drone() + "',",
+                        (inputs.heading().equals("inbound") ? "inbound" : "on the " + inputs.heading() + " heading")
+                                + ":"));
+    }
+
+    /** A height for each column. */
+    private interface Heights {
+        double at(int column, int row);
+    }
+
+    private MapSheet heights(FieldGrid grid, Heights least, List<String> words) {
         MapSheet sheet = new MapSheet(grid);
-        sheet.drawMap(world, (column, row) -> fill(grid, visible.height(column, row)), sensors);
+        sheet.drawMap(world, (column, row) -> fill(grid, least.at(column, row)), sensors);
         sheet.title(inputs.scene());
-        sheet.line("least height above the ground that");
-        sheet.line("any sensor sees, by the line of sight alone,");
-        sheet.line("whatever its range and field of view:");
+        words.forEach(sheet::line);
         sheet.space();
         for (int i = 0; i < grid.heights().size(); i++) {
             String from = i == 0 ? "0" : Numbers.text(grid.heights().get(i - 1));

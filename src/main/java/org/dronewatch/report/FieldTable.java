@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
@@ -80,6 +81,27 @@ public final class FieldTable {
         StringBuilder any = new StringBuilder(text("%-24s", "any of them"));
         heights.forEach(height -> any.append(text(HEIGHT, percent(visible.count(height), visible.columns()))));
         lines.add(any.toString());
+        return lines;
+    }
+
+    /** In how many columns a sensor detects the drone at each height or lower, in percent. */
+    public static List<String> detectable(DetectableHeights detectable) {
+        StringBuilder header = new StringBuilder(text("%-24s", ""));
+        StringBuilder line = new StringBuilder(text("%-24s", "detected"));
+        for (double height : detectable.grid().heights()) {
+            header.append(text(HEIGHT, metres(height)));
+            line.append(text(HEIGHT, percent(detectable.count(height), detectable.columns())));
+        }
+        List<String> lines = new ArrayList<>();
+        lines.add("detected at a height or below, in % of the area with ground:");
+        lines.add(header.toString().stripTrailing());
+        lines.add(line.toString());
+        if (detectable.coveredAgain() > 0) {
+            lines.add(text(
+                    "in %s %% of it the drone is not detected at a height between two at which it is; the largest interval is"
+                            + " %s",
+                    percent(detectable.coveredAgain(), detectable.columns()), metres(detectable.largestGap())));
+        }
         return lines;
     }
 

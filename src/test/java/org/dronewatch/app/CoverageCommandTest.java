@@ -65,6 +65,7 @@ class CoverageCommandTest {
                         "north_m",
                         "heights",
                         "idle_sensors",
+                        "covered_again_gap",
                         "warning",
                         "complete");
         assertThat(json.get("heading").asString()).isEqualTo("best");
@@ -82,6 +83,7 @@ class CoverageCommandTest {
                         "inside_share",
                         "covered_share",
                         "visible_share",
+                        "detectable_share",
                         "volume_m3",
                         "causes",
                         "count_shares",
@@ -101,6 +103,8 @@ class CoverageCommandTest {
             assertThat(sum(height.get("count_shares"))).isCloseTo(1.0, within(1e-5));
             JsonNode none = height.get("count_shares").path("0");
             assertThat(height.get("covered_share").asDouble()).isCloseTo(1.0 - none.asDouble(), within(1e-5));
+            assertThat(height.get("detectable_share").asDouble())
+                    .isBetween((1 - inside) * height.get("covered_share").asDouble() - 1e-5, 1.0);
             assertThat(height.get("n_minus_1").propertyNames()).containsExactly("round", "radio");
         }
         JsonNode low = json.get("heights").get(0);
@@ -141,7 +145,13 @@ class CoverageCommandTest {
         }
         assertThat(files)
                 .extracting(file -> file.getFileName().toString())
-                .containsExactly("cause-2.png", "cause-60.png", "coverage.json", "visible-height.png", "warning.png");
+                .containsExactly(
+                        "cause-2.png",
+                        "cause-60.png",
+                        "coverage.json",
+                        "min-height.png",
+                        "visible-height.png",
+                        "warning.png");
         for (Path file : files) {
             assertThat(directory.resolve("again").resolve(file.getFileName()))
                     .as(file.toString())

@@ -132,6 +132,30 @@ public final class DetectionField {
                 rest);
     }
 
+    /**
+     * The field of the same sensors with one cell in each column, at its own height.
+     *
+     * @param above heights above the ground by row and column, m; NaN for no cell
+     */
+    DetectionField at(double[] above, IntConsumer progress) {
+        List<FieldProbe> all = List.copyOf(probes.values());
+        FieldColumns other = FieldColumns.at(all.get(0).world(), grid, above);
+        List<SensorLayer> there = new ArrayList<>();
+        all.forEach(probe -> there.add(SensorLayer.of(probe, other, progress)));
+        FieldGrid one = new FieldGrid(
+                grid.east(),
+                grid.north(),
+                grid.side(),
+                grid.cell(),
+                grid.heights().subList(0, 1));
+        return new DetectionField(one, other, courses, inLayers, probes, there);
+    }
+
+    /** The number of columns with ground below them. */
+    public int columnsWithGround() {
+        return columns.groundCount();
+    }
+
     /** The grid. */
     public FieldGrid grid() {
         return grid;

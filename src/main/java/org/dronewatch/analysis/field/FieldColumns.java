@@ -16,11 +16,11 @@ import org.dronewatch.world.World;
 final class FieldColumns {
     private static final byte OPEN = 0;
     private static final byte INSIDE = 1;
-    private static final byte NO_GROUND = 2;
+    private static final byte NOTHING = 2;
 
     private final int columns;
     private final int rows;
-    private final List<Double> heights;
+    private final int levels;
     private final Plan plan;
     private final double[] ground;
     private final byte[] kinds;
@@ -32,10 +32,28 @@ final class FieldColumns {
 
         /** Its north coordinate, m. */
         double y(int column, int row);
+
+        /** The height above the ground of one of its cells, from the lowest, m; NaN for none. */
+        double above(int level, int column, int row);
     }
 
     /** The columns of a grid, on the threads of the {@link Workers} that call. */
     static FieldColumns of(World world, FieldGrid grid) {
+        return square(world, grid, grid.heights().size(), (level, column, row) -> grid.heights()
+                .get(level));
+    }
+
+    /** The columns of a grid with one cell each, at its own height above the ground, m; NaN for none. */
+    static FieldColumns at(World world, FieldGrid grid, double[] above) {
+        return square(world, grid, 1, (level, column, row) -> above[row * grid.columns() + column]);
+    }
+
+    /** The heights of cells above the ground, m. */
+    private interface Heights {
+        double above(int level, int column, int row);
+    }
+
+    private static FieldColumns square(World world, FieldGrid grid, int levels, Heights heights) {
         Plan square = new Plan() {
             @Override
             public double x(int column, int row) {
@@ -46,18 +64,23 @@ final class FieldColumns {
             public double y(int column, int row) {
                 return grid.y(row);
             }
+
+            @Override
+            public double above(int level, int column, int row) {
+                return heights.above(level, column, row);
+            }
         };
-        return new FieldColumns(world, grid.columns(), grid.columns(), grid.heights(), square);
+        return new FieldColumns(world, grid.columns(), grid.columns(), levels, square);
     }
 
-    /** Columns anywhere, on the threads of the {@link Workers} that call; heights above the ground, m. */
-    FieldColumns(World world, int columns, int rows, List<Double> heights, Plan plan) {
+    /** Columns of several cells anywhere, on the threads of the {@link Workers} that call. */
+    FieldColumns(World world, int columns, int rows, int levels, Plan plan) {
         this.columns = columns;
         this.rows = rows;
-        this.heights = heights;
+        this.levels = levels;
         this.plan = plan;
         this.ground = new double[columns * rows];
-        this.kinds = new byte[ground.length * heights.size()];
+        this.kinds = new byte[ground.length * levels];
         Workers.forEach(rows, row -> {
             for (int column = 0; column < columns; column++) {
                 set(column, row, SurfaceColumn.at(world, plan.x(column, row), plan.y(column, row)));
@@ -69,10 +92,10 @@ final class FieldColumns {
         Optional<SurfaceColumn.Surface> lowest = surfaces.ground();
         int cell = row * columns + column;
         ground[cell] = lowest.map(SurfaceColumn.Surface::z).orElse(Double.NaN);
-        for (int height = 0; height < heights.size(); height++) {
-            kinds[index(height, column, row)] = lowest.isEmpty()
-                    ? NO_GROUND
-                    : isInside(surfaces.surfaces(), ground[cell] + heights.get(height)) ? INSIDE : OPEN;
+        for (int level = 0; level < levels; level++) {
+            double z = ground[cell] + plan.above(level, column, row);
+            kinds[index(level, column, row)] =
+                    Double.isNaN(z) ? NOTHING : isInside(surfaces.surfaces(), z) ? INSIDE : OPEN;
         }
     }
 
@@ -90,9 +113,9 @@ final class FieldColumns {
         return rows;
     }
 
-    /** The heights above the ground, m. */
-    List<Double> heights() {
-        return heights;
+    /** The number of cells in a column. */
+    int levels() {
+        return levels;
     }
 
     /** Surfaces are given from the highest to the lowest. */
@@ -134,6 +157,7 @@ final class FieldColumns {
 
     /** The middle of a cell, m; over ground only. */
     Position middle(int height, int column, int row) {
-        return new Position(plan.x(column, row), plan.y(column, row), ground(column, row) + heights.get(height));
+        return new Position(
+                plan.x(column, row), plan.y(column, row), ground(column, row) + plan.above(height, column, row));
     }
 }

@@ -25,6 +25,7 @@ public final class FieldCoverage {
 
     private final DetectionField field;
     private final Choice choice;
+    private final double covered;
 
     /** The least number of steps of a covering sensor's probability. */
     private final int needed;
@@ -45,6 +46,7 @@ public final class FieldCoverage {
         }
         this.field = field;
         this.choice = choice;
+        this.covered = covered;
         this.needed = SensorLayer.stepsToCover(covered);
         int all = field.grid().cells() * field.grid().heights().size();
         this.courses = new byte[all];
@@ -106,6 +108,11 @@ public final class FieldCoverage {
 
     private int index(int height, int column, int row) {
         return (height * field.grid().columns() + row) * field.grid().columns() + column;
+    }
+
+    /** Another field, evaluated in the same way. */
+    FieldCoverage of(DetectionField other) {
+        return new FieldCoverage(other, choice, covered);
     }
 
     /** The field. */

@@ -51,8 +51,9 @@ public record InboundWarnings(Position target, double reach, double response, bo
             SceneSettings settings, Stage stage, String drone, FieldGrid grid, double covered, IntConsumer progress) {
         Position target = InboundTarget.of(settings, stage.protection());
         Drone sample = DetectionField.droneOf(stage, drone);
-        Flights flights = new Flights(target, 0.5 * grid.side(), grid.cell());
-        FieldColumns paths = new FieldColumns(stage.world(), flights.steps(), BEARINGS, grid.heights(), flights);
+        Flights flights = new Flights(target, 0.5 * grid.side(), grid.cell(), grid.heights());
+        FieldColumns paths = new FieldColumns(
+                stage.world(), flights.steps(), BEARINGS, grid.heights().size(), flights);
         List<SensorLayer> layers = new ArrayList<>();
         for (Map.Entry<String, SensorSettings<?>> sensor :
                 settings.enabledSensors().entrySet()) {
@@ -92,7 +93,7 @@ public record InboundWarnings(Position target, double reach, double response, bo
 
     /** How many cells a sensor looks at. */
     public static long cells(FieldGrid grid) {
-        Flights flights = new Flights(new Position(0, 0, 0), 0.5 * grid.side(), grid.cell());
+        Flights flights = new Flights(new Position(0, 0, 0), 0.5 * grid.side(), grid.cell(), grid.heights());
         return (long) flights.steps() * BEARINGS * grid.heights().size();
     }
 
@@ -143,7 +144,8 @@ public record InboundWarnings(Position target, double reach, double response, bo
     }
 
     /** The plan of all flights: a row for each bearing, a column for each step inward. */
-    private record Flights(Position target, double reach, double step) implements FieldColumns.Plan {
+    private record Flights(Position target, double reach, double step, List<Double> heights)
+            implements FieldColumns.Plan {
         int steps() {
             return (int) Math.floor(reach / step) + 1;
         }
@@ -168,6 +170,11 @@ public record InboundWarnings(Position target, double reach, double response, bo
         @Override
         public double y(int column, int row) {
             return at(distance(column), row).y();
+        }
+
+        @Override
+        public double above(int level, int column, int row) {
+            return heights.get(level);
         }
     }
 }

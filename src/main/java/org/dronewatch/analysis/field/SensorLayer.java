@@ -49,7 +49,7 @@ final class SensorLayer {
      * @param progress receives the number of cells done since the last call; from any thread
      */
     static SensorLayer of(FieldProbe probe, FieldColumns columns, IntConsumer progress) {
-        SensorLayer layer = new SensorLayer(columns.rows(), columns.heights().size());
+        SensorLayer layer = new SensorLayer(columns.rows(), columns.levels());
         Workers.forEach(layer.entries.length, probe::newAssessor, (assessor, index) -> {
             Row row = new Row(columns.columns(), probe.courses().size());
             int height = index / layer.rows;

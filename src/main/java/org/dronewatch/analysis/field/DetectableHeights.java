@@ -1,0 +1,140 @@
+package org.dronewatch.analysis.field;
+
+import java.util.Arrays;
+import java.util.function.IntConsumer;
+
+/**
+ * The least height above the ground at which a sensor covers each column: the lowest height of the grid that is
+ * covered, refined down to the next lower one by halving the interval. Below the lowest covered height of the grid, and
+ * between two that are covered, the column is not searched. Immutable.
+ */
+public final class DetectableHeights {
+    /** The accuracy of the heights, m. */
+    public static final double ACCURACY = 0.5;
+
+    private final FieldGrid grid;
+    private final int columns;
+
+    /** By row and column, m: the height is above the lower and not above the upper one; NaN where nothing covers. */
+    private final double[] lower;
+
+    private final double[] upper;
+
+    /** The largest interval that is not covered above a height that is, and below one that is, m; 0 for none. */
+    private final double[] gaps;
+
+    private DetectableHeights(FieldGrid grid, int columns) {
+        this.grid = grid;
+        this.columns = columns;
+        this.lower = new double[grid.cells()];
+        this.upper = new double[grid.cells()];
+        this.gaps = new double[grid.cells()];
+    }
+
+    /**
+     * Refines the heights of a coverage, on the threads of the {@link org.dronewatch.parallel.Workers} that call; the
+     * same for any number of them.
+     *
+     * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
+     */
+    public static DetectableHeights of(FieldCoverage coverage, IntConsumer progress) {
+        FieldGrid grid = coverage.field().grid();
+        DetectableHeights heights = new DetectableHeights(grid, coverage.field().columnsWithGround());
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            heights.begin(coverage, cell);
+        }
+        for (int round = 0; round < rounds(grid); round++) {
+            heights.halve(coverage, progress);
+        }
+        return heights;
+    }
+
+    /** How many times all columns are looked at again. */
+    public static int rounds(FieldGrid grid) {
+        double widest = 0.0;
+        double below = 0.0;
+        for (double height : grid.heights()) {
+            widest = Math.max(widest, height - below);
+            below = height;
+        }
+        int rounds = 0;
+        for (double width = widest; width > ACCURACY; width *= 0.5) {
+            rounds++;
+        }
+        return rounds;
+    }
+
+    /** From what is known at the heights of the grid. */
+    private void begin(FieldCoverage coverage, int cell) {
+        lower[cell] = 0.0;
+        upper[cell] = Double.NaN;
+        double lastCovered = Double.NaN;
+        boolean wasBare = false;
+        for (int i = 0; i < grid.heights().size(); i++) {
+            double height = grid.heights().get(i);
+            if (coverage.isCovered(i, cell % grid.columns(), cell / grid.columns())) {
+                upper[cell] = Double.isNaN(upper[cell]) ? height : upper[cell];
+                gaps[cell] = wasBare ? Math.max(gaps[cell], height - lastCovered) : gaps[cell];
+                lastCovered = height;
+                wasBare = false;
+            } else {
+                lower[cell] = Double.isNaN(upper[cell]) ? height : lower[cell];
+                wasBare = !Double.isNaN(upper[cell]);
+            }
+        }
+    }
+
+    private void halve(FieldCoverage coverage, IntConsumer progress) {
+        double[] middle = new double[grid.cells()];
+        for (int cell = 0; cell < middle.length; cell++) {
+            boolean isWide = upper[cell] - lower[cell] > ACCURACY;
+            middle[cell] = isWide ? 0.5 * (lower[cell] + upper[cell]) : Double.NaN;
+        }
+        FieldCoverage there = coverage.of(coverage.field().at(middle, progress));
+        for (int cell = 0; cell < middle.length; cell++) {
+            if (there.isCovered(0, cell % grid.columns(), cell / grid.columns())) {
+                upper[cell] = middle[cell];
+            } else if (!Double.isNaN(middle[cell])) {
+                lower[cell] = middle[cell];
+            }
+        }
+    }
+
+    /** The grid. */
+    public FieldGrid grid() {
+        return grid;
+    }
+
+    /** The least covered height above the ground, m, too high by at most {@link #ACCURACY}; NaN where there is none. */
+    public double height(int column, int row) {
+        return upper[row * grid.columns() + column];
+    }
+
+    /**
+     * The largest interval between two covered heights of the grid, one above the other, of which those between are not
+     * covered, m; 0 where a column is covered from its least height up, or only below some height.
+     */
+    public double coveredAgainGap(int column, int row) {
+        return gaps[row * grid.columns() + column];
+    }
+
+    /** The largest such interval of all columns, m. */
+    public double largestGap() {
+        return Arrays.stream(gaps).max().orElse(0.0);
+    }
+
+    /** The number of columns that have such an interval. */
+    public int coveredAgain() {
+        return (int) Arrays.stream(gaps).filter(gap -> gap > 0.0).count();
+    }
+
+    /** The number of columns with ground below them. */
+    public int columns() {
+        return columns;
+    }
+
+    /** The number of columns whose least covered height is at most a height, m. */
+    public int count(double height) {
+        return (int) Arrays.stream(upper).filter(its -> its <= height).count();
+    }
+}
