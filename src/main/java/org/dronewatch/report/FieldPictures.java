@@ -27,6 +27,7 @@ public final class FieldPictures {
     private static final Color HIGHEST = new Color(0x2c4a86);
     private static final Color HIDDEN = new Color(0x2b2b2b);
     private static final double STRENGTH = 0.75;
+    private static final double LOWEST_BOUND = 2.5;
 
     /** Lines on a pale map. */
     private static final Color NEAR_GROUND = new Color(0xd55e00);
@@ -132,10 +133,10 @@ public final class FieldPictures {
         sheet.title(inputs.scene());
         words.forEach(sheet::line);
         sheet.space();
-        for (int i = 0; i < grid.heights().size(); i++) {
-            String from = i == 0 ? "0" : Numbers.text(grid.heights().get(i - 1));
-            double height = grid.heights().get(i);
-            sheet.entry(fill(grid, height), from + " to " + metres(height));
+        double below = 0.0;
+        for (double bound : bounds(grid)) {
+            sheet.entry(fill(grid, bound), Numbers.text(below) + " to " + metres(bound));
+            below = bound;
         }
         sheet.entry(fill(grid, Double.NaN), "not up to there, or no ground");
         sheet.space();
@@ -206,14 +207,26 @@ public final class FieldPictures {
     }
 
     private static MapSheet.Fill fill(FieldGrid grid, double height) {
-        int last = grid.heights().size() - 1;
+        List<Double> bounds = bounds(grid);
+        int last = bounds.size() - 1;
         for (int i = 0; i <= last; i++) {
-            if (height <= grid.heights().get(i)) {
+            if (height <= bounds.get(i)) {
                 Color colour = MapSheet.mixed(LOWEST, HIGHEST, last == 0 ? 0.0 : (double) i / last);
                 return (u, v, ground) -> MapSheet.mixed(ground, colour, STRENGTH);
             }
         }
         return (u, v, ground) -> MapSheet.mixed(ground, HIDDEN, STRENGTH);
+    }
+
+    /** Upper bounds of the classes of height: each is twice the one below, and the last is the top of the grid. */
+    private static List<Double> bounds(FieldGrid grid) {
+        double top = grid.heights().get(grid.heights().size() - 1);
+        List<Double> bounds = new ArrayList<>();
+        for (double bound = LOWEST_BOUND; bound < top; bound *= 2.0) {
+            bounds.add(bound);
+        }
+        bounds.add(top);
+        return bounds;
     }
 
     private static String metres(double length) {

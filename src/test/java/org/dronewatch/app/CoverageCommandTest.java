@@ -191,6 +191,10 @@ class CoverageCommandTest {
         int seen = pixel(visible, 12, -10);
         int behind = pixel(visible, 0, 85);
         assertThat(seen >> 8 & 0xff).as("lighter").isGreaterThan((behind >> 8 & 0xff) + 60);
+        BufferedImage detectable =
+                ImageIO.read(directory.resolve("field/min-height.png").toFile());
+        assertThat(pixel(detectable, 12, -10)).as("at once").isEqualTo(seen);
+        assertThat(pixel(detectable, 0, 85) >> 8 & 0xff).as("lighter").isLessThan(seen >> 8 & 0xff);
     }
 
     private static int pixel(BufferedImage picture, double x, double y) {

@@ -1,2 +1,2 @@
-/** The detection field of a site: where its sensors detect a drone at several heights, why not elsewhere, and how early. */
+/** The detection field of a site: where, how high and how early its sensors detect a drone, and why not elsewhere. */
 package org.dronewatch.analysis.field;
