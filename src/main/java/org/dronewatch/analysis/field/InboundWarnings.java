@@ -14,12 +14,13 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The warning that the sensors give of a drone that flies in straight, from every bearing and at several heights above
- * the ground: to the middle of the protected zone or, without one, of the sensors, at its cruise speed. It is detected
- * where a sensor covers it; it is assessed once per cell of its path, but not inside something solid. Immutable.
+ * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
+ * the ground, to the middle of the protected zone or, without one, of the sensors, at its cruise speed. The drone is
+ * detected where a sensor covers it; it is assessed once per cell of its path, but not inside something solid.
+ * Immutable.
  *
- * @param target where it flies to, m
- * @param reach the horizontal distance from there at which it begins, m
+ * @param target point towards which the drone flies, m
+ * @param reach horizontal distance from that point at which the flight begins, m
  * @param response the time that is required after a detection, s; 0 if none is
  * @param isZone whether there is a protected zone
  * @param all by height, then bearing

@@ -10,8 +10,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The least height above the ground from which each sensor has a free line of sight, column by column: the part of the
- * site alone, whatever the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
+ * The least height above the ground from which each sensor has a free line of sight, column by column. Only the site
+ * matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
  */
 public final class VisibleHeights {
     private final FieldGrid grid;
@@ -32,7 +32,7 @@ public final class VisibleHeights {
      * Finds the heights for all enabled sensors of a scene, on the threads of the {@link Workers} that call; the same
      * for any number of them.
      *
-     * @param grid its highest height is where the search ends
+     * @param grid the grid, whose greatest height is where the search ends
      */
     public static VisibleHeights of(SceneSettings settings, Stage stage, FieldGrid grid) {
         Map<String, Position> positions = new LinkedHashMap<>();

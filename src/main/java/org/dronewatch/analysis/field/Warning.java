@@ -3,13 +3,14 @@ package org.dronewatch.analysis.field;
 import java.util.OptionalDouble;
 
 /**
- * How early a drone that flies in straight, from one bearing and at one height, is first detected.
+ * How early a drone that flies straight in, from one bearing and at one height, is first detected.
  *
- * @param bearing from which it comes, clockwise from north, rad
- * @param height above the ground, m
- * @param arrival its horizontal distance from where it flies to when it reaches the protected zone, m; 0 without a zone
- * @param range the same distance when it is first detected, m; empty if it is not detected before it arrives
- * @param time from then until it arrives, s; empty likewise
+ * @param bearing bearing from which it comes, clockwise from north, rad
+ * @param height height above the ground, m
+ * @param arrival horizontal distance from its target at which it reaches the protected zone, m; 0 without a zone
+ * @param range horizontal distance from its target when it is first detected, m; empty if it is not detected before it
+ *     arrives
+ * @param time time from its first detection until it arrives, s; empty if it is not detected before it arrives
  */
 public record Warning(double bearing, double height, double arrival, OptionalDouble range, OptionalDouble time) {
 

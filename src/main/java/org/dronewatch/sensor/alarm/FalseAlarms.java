@@ -17,8 +17,8 @@ import org.dronewatch.world.Weather;
  *     same cell confirm each other; 1, the most cautious value, if all of them do
  * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
  *     confirmed like a drone
- * @param weather rates that apply instead of {@code perHour} in some weather or light; the first whose conditions the
- *     site meets. None unless set: then the rate is the same in all weathers
+ * @param weather rates for some weather or light, the first of which whose conditions the site meets applies instead of
+ *     {@code perHour}; unless set, the rate is the same in all weather
  */
 public record FalseAlarms(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
@@ -36,7 +36,7 @@ public record FalseAlarms(
         weather = List.copyOf(weather);
     }
 
-    /** False alarms with the same rate in all weathers. */
+    /** False alarms with the same rate in all weather. */
     public FalseAlarms(double perHour, int cells, double duration) {
         this(perHour, cells, duration, List.of());
     }
@@ -61,12 +61,12 @@ public record FalseAlarms(
         return SettingsForm.with(this, "duration", seconds);
     }
 
-    /** These false alarms with other rates in some weathers. */
+    /** These false alarms with other rates for some kinds of weather. */
     public FalseAlarms withWeather(List<WeatherRate> rates) {
         return SettingsForm.with(this, "weather", rates);
     }
 
-    /** These false alarms in some weather: with the rate that applies there, and no other. */
+    /** These false alarms in a given weather: with the rate that applies then, and no other. */
     public FalseAlarms in(Weather given) {
         double applies = weather.stream()
                 .filter(one -> one.appliesIn(given))

@@ -8,14 +8,14 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.Weather;
 
 /**
- * A rate of false alarms that applies in some weather or light: where the site's meets all its conditions. One that is
- * left out is always met.
+ * A rate of false alarms that applies if the weather and light of the site meet all of its conditions. A condition that
+ * is left out is always met.
  *
  * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
- * @param rain rain rate from which it applies, 0 to 500 mm/h
- * @param wind wind speed at a height of 10 m from which it applies, 0 to 60 m/s
- * @param visibility visibility up to which it applies, above 0 and at most 1000 km
- * @param illuminance illuminance of the ground up to which it applies, 1e-5 to 200,000 lx
+ * @param rain least rain rate at which it applies, 0 to 500 mm/h
+ * @param wind least wind speed, at a height of 10 m, at which it applies, 0 to 60 m/s
+ * @param visibility greatest visibility at which it applies, above 0 and at most 1000 km
+ * @param illuminance greatest illuminance of the ground at which it applies, 1e-5 to 200,000 lx
  */
 public record WeatherRate(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
