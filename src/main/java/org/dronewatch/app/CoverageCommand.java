@@ -141,7 +141,7 @@ final class CoverageCommand implements Callable<Integer> {
                     settings,
                     progress -> Coverage.of(settings, stage, id, grid, progress));
             String words = "drone '" + id + "'";
-            CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words);
+            CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words, stage.credits());
             target.write(picture::writePng);
             print(coverage);
             return 0;

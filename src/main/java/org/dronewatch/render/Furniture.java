@@ -189,10 +189,7 @@ final class Furniture {
     void credits(List<String> credits) {
         g.setFont(font(Font.PLAIN, 10));
         FontMetrics metrics = g.getFontMetrics();
-        List<String> lines = new ArrayList<>();
-        for (String credit : credits) {
-            lines.addAll(wrapped(credit, metrics, width / 2));
-        }
+        List<String> lines = Credits.lines(credits, metrics, width / 2);
         if (lines.isEmpty()) {
             return;
         }
@@ -206,21 +203,6 @@ final class Furniture {
             g.drawString(lines.get(i), x + px(6), y + px(13) * (i + 1));
         }
         credited = h + px(6);
-    }
-
-    /** A text in lines of at most a width, if its words allow that. */
-    static List<String> wrapped(String text, FontMetrics metrics, int most) {
-        List<String> lines = new ArrayList<>();
-        StringBuilder line = new StringBuilder();
-        for (String word : text.strip().split("\\s+")) {
-            if (!line.isEmpty() && metrics.stringWidth(line + " " + word) > most) {
-                lines.add(line.toString());
-                line.setLength(0);
-            }
-            line.append(line.isEmpty() ? "" : " ").append(word);
-        }
-        lines.add(line.toString());
-        return lines;
     }
 
     /**

@@ -19,6 +19,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.Credits;
 import org.dronewatch.render.KindColours;
 import org.dronewatch.world.World;
 
@@ -28,11 +29,13 @@ public final class CoveragePicture {
     private static final int SIDE = 380;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
+    private static final int SMALL_LINE = 15;
     /** Stripes mark what is not known: they differ from every colour, also in print. */
     private static final int STRIPE = 5;
 
     private static final Color UNKNOWN = new Color(0x6b6b6b);
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
+    private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
 
     private final Coverage coverage;
@@ -52,8 +55,9 @@ public final class CoveragePicture {
      * @param title what it shows
      * @param world for the shades of the ground
      * @param drone description of the drone for the legend
+     * @param credits that the data of the site require
      */
-    public static CoveragePicture of(String title, Coverage coverage, World world, String drone) {
+    public static CoveragePicture of(String title, Coverage coverage, World world, String drone, List<String> credits) {
         CoveragePicture picture = new CoveragePicture(coverage);
         picture.drawMap(world);
         Graphics2D g = picture.image.createGraphics();
@@ -61,7 +65,7 @@ public final class CoveragePicture {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         picture.drawSensors(g);
         picture.drawScale(g);
-        picture.drawLegend(g, title, drone);
+        picture.drawLegend(g, title, drone, picture.drawCredits(g, credits));
         g.dispose();
         return picture;
     }
@@ -160,9 +164,21 @@ public final class CoveragePicture {
         g.drawString("N", MAP - 43, 70);
     }
 
-    private void drawLegend(Graphics2D g, String title, String drone) {
+    /** Draws the credits at the bottom of the panel; returns their height. */
+    private int drawCredits(Graphics2D g, List<String> credits) {
         g.setColor(Color.WHITE);
         g.fillRect(MAP, 0, SIDE, MAP);
+        g.setColor(Color.DARK_GRAY);
+        g.setFont(SMALL);
+        List<String> lines = Credits.lines(credits, g.getFontMetrics(), SIDE - 2 * MARGIN);
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), MAP + MARGIN, MAP - MARGIN - SMALL_LINE * (lines.size() - 1 - i));
+        }
+        return SMALL_LINE * lines.size();
+    }
+
+    /** The rest of the panel, above the credits. */
+    private void drawLegend(Graphics2D g, String title, String drone, int below) {
         int x = MAP + MARGIN;
         int y = MARGIN + 16;
         g.setColor(Color.BLACK);
@@ -202,7 +218,7 @@ public final class CoveragePicture {
         }
         y += LINE;
         List<String> ids = new ArrayList<>(coverage.sensors().keySet());
-        int room = (MAP - y - MARGIN) / LINE - 1;
+        int room = (MAP - y - MARGIN - below) / LINE - 1;
         for (String id : ids.subList(0, Math.min(room, ids.size()))) {
             y += LINE;
             g.setColor(colours.of(coverage.sensors().get(id).kind()));

@@ -49,13 +49,13 @@ class FurnitureTest {
         assertThat(paper.x + paper.width).isEqualTo(600 - 12);
         assertThat(paper.y + paper.height).isEqualTo(400 - 12);
         assertThat(paper.width).isLessThanOrEqualTo(300 + 12);
-        List<String> lines = Furniture.wrapped(notice, g.getFontMetrics(), 300);
+        List<String> lines = Credits.lines(List.of(notice), g.getFontMetrics(), 300);
         assertThat(lines)
                 .hasSizeGreaterThan(1)
                 .allMatch(line -> g.getFontMetrics().stringWidth(line) <= 300);
         assertThat(String.join(" ", lines)).isEqualTo(notice);
         assertThat(paper.height).isEqualTo(13 * (1 + lines.size()) + 7);
-        assertThat(Furniture.wrapped("unbreakable", g.getFontMetrics(), 5)).containsExactly("unbreakable");
+        assertThat(Credits.lines(List.of("unbreakable"), g.getFontMetrics(), 5)).containsExactly("unbreakable");
         g.dispose();
     }
 

@@ -278,7 +278,7 @@ class CoverageTest {
 
     @Test
     void thePictureShowsWhatIsReached() {
-        CoveragePicture picture = CoveragePicture.of("plain", coverage, stage.world(), "drone 'one'");
+        CoveragePicture picture = CoveragePicture.of("plain", coverage, stage.world(), "drone 'one'", List.of());
 
         Color far = picture.colour(60, 60);
         Color radarOnly = picture.colour(500 + 250, 500 + 40);
@@ -292,6 +292,27 @@ class CoverageTest {
                 .as("a cell that the microphone reaches, too, is redder")
                 .isGreaterThan(radarOnly.getRed());
         assertThat(picture.colour(1200, 900)).isEqualTo(Color.WHITE);
+    }
+
+    /** At the bottom of the panel, in as many lines as it takes; without credits, nothing is there. */
+    @Test
+    void thePictureShowsTheCreditsOfItsData() {
+        assertThat(inkAtTheBottom(List.of())).isZero();
+        int one = inkAtTheBottom(List.of("© OpenStreetMap contributors"));
+        assertThat(one).isGreaterThan(100);
+        assertThat(inkAtTheBottom(List.of("© OpenStreetMap contributors", "heights of the survey ".repeat(9))))
+                .isGreaterThan(3 * one);
+    }
+
+    private static int inkAtTheBottom(List<String> credits) {
+        CoveragePicture picture = CoveragePicture.of("plain", coverage, stage.world(), "drone 'one'", credits);
+        int ink = 0;
+        for (int x = 1000; x < 1380; x++) {
+            for (int y = 900; y < 1000; y++) {
+                ink += picture.colour(x, y).getRed() < 0x80 ? 1 : 0;
+            }
+        }
+        return ink;
     }
 
     /**
