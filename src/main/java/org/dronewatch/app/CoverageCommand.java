@@ -174,7 +174,7 @@ final class CoverageCommand implements Callable<Integer> {
                     List<Position> sensors = settings.enabledSensors().values().stream()
                             .map(sensor -> sensor.position())
                             .toList();
-                    target.write(found, inputs, new FieldPictures(stage.world(), sensors, stage.protection(), inputs));
+                    target.write(found, inputs, new FieldPictures(stage, sensors, inputs));
                 }
                 print(found);
                 return 0;

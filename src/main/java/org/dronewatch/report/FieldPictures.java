@@ -16,6 +16,7 @@ import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.world.World;
 
@@ -40,19 +41,21 @@ public final class FieldPictures {
     private final World world;
     private final List<Position> sensors;
     private final Protection protection;
+    private final List<String> credits;
     private final CoverageInputs inputs;
 
     /**
      * Maps of one site.
      *
+     * @param stage its world, its protected zones and the credits of its data
      * @param sensors where they are, m
-     * @param protection the protected zones
      * @param inputs what the coverage was asked for
      */
-    public FieldPictures(World world, List<Position> sensors, Protection protection, CoverageInputs inputs) {
-        this.world = world;
+    public FieldPictures(Stage stage, List<Position> sensors, CoverageInputs inputs) {
+        this.world = stage.world();
         this.sensors = List.copyOf(sensors);
-        this.protection = protection;
+        this.protection = stage.protection();
+        this.credits = stage.credits();
         this.inputs = inputs;
     }
 
@@ -62,6 +65,7 @@ public final class FieldPictures {
         HeightSummary numbers = summary.heights().get(height);
         MapSheet sheet = new MapSheet(coverage.field().grid());
         sheet.drawMap(world, (column, row) -> fill(coverage, height, column, row), sensors);
+        sheet.credits(credits);
         sheet.title(inputs.scene());
         sheet.line("drone '" + inputs.drone() + "' at " + metres(numbers.height()) + " above the ground,");
         sheet.line(inputs.heading().equals("inbound") ? "inbound;" : "on the " + inputs.heading() + " heading;");
@@ -130,6 +134,7 @@ public final class FieldPictures {
     private MapSheet heights(FieldGrid grid, Heights least, List<String> words) {
         MapSheet sheet = new MapSheet(grid);
         sheet.drawMap(world, (column, row) -> fill(grid, least.at(column, row)), sensors);
+        sheet.credits(credits);
         sheet.title(inputs.scene());
         words.forEach(sheet::line);
         sheet.space();
@@ -151,6 +156,7 @@ public final class FieldPictures {
     MapSheet warnings(FieldGrid grid, InboundWarnings warnings) {
         MapSheet sheet = new MapSheet(grid);
         sheet.drawMap(world, (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35), sensors);
+        sheet.credits(credits);
         sheet.title(inputs.scene());
         sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
         sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));

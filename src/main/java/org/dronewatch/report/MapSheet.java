@@ -16,6 +16,7 @@ import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.Credits;
 import org.dronewatch.world.World;
 
 /** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */
@@ -24,11 +25,14 @@ final class MapSheet {
     private static final int SIDE = 400;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
+    private static final int SMALL_LINE = 16;
     private static final int SWATCH_WIDTH = 22;
     private static final int SWATCH_HEIGHT = 16;
     private static final Color PALE = new Color(255, 255, 255, 200);
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
+
+    private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
     private final BufferedImage image = new BufferedImage(MAP + SIDE, MAP, BufferedImage.TYPE_INT_RGB);
     private final Graphics2D g = image.createGraphics();
@@ -145,6 +149,16 @@ final class MapSheet {
         g.fillPolygon(new int[] {MAP - 36, MAP - 46, MAP - 26}, new int[] {18, 46, 46}, 3);
         g.setFont(TITLE);
         g.drawString("N", MAP - 43, 70);
+    }
+
+    /** Writes the credits that the data of the site require, at the bottom of the legend. */
+    void credits(List<String> credits) {
+        g.setFont(SMALL);
+        g.setColor(Color.DARK_GRAY);
+        List<String> lines = Credits.lines(credits, g.getFontMetrics(), SIDE - 2 * MARGIN);
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), MAP + MARGIN, MAP - MARGIN - SMALL_LINE * (lines.size() - 1 - i));
+        }
     }
 
     /** Writes the title of the legend. */

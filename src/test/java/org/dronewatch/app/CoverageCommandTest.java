@@ -197,6 +197,55 @@ class CoverageCommandTest {
         assertThat(pixel(detectable, 0, 85) >> 8 & 0xff).as("lighter").isLessThan(seen >> 8 & 0xff);
     }
 
+    /** At the bottom of the legend of each map. */
+    @Test
+    void everyMapShowsTheCreditsOfItsData() throws IOException {
+        StringBuilder ground =
+                new StringBuilder("ncols 9\nnrows 9\nxllcenter 499960\nyllcenter 5538590.74\ncellsize 10\n");
+        Path site = Files.createDirectories(directory.resolve("survey"));
+        Files.writeString(
+                site.resolve("ground.asc"), ground.append("200 ".repeat(81)).append('\n'));
+        String scene =
+                """
+                world:
+                  origin: {latitude: 50.0 deg, longitude: 15.0 deg, height: 200 m}
+                  terrain: {file: ground.asc, crs: EPSG:32633, attribution: "heights of the survey"}
+                drones:
+                  one: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [10, 10, 12]}}
+                sensors:
+                  radio: {kind: rf, position: [0, 0, 10]}
+                """;
+        for (String attribution : List.of("heights of the survey", "")) {
+            Path out = site.resolve("maps-" + attribution.length());
+            Files.writeString(
+                    site.resolve("site.yaml"),
+                    attribution.isEmpty() ? scene.replaceFirst(", attribution: \"[^\"]*\"", "") : scene);
+            Outcome outcome = Program.run(
+                    "coverage",
+                    site.resolve("site.yaml").toString(),
+                    "--side=40",
+                    "--cell=20",
+                    "--heights=10",
+                    "--out=" + out);
+            assertThat(outcome.code()).as(outcome.err()).isZero();
+            for (String map : List.of("cause-10", "visible-height", "min-height", "warning")) {
+                assertThat(inkAtTheBottom(ImageIO.read(out.resolve(map + ".png").toFile())) > 100)
+                        .as("%s with '%s'", map, attribution)
+                        .isEqualTo(!attribution.isEmpty());
+            }
+        }
+    }
+
+    private static int inkAtTheBottom(BufferedImage map) {
+        int ink = 0;
+        for (int x = 1001; x < map.getWidth(); x++) {
+            for (int y = 900; y < map.getHeight(); y++) {
+                ink += (map.getRGB(x, y) & 0xff) < 0x80 ? 1 : 0;
+            }
+        }
+        return ink;
+    }
+
     private static int pixel(BufferedImage picture, double x, double y) {
         return picture.getRGB((int) ((x - 2.5 + 150) / 300 * 1000), (int) ((150 + 2.5 - y) / 300 * 1000));
     }
