@@ -2,7 +2,7 @@ package org.dronewatch.bench;
 
 import org.dronewatch.kdtree.RayTracer;
 
-/** Traces rays one at a time. */
+/** Traces rays, or tests segments for obstacles, one at a time. */
 final class RaySetTracer implements Tracer {
     private static final int PIECE = 4096;
 
@@ -23,11 +23,21 @@ final class RaySetTracer implements Tracer {
     public void trace(int piece, float[] distances, int[] triangles) {
         int to = Math.min((piece + 1) * PIECE, set.count());
         for (int ray = piece * PIECE; ray < to; ray++) {
-            traceRay(ray, distances, triangles);
+            if (set.query() == RaySet.Query.OCCLUDED) {
+                triangles[ray] = isOccluded(ray) ? 0 : -1;
+            } else {
+                traceRay(ray, distances, triangles);
+            }
         }
     }
 
-    /** Traces one ray. */
+    private boolean isOccluded(int ray) {
+        float[] r = set.rays();
+        int i = ray * RaySet.FLOATS;
+        return traversal.isOccluded(r[i], r[i + 1], r[i + 2], r[i + 3], r[i + 4], r[i + 5], 0.0, 1.0);
+    }
+
+    /** Finds the nearest triangle along one ray. */
     void traceRay(int ray, float[] distances, int[] triangles) {
         float[] r = set.rays();
         int i = ray * RaySet.FLOATS;

@@ -8,8 +8,8 @@ interface Tracer {
     /**
      * Traces a piece.
      *
-     * @param distances receives the distance of each of its rays, infinity for none
-     * @param triangles receives the triangle of each of its rays, -1 for none
+     * @param distances receives the distance of each of its rays, infinity for none; unchanged for an occlusion query
+     * @param triangles receives the triangle of each of its rays, -1 for none; 0 for any in an occlusion query
      */
     void trace(int piece, float[] distances, int[] triangles);
 }

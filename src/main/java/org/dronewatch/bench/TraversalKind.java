@@ -29,9 +29,6 @@ public enum TraversalKind {
 
     /** Creates a tracer of this kind for each thread. */
     Supplier<Tracer> tracers(TracingIndex index, RaySet set) {
-        if (set.query() == RaySet.Query.OCCLUDED) {
-            return segmentTracers(index, set);
-        }
         return switch (of(set)) {
             case SEQUENTIAL -> () -> new RaySetTracer(new SequentialTraversal(index.tree()), set);
             case TILES -> {
@@ -41,14 +38,6 @@ public enum TraversalKind {
             }
             case BVH -> () -> new RaySetTracer(index.newIncoherentRayTracer(), set);
             default -> () -> new RaySetTracer(index.newRayTracer(), set);
-        };
-    }
-
-    private Supplier<Tracer> segmentTracers(TracingIndex index, RaySet set) {
-        return switch (of(set)) {
-            case SEQUENTIAL -> () -> new SegmentTracer(new SequentialTraversal(index.tree()), set);
-            case BVH -> () -> new SegmentTracer(index.newIncoherentRayTracer(), set);
-            default -> () -> new SegmentTracer(index.newRayTracer(), set);
         };
     }
 

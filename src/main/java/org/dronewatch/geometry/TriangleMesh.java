@@ -117,6 +117,18 @@ public final class TriangleMesh {
         return vertices[3 * corners[3 * triangle + corner] + axis];
     }
 
+    /** The least coordinate of a triangle's corners on an axis, m; parameters as for {@link #coordinate}. */
+    public float least(int triangle, int axis) {
+        return Math.min(
+                coordinate(triangle, 0, axis), Math.min(coordinate(triangle, 1, axis), coordinate(triangle, 2, axis)));
+    }
+
+    /** The greatest coordinate of a triangle's corners on an axis, m; parameters as for {@link #coordinate}. */
+    public float greatest(int triangle, int axis) {
+        return Math.max(
+                coordinate(triangle, 0, axis), Math.max(coordinate(triangle, 1, axis), coordinate(triangle, 2, axis)));
+    }
+
     /**
      * One coordinate of a vertex, m.
      *

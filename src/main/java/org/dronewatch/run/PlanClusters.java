@@ -32,8 +32,8 @@ final class PlanClusters {
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (int triangle = first; triangle < end; triangle++) {
             for (int axis = 0; axis < 2; axis++) {
-                low[axis] = Math.min(low[axis], least(triangle, axis));
-                high[axis] = Math.max(high[axis], greatest(triangle, axis));
+                low[axis] = Math.min(low[axis], mesh.least(triangle, axis));
+                high[axis] = Math.max(high[axis], mesh.greatest(triangle, axis));
             }
         }
         this.west = low[0];
@@ -55,18 +55,6 @@ final class PlanClusters {
         return first == end ? new int[0] : new PlanClusters(mesh, first, end).lowestVertices();
     }
 
-    private double least(int triangle, int axis) {
-        return Math.min(
-                mesh.coordinate(triangle, 0, axis),
-                Math.min(mesh.coordinate(triangle, 1, axis), mesh.coordinate(triangle, 2, axis)));
-    }
-
-    private double greatest(int triangle, int axis) {
-        return Math.max(
-                mesh.coordinate(triangle, 0, axis),
-                Math.max(mesh.coordinate(triangle, 1, axis), mesh.coordinate(triangle, 2, axis)));
-    }
-
     private int column(double x) {
         return (int) ((x - west) / cell);
     }
@@ -80,7 +68,7 @@ final class PlanClusters {
         int[] lowest = new int[Arrays.stream(clusters).max().orElse(NONE) + 1];
         Arrays.fill(lowest, NONE);
         for (int triangle = first; triangle < end; triangle++) {
-            int cluster = clusters[row(least(triangle, 1)) * columns + column(least(triangle, 0))];
+            int cluster = clusters[row(mesh.least(triangle, 1)) * columns + column(mesh.least(triangle, 0))];
             for (int corner = 0; corner < 3; corner++) {
                 int vertex = mesh.vertexIndex(triangle, corner);
                 if (lowest[cluster] == NONE
@@ -132,10 +120,10 @@ final class PlanClusters {
         int wide = columns + 1;
         int[] sums = new int[wide * (rows + 1)];
         for (int triangle = first; triangle < end; triangle++) {
-            int left = column(least(triangle, 0));
-            int right = column(greatest(triangle, 0)) + 1;
-            int bottom = row(least(triangle, 1));
-            int top = row(greatest(triangle, 1)) + 1;
+            int left = column(mesh.least(triangle, 0));
+            int right = column(mesh.greatest(triangle, 0)) + 1;
+            int bottom = row(mesh.least(triangle, 1));
+            int top = row(mesh.greatest(triangle, 1)) + 1;
             sums[bottom * wide + left]++;
             sums[bottom * wide + right]--;
             sums[top * wide + left]--;

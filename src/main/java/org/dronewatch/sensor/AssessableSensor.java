@@ -54,7 +54,7 @@ public interface AssessableSensor extends Sensor {
      * them. Cause and evidence of a miss are the same, and so are probabilities of 1 and those below {@code high}. The
      * same as {@code assess} unless overridden.
      *
-     * @param high from which probability on those below 1 need not be told apart
+     * @param high probabilities from this one up to 1, exclusive, count as equal
      */
     default Assessment assessCoarsely(
             World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {

@@ -36,8 +36,8 @@ public final class TerrainGround {
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (int i = 0; i < mesh.triangleCount(); i++) {
             for (int axis = 0; axis < 2; axis++) {
-                low[axis] = Math.min(low[axis], least(i, axis));
-                high[axis] = Math.max(high[axis], greatest(i, axis));
+                low[axis] = Math.min(low[axis], mesh.least(i, axis));
+                high[axis] = Math.max(high[axis], mesh.greatest(i, axis));
             }
         }
         boolean isEmpty = mesh.triangleCount() == 0;
@@ -51,7 +51,12 @@ public final class TerrainGround {
         rows = (int) (height / step) + 1;
         starts = new int[columns * rows + 1];
         for (int i = 0; i < mesh.triangleCount(); i++) {
-            forCells(least(i, 0), greatest(i, 0), least(i, 1), greatest(i, 1), cell -> starts[cell + 1]++);
+            forCells(
+                    mesh.least(i, 0),
+                    mesh.greatest(i, 0),
+                    mesh.least(i, 1),
+                    mesh.greatest(i, 1),
+                    cell -> starts[cell + 1]++);
         }
         for (int cell = 0; cell < columns * rows; cell++) {
             starts[cell + 1] += starts[cell];
@@ -61,24 +66,12 @@ public final class TerrainGround {
         for (int i = 0; i < mesh.triangleCount(); i++) {
             int triangle = i;
             forCells(
-                    least(i, 0),
-                    greatest(i, 0),
-                    least(i, 1),
-                    greatest(i, 1),
+                    mesh.least(i, 0),
+                    mesh.greatest(i, 0),
+                    mesh.least(i, 1),
+                    mesh.greatest(i, 1),
                     cell -> triangles[next[cell]++] = triangle);
         }
-    }
-
-    private double least(int triangle, int axis) {
-        return Math.min(
-                mesh.coordinate(triangle, 0, axis),
-                Math.min(mesh.coordinate(triangle, 1, axis), mesh.coordinate(triangle, 2, axis)));
-    }
-
-    private double greatest(int triangle, int axis) {
-        return Math.max(
-                mesh.coordinate(triangle, 0, axis),
-                Math.max(mesh.coordinate(triangle, 1, axis), mesh.coordinate(triangle, 2, axis)));
     }
 
     private void forCells(double fromX, double toX, double fromY, double toY, IntConsumer target) {

@@ -39,7 +39,7 @@ public final class DronePicture {
     /**
      * Draws a drone alone, instead of those drawn before, until enough of its pixels have been found.
      *
-     * @param enough whether so many pixels are sufficient; true for all larger numbers, too
+     * @param enough whether a number of pixels is sufficient; if it is, every larger number must be as well
      */
     public void draw(World world, Drone drone, IntPredicate enough) {
         setWorld(world);
@@ -67,7 +67,7 @@ public final class DronePicture {
     /**
      * The number of pixels that would show a drone if it were alone and unobstructed; the drones drawn are kept.
      *
-     * @param enough whether so many pixels are sufficient: then the count ends
+     * @param enough whether a number of pixels is sufficient; counting stops there
      */
     public int pixelsInTheOpen(Drone drone, IntPredicate enough) {
         if (openView == null) {

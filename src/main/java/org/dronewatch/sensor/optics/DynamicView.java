@@ -64,7 +64,7 @@ final class DynamicView {
     /**
      * Draws a drone alone and forgets those of the last frame.
      *
-     * @param enough whether so many of its pixels are sufficient: then the others are left out
+     * @param enough whether a number of its pixels is sufficient; drawing stops there
      */
     void draw(Background background, Drone drone, IntPredicate enough) {
         draw(background, List.of(drone), enough);

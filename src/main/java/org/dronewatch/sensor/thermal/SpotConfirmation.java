@@ -65,7 +65,7 @@ final class SpotConfirmation {
         return one > 0.0 ? 1.0 - one * Math.pow(two / one, windows - 1) : 1.0;
     }
 
-    /** The probability that exactly so many of N - 1 frames mark the spot. */
+    /** The probability that the spot is marked in exactly the given number of N - 1 frames. */
     private static double shared(int frames, int marks, double mark) {
         return PointTargets.combinations(frames - 1, marks)
                 * Math.pow(mark, marks)
