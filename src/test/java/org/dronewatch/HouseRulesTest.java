@@ -56,7 +56,7 @@ class HouseRulesTest {
             "bench\\..*",
             "render\\.SitePainter",
             "render\\.photo\\.Shading",
-            "report\\.ReliefShade",
+            "report\\.coverage\\.ReliefShade",
             "sensor\\.acoustic\\.energy\\.ReceiverSphere",
             "sensor\\.acoustic\\.propagation\\.AcousticRay",
             "sensor\\.optics\\.VisibleArea",

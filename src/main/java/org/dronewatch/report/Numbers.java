@@ -4,18 +4,18 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 
 /** Numbers as files show them: six decimals at most, no exponent, no trailing zeros. */
-final class Numbers {
+public final class Numbers {
     private static final int DECIMALS = 6;
 
     private Numbers() {}
 
     /** The number rounded, as text. */
-    static String text(double value) {
+    public static String text(double value) {
         return Double.isFinite(value) ? rounded(value).toPlainString() : Double.toString(value);
     }
 
     /** The number rounded. */
-    static BigDecimal rounded(double value) {
+    public static BigDecimal rounded(double value) {
         BigDecimal rounded = BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_EVEN);
         BigDecimal shortest = rounded.stripTrailingZeros();
         return shortest.scale() < 0 ? shortest.setScale(0) : shortest;

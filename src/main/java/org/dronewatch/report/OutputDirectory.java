@@ -18,7 +18,7 @@ import org.dronewatch.setting.PlainText;
  * end, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write into a
  * target.
  */
-final class OutputDirectory implements AutoCloseable {
+public final class OutputDirectory implements AutoCloseable {
     private static final Pattern LABEL = Pattern.compile("labels[/\\\\](run-\\d+[/\\\\])?[\\w-]+[/\\\\]\\d{6}\\.png");
 
     private final String asked;
@@ -29,7 +29,7 @@ final class OutputDirectory implements AutoCloseable {
 
     /** Work that writes into the directory. */
     @FunctionalInterface
-    interface Work {
+    public interface Work {
         /** Writes. */
         void run() throws IOException;
     }
@@ -40,7 +40,7 @@ final class OutputDirectory implements AutoCloseable {
      *
      * @throws InputException when the target is a file, cannot be written, or another run is writing into it
      */
-    OutputDirectory(Path given) {
+    public OutputDirectory(Path given) {
         this.asked = "output directory " + PlainText.value(given);
         Path absolute = given.toAbsolutePath().normalize();
         if (absolute.getParent() == null) {
@@ -83,7 +83,7 @@ final class OutputDirectory implements AutoCloseable {
      *
      * @throws InputException if writing fails
      */
-    void write(Work work) {
+    public void write(Work work) {
         try {
             work.run();
         } catch (IOException | RuntimeException e) {
@@ -97,7 +97,7 @@ final class OutputDirectory implements AutoCloseable {
     }
 
     /** Where to write a file, given by its path inside the directory; its folders are made. */
-    Path file(String relative) throws IOException {
+    public Path file(String relative) throws IOException {
         Path file = fresh.resolve(relative);
         Files.createDirectories(Objects.requireNonNull(file.getParent()));
         return file;
@@ -134,7 +134,7 @@ final class OutputDirectory implements AutoCloseable {
      * @param obsolete files of an earlier run that must not stay if they were not written anew, nor the folders that
      *     held nothing else
      */
-    void publish(List<String> obsolete) throws IOException {
+    public void publish(List<String> obsolete) throws IOException {
         Moves moves = new Moves();
         try {
             moves.makeDirectories(target);

@@ -1,7 +1,6 @@
 package org.dronewatch.report;
 
 import java.util.OptionalDouble;
-import org.dronewatch.geo.Origin;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.SceneResult;
@@ -34,7 +33,12 @@ final class ResultFile {
 
     /** Where on earth the scene lies, if it is known. */
     void addOrigin(ObjectNode root) {
-        result.runs().get(0).settings().world().origin().ifPresent(origin -> add(root.putObject("origin"), origin));
+        result.runs()
+                .get(0)
+                .settings()
+                .world()
+                .origin()
+                .ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
     }
 
     /** What the sensors detected, in all runs. */
@@ -54,12 +58,6 @@ final class ResultFile {
             ArrayNode sweep = root.putArray("sweep");
             result.sweep().forEach(point -> add(sweep.addObject(), point));
         }
-    }
-
-    static void add(ObjectNode node, Origin origin) {
-        node.put("latitude_deg", Math.toDegrees(origin.latitude()));
-        node.put("longitude_deg", Math.toDegrees(origin.longitude()));
-        origin.height().ifPresent(height -> node.put("height_m", height));
     }
 
     private static void add(ObjectNode node, PairResult pair) {

@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.util.Optional;
 import org.dronewatch.geo.Origin;

@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -17,6 +17,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Credits;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.world.World;
 
 /** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */

@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.util.Locale;
 import org.dronewatch.analysis.field.DetectableHeights;
@@ -7,6 +7,8 @@ import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.report.JsonFile;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -33,7 +35,7 @@ final class FieldFile {
         root.put("cells_per_side", grid.columns());
         root.put("west_m", Numbers.rounded(grid.x(0) - 0.5 * grid.cell()));
         root.put("north_m", Numbers.rounded(grid.y(0) + 0.5 * grid.cell()));
-        inputs.origin().ifPresent(origin -> ResultFile.add(root.putObject("origin"), origin));
+        inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode heights = root.putArray("heights");
         summary.heights().forEach(height -> add(heights.addObject(), height, findings));
         ArrayNode idle = root.putArray("idle_sensors");

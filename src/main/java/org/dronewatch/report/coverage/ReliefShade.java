@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.awt.Color;
 import org.dronewatch.geometry.TriangleMesh;

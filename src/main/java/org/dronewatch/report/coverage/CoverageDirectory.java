@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -6,6 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.report.JsonFile;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.report.OutputDirectory;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {

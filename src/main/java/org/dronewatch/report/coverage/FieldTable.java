@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -11,6 +11,7 @@ import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.VisibleHeights;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Cause;
 
 /** Tables of a site's coverage at several heights. */

@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldSummary;

@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.awt.Color;
 import java.util.ArrayList;
@@ -16,6 +16,7 @@ import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.world.World;

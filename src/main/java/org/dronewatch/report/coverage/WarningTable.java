@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.coverage;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.report.Numbers;
 
 /** A table of the warning of inbound flights. */
 public final class WarningTable {
