@@ -20,7 +20,7 @@ public record RaySet(String name, float[] rays, int width, Query query) {
         OCCLUDED
     }
 
-    /** Rays of which the nearest triangle is asked. */
+    /** Rays for each of which the nearest triangle is searched for. */
     public RaySet(String name, float[] rays, int width) {
         this(name, rays, width, Query.NEAREST);
     }

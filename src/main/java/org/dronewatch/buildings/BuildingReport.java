@@ -152,7 +152,7 @@ final class BuildingReport {
                         ? ""
                         : String.format(
                                 Locale.ROOT,
-                                "; lowest points from %.1f to %.1f m above the ground, %.1f m in the middle",
+                                "; lowest points from %.1f to %.1f m above the ground, median %.1f m",
                                 tenths(floors.get(0)),
                                 tenths(floors.get(floors.size() - 1)),
                                 tenths(floors.get(floors.size() / 2))));

@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 
 /** A flight that consists of legs. */
 public interface FlownPath extends FlightPath {
-    /** Over less time no acceleration is computed, s: the quotient of two vanishing numbers is not one. */
+    /** The shortest interval over which an acceleration is computed, s; over less, rounding errors would dominate. */
     double SHORTEST_INTERVAL = 1e-9;
 
     /** The legs that have begun so far, in order of time; at least one, of which the first begins at time 0. */

@@ -1,9 +1,9 @@
 package org.dronewatch.geometry;
 
 /**
- * The piece in which a plane cuts a triangle. A plane through corners is taken for one an infinitesimal distance beside
- * it, so that each triangle is cut in one piece or not at all, and the pieces of triangles that share an edge share an
- * end there, to the last bit. One per thread.
+ * The segment in which a plane intersects a triangle. A plane through corners is treated as if it were an infinitesimal
+ * distance beside them, so that it intersects each triangle in one segment or not at all, and the segments of triangles
+ * that share an edge share an end there, to the last bit. One per thread.
  */
 public final class CutTriangle {
     private final TriangleMesh mesh;
@@ -55,12 +55,12 @@ public final class CutTriangle {
         return true;
     }
 
-    /** One end of the piece that was cut last, relative to the plane's origin, m; valid until the next cut. */
+    /** One end of the segment that was found last, relative to the plane's origin, m; valid until the next cut. */
     public double[] first() {
         return first;
     }
 
-    /** The other end of that piece. */
+    /** The other end of that segment. */
     public double[] second() {
         return second;
     }

@@ -5,15 +5,15 @@ import java.util.stream.IntStream;
 
 /**
  * The inside of a church: a nave under a pointed vault between two aisles, an apse in the east, piers, arches, ribs,
- * windows, pews, an altar and an organ. All that bounds its air is one closed skin that faces inward; everything that
- * stands in it is closed solids. The nave runs from west (-x) to east; its floor is at height 0, its middle at the
+ * windows, pews, an altar and an organ. Its inner surface is one closed skin that faces inward; everything that stands
+ * in it consists of closed solids. The nave runs from west (-x) to east; its floor is at height 0, its middle at the
  * origin.
  */
 public final class CathedralModel {
     /** Half the length of nave and aisles, metres; the apse reaches {@link #NAVE_HALF_WIDTH_METRES} farther east. */
     public static final double HALF_LENGTH_METRES = 30;
 
-    /** Half the width of the nave between the pier's axes, and the radius of the apse, metres. */
+    /** Half the width of the nave between the piers' axes, and the radius of the apse, metres. */
     public static final double NAVE_HALF_WIDTH_METRES = 6;
 
     /** Distance of the outer walls from the middle of the nave, metres. */

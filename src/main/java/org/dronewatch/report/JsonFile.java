@@ -14,7 +14,7 @@ public final class JsonFile {
 
     private JsonFile() {}
 
-    /** Where on earth a scene lies. */
+    /** Adds the geographic position of a scene's origin. */
     public static void add(ObjectNode node, Origin origin) {
         node.put("latitude_deg", Math.toDegrees(origin.latitude()));
         node.put("longitude_deg", Math.toDegrees(origin.longitude()));

@@ -38,7 +38,7 @@ public enum Quantity {
     FREQUENCY("Hz", unit -> Frequency.valueOf(unit).si),
     /** Square metres. */
     AREA("m2", unit -> Area.valueOf(unit).si),
-    /** Kelvin; as degrees Celsius or Fahrenheit a temperature, not a difference of two. */
+    /** Kelvin; a value in degrees Celsius or Fahrenheit is a temperature, not a temperature difference. */
     TEMPERATURE("K", unit -> AbsoluteTemperature.valueOf(unit).si),
     /** Kelvin, between two temperatures. */
     TEMPERATURE_DIFFERENCE("K", unit -> Temperature.valueOf(unit).si),

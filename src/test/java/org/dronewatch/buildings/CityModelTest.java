@@ -139,7 +139,7 @@ class CityModelTest {
         BuildingSettings settings = BuildingSettings.of("city.json");
         LoadedBuildings floating = load(city(BOX, solid(WALLS)), settings, ground);
         assertThat(floating.description().get(1))
-                .endsWith("lowest points from 48.0 to 48.0 m above the ground, 48.0 m in the middle");
+                .endsWith("lowest points from 48.0 to 48.0 m above the ground, median 48.0 m");
         assertThat(floating.warnings())
                 .anyMatch(line -> line.startsWith("city.json: its buildings lie 48.0 m above the ground (median)"));
         assertThat(load(city(BOX, solid(WALLS)), settings.withVerticalOffset(-48), ground)

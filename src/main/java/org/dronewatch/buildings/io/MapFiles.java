@@ -78,7 +78,8 @@ public final class MapFiles {
      *
      * @param name of the file
      * @param area features elsewhere may be left out
-     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas that do are then no buildings
+     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas that do so are then not
+     *     buildings
      * @throws InputException in one line when the file is missing, of no known format, or damaged
      */
     public MapFeatures read(String name, MapArea area, boolean withLand) {

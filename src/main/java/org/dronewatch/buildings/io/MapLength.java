@@ -17,7 +17,7 @@ public final class MapLength {
 
     private MapLength() {}
 
-    /** A length in metres; empty for what is none. */
+    /** A length in metres; empty if the text does not state one. */
     public static Optional<Double> parse(String text) {
         String plain = text.strip().toLowerCase(Locale.ROOT);
         Matcher metres = METRES.matcher(plain);

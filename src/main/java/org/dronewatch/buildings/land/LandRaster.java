@@ -22,7 +22,7 @@ public final class LandRaster {
      * @param side its rows and columns
      * @param codes of the classes, row by row from the south, each from west to east; the array is not copied: callers
      *     must not modify it
-     * @throws IllegalArgumentException when it has more or fewer cells, or one of no class
+     * @throws IllegalArgumentException when there are more or fewer codes than cells, or a code is unknown
      */
     public LandRaster(double half, int side, byte[] codes) {
         if (side < 1 || (long) side * side != codes.length || !(half > 0.0)) {
@@ -102,7 +102,7 @@ public final class LandRaster {
     /**
      * The raster with these {@link #runs}.
      *
-     * @throws IllegalArgumentException when they are those of no raster of this size
+     * @throws IllegalArgumentException when they do not describe a raster of this size
      */
     public static LandRaster ofRuns(double half, int side, int[] runs) {
         if (side < 1 || side > LandPainter.MOST_CELLS) {

@@ -10,6 +10,6 @@ import org.dronewatch.geo.Origin;
  * @param drone name of the drone
  * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
  * @param covered the probability with which a sensor must detect the drone to cover a cell
- * @param origin where on earth the scene lies, if it is known
+ * @param origin geographic position of the scene's origin, if it is known
  */
 public record CoverageInputs(String scene, String drone, String heading, double covered, Optional<Origin> origin) {}

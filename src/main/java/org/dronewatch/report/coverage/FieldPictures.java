@@ -144,7 +144,7 @@ public final class FieldPictures {
             sheet.entry(fill(grid, bound), Numbers.text(below) + " to " + metres(bound));
             below = bound;
         }
-        sheet.entry(fill(grid, Double.NaN), "not up to there, or no ground");
+        sheet.entry(fill(grid, Double.NaN), "not up to that height, or no ground");
         sheet.space();
         sheet.line("cells of " + metres(grid.cell()));
         return sheet;

@@ -99,8 +99,7 @@ public final class FieldTable {
         lines.add(line.toString());
         if (detectable.coveredAgain() > 0) {
             lines.add(text(
-                    "in %s %% of it the drone is not detected at a height between two at which it is; the largest interval is"
-                            + " %s",
+                    "in %s %% of it there is a height without a detection between two with one; the largest interval is %s",
                     percent(detectable.coveredAgain(), detectable.columns()), metres(detectable.largestGap())));
         }
         return lines;

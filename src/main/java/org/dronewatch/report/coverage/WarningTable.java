@@ -17,7 +17,7 @@ public final class WarningTable {
         boolean isRequired = warnings.response() > 0.0;
         List<String> lines = new ArrayList<>();
         lines.add(text(
-                "warning of straight inbound flights, from %s to the first detection until they reach %s:",
+                "warning of drones that fly straight in from %s: time from the first detection until they reach %s:",
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
                 warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
         lines.add(text("%10s  %16s  %10s  %12s", "height", "least", "median", "not detected")

@@ -17,7 +17,7 @@ import org.dronewatch.world.Weather;
  *     same cell confirm each other; 1, the most cautious value, if all of them do
  * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
  *     confirmed like a drone
- * @param weather rates for some weather or light, the first of which whose conditions the site meets applies instead of
+ * @param weather rates for particular weather or light: the first whose conditions the site meets applies instead of
  *     {@code perHour}; unless set, the rate is the same in all weather
  */
 public record FalseAlarms(

@@ -129,7 +129,7 @@ public final class CameraSensor implements AssessableSensor {
                 : Explanation.of(Cause.OUT_OF_VIEW);
     }
 
-    /** A drone that is outside the image however it turns has no pixels, and is missed for the place of its origin. */
+    /** A drone that is outside the image however it turns has no pixels; the cause depends on its position alone. */
     @Override
     public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> where) {
         turn(site, where);

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.radio;
 
 /** Diffraction at a knife edge (ITU-R P.526-15, section 4.1). */
 public final class KnifeEdge {
-    /** An edge this far below the line, in units of the Fresnel zone, costs nothing (P.526-15, equation (31)). */
+    /** At this diffraction parameter and below, an edge causes no loss (P.526-15, equation (31)). */
     private static final double CLEAR = -0.78;
 
     private KnifeEdge() {}
@@ -10,7 +10,7 @@ public final class KnifeEdge {
     /**
      * Loss at a knife edge (P.526-15, equation (31)).
      *
-     * @param v height of the edge above the line, in units of the Fresnel zone; negative below it
+     * @param v diffraction parameter; negative for an edge below the line
      * @return dB, 0 for an edge far below
      */
     public static double loss(double v) {
@@ -18,8 +18,9 @@ public final class KnifeEdge {
     }
 
     /**
-     * Height of an edge in units of the Fresnel zone (P.526-15, equation (26)). Distances below a wavelength count as a
-     * wavelength: the formula does not hold nearer to an antenna.
+     * The diffraction parameter v of an edge: its height in radii of the first Fresnel zone, times the square root of
+     * two (P.526-15, equation (26)). Distances below a wavelength count as a wavelength: the formula does not hold
+     * nearer to an antenna.
      *
      * @param height above the line, perpendicular to it, m
      * @param one distance from one end, m

@@ -302,7 +302,7 @@ public record RfSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} {@inheritDoc} A signal that just passes the threshold. */
+    /** {@inheritDoc} A signal that just passes the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(threshold, threshold, Quantity.LEVEL.unit());

@@ -86,7 +86,7 @@ public final class ThermalSensor implements AssessableSensor {
                 .isDetected());
     }
 
-    /** A drone that is outside the image however it turns has no area, and is missed for the place of its origin. */
+    /** A drone that is outside the image however it turns has no area; the cause depends on its position alone. */
     @Override
     public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> where) {
         turn(world, where);

@@ -32,7 +32,7 @@ public final class JsonText {
         return read(name, bytes);
     }
 
-    /** About how much memory a document and its tree take, bytes; rather too much. */
+    /** An estimate of the memory that a document and its tree take, bytes; it is more likely too high than too low. */
     public static long memory(byte[] bytes) {
         long memory = (long) CHARACTER * bytes.length;
         boolean isText = false;

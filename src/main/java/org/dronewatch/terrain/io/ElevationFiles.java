@@ -86,7 +86,7 @@ public final class ElevationFiles {
     /**
      * Opens a file.
      *
-     * @throws InputException when it is none of the formats, or damaged
+     * @throws InputException when it has none of these formats, or is damaged
      */
     public ElevationFile open(String name) {
         try {
