@@ -7,23 +7,16 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
-import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.RegularFile;
-import org.dronewatch.terrain.io.ElevationFile;
-import org.dronewatch.terrain.io.ElevationFiles;
 import org.dronewatch.world.World;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -73,7 +66,7 @@ final class NewCommand implements Callable<Integer> {
     @Option(
             names = "--crs",
             paramLabel = "CODE",
-            description = "Coordinate reference system of elevations that do not state it, such as EPSG:25832.")
+            description = "Coordinate reference system of files that do not state it, such as EPSG:25832.")
     private String crs;
 
     @Option(
@@ -94,20 +87,28 @@ final class NewCommand implements Callable<Integer> {
         if (terrain.isEmpty() && buildings == null) {
             throw new InputException("needs --terrain, --buildings or both, from which the site is built");
         }
-        List<Path> files = files();
+        NewSiteFiles files = new NewSiteFiles(terrain, Optional.ofNullable(buildings), Optional.ofNullable(crs));
+        List<Path> copied = files.paths();
         NewScene scene = new NewScene(
                 NewScene.nameIn(target),
                 place[0],
                 place[1],
                 metres,
-                terrain.stream().map(file -> name(Path.of(file))).toList(),
-                crs(),
-                isSurface(),
-                Optional.ofNullable(buildings).map(file -> name(Path.of(file))));
+                files.terrainNames(),
+                files.terrainCrs(),
+                files.isSurface(),
+                files.mapName(),
+                files.mapCrs());
+        if (crs != null && scene.terrainCrs().isEmpty() && scene.mapCrs().isEmpty()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("warning: --crs " + PlainText.value(crs)
+                            + " has no effect: all files state their coordinate reference systems");
+        }
         Path staging = staging(target);
         try {
-            for (Path file : files) {
-                Files.copy(file, staging.resolve(name(file)));
+            for (Path file : copied) {
+                Files.copy(file, staging.resolve(file.getFileName()));
             }
             Path written = staging.resolve(scene.name() + ".yaml");
             Files.writeString(written, scene.site(), StandardCharsets.UTF_8);
@@ -117,7 +118,7 @@ final class NewCommand implements Callable<Integer> {
             Files.deleteIfExists(target);
             Files.move(staging, target);
         } catch (InputException e) {
-            throw new InputException(e.getMessage().replace(staging.toString(), directory), e);
+            throw new InputException(files.inOptions(e.getMessage()).replace(staging.toString(), directory), e);
         } catch (IOException e) {
             throw new InputException(asked() + ": cannot be written: " + e.getMessage(), e);
         } finally {
@@ -188,67 +189,6 @@ final class NewCommand implements Callable<Integer> {
             throw new InputException(asked() + ": is a file");
         }
         return path;
-    }
-
-    private static String name(Path file) {
-        return String.valueOf(file.getFileName());
-    }
-
-    /** All files to copy; they go into one directory, so their names must differ. */
-    private List<Path> files() {
-        List<Path> files = new ArrayList<>();
-        Set<String> names = new HashSet<>();
-        terrain.forEach(file -> add("--terrain", file, files, names));
-        if (buildings != null) {
-            add("--buildings", buildings, files, names);
-        }
-        return files;
-    }
-
-    private static void add(String option, String file, List<Path> files, Set<String> names) {
-        String given = option + " " + PlainText.value(file) + ": ";
-        Path path;
-        try {
-            path = Path.of(file);
-        } catch (InvalidPathException e) {
-            throw new InputException(given + "not a path: " + e.getReason(), e);
-        }
-        String obstacle = RegularFile.obstacle(path);
-        if (!obstacle.isEmpty()) {
-            throw new InputException(given + obstacle);
-        }
-        if (!names.add(name(path).toLowerCase(Locale.ROOT))) {
-            throw new InputException(given + "another file has the same name; they are copied into one directory");
-        }
-        files.add(path);
-    }
-
-    /** The system to state in the scene: the one that was given, if the files do not state theirs. */
-    private Optional<String> crs() {
-        if (crs != null) {
-            try {
-                CoordinateReferenceSystem.of(crs);
-            } catch (InputException e) {
-                throw new InputException("--crs " + PlainText.value(crs) + ": " + e.getMessage(), e);
-            }
-            return Optional.of(crs);
-        }
-        for (String file : terrain) {
-            if (open(file).crs().isEmpty()) {
-                throw new InputException("--terrain " + PlainText.value(file)
-                        + ": does not state its coordinate reference system: add --crs, as in --crs EPSG:25832, or --crs EPSG:4326"
-                        + " for longitude and latitude");
-            }
-        }
-        return Optional.empty();
-    }
-
-    private boolean isSurface() {
-        return terrain.stream().anyMatch(file -> open(file).isSurfaceModel());
-    }
-
-    private static ElevationFile open(String file) {
-        return new ElevationFiles(Path.of("")).open(file);
     }
 
     private Path staging(Path target) {

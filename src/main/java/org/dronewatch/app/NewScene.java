@@ -7,6 +7,10 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.analysis.CoveredApproach;
 import org.dronewatch.analysis.HighPoints;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
@@ -21,9 +25,10 @@ import org.dronewatch.world.World;
  * @param longitude of the origin, degrees
  * @param radius of the site, m
  * @param terrain names of the files of elevations beside the scene
- * @param crs system of these files, if they do not state it
+ * @param terrainCrs system of these files, if they do not state it
  * @param isSurface whether roofs and treetops are in the elevations
  * @param buildings name of the map beside the scene
+ * @param mapCrs system of the map, if it does not state it
  */
 record NewScene(
         String name,
@@ -31,9 +36,10 @@ record NewScene(
         double longitude,
         double radius,
         List<String> terrain,
-        Optional<String> crs,
+        Optional<String> terrainCrs,
         boolean isSurface,
-        Optional<String> buildings) {
+        Optional<String> buildings,
+        Optional<String> mapCrs) {
     /** Masts stand within this distance of the origin along each axis, m, or an eighth of the radius. */
     private static final double MASTS_WITHIN = 250.0;
 
@@ -61,7 +67,7 @@ record NewScene(
         if (!terrain.isEmpty()) {
             line(text, "  terrain:");
             line(text, terrain.size() == 1 ? "    file: %s" : "    files: [%s]", names());
-            crs.ifPresent(code -> line(text, "    crs: %s", code));
+            terrainCrs.ifPresent(code -> line(text, "    crs: %s", code));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
             line(text, "    accuracy: 1 m  # maximum vertical error that thinning out the triangles may cause");
             line(
@@ -73,6 +79,7 @@ record NewScene(
         buildings.ifPresent(file -> {
             line(text, "  buildings:");
             line(text, "    file: %s", quoted(file));
+            mapCrs.ifPresent(code -> line(text, "    crs: %s", code));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
             line(text, "    height: 9 m  # of buildings for which the map states neither height nor levels");
             if (!terrain.isEmpty() && !isCityModel(file)) {
@@ -103,10 +110,10 @@ record NewScene(
 
     /** The whole scene, with sensors and a flight where the site suggests them. */
     String whole(World world) {
-        List<Position> masts = HighPoints.near(world, Math.min(MASTS_WITHIN, 0.125 * radius), 2, MASTS_APART);
+        double within = Math.min(MASTS_WITHIN, 0.125 * radius);
+        List<Position> masts = HighPoints.near(world, within, 2, MASTS_APART);
         if (masts.isEmpty()) {
-            throw new InputException("there is neither ground nor a building near the origin, " + number(latitude)
-                    + " N " + number(longitude) + " E");
+            throw new InputException(nothingWithin(within, world.mesh().bounds()));
         }
         Position first = masts.get(0);
         Position second = masts.get(masts.size() - 1);
@@ -119,8 +126,8 @@ record NewScene(
         String aim = String.format(
                 Locale.ROOT,
                 "{azimuth: %.0f deg, elevation: %.0f deg}",
-                (Math.toDegrees(Math.atan2(towards.x(), towards.y())) + 360.0) % 360.0,
-                Math.toDegrees(Math.atan2(towards.z(), Math.hypot(towards.x(), towards.y()))));
+                (whole(Math.toDegrees(Math.atan2(towards.x(), towards.y()))) + 360.0) % 360.0,
+                whole(Math.toDegrees(Math.atan2(towards.z(), Math.hypot(towards.x(), towards.y())))));
 
         StringBuilder text = new StringBuilder(site().replaceFirst("(?s)run:.*", ""));
         line(text, "drones:");
@@ -144,17 +151,17 @@ record NewScene(
                     line(
                             text,
                             "    flight: {kind: terrain-following, points: [[%.0f, %.0f], [0, 0]], height: %.0f m}",
-                            start.x(),
-                            start.y(),
+                            whole(start.x()),
+                            whole(start.y()),
                             HEIGHT);
                 },
                 () -> line(
                         text,
                         "    flight: {kind: approach, from: [%.0f, %.0f, %.0f], to: [0, 0, %.0f]}",
-                        start.x(),
-                        start.y(),
-                        start.z(),
-                        first.z() + HEIGHT));
+                        whole(start.x()),
+                        whole(start.y()),
+                        whole(start.z()),
+                        whole(first.z() + HEIGHT)));
         line(text, "");
         line(
                 text,
@@ -183,6 +190,30 @@ record NewScene(
         line(text, "");
         line(text, "run: {duration: %.0f s}", Math.ceil(Math.hypot(start.x(), start.y()) / SPEED) + 5.0);
         return text.toString();
+    }
+
+    /** Where there is something instead, as a place that can be given. */
+    private String nothingWithin(double within, AABB site) {
+        GeoPoint middle = new Geodesy(Origin.at(Math.toRadians(latitude), Math.toRadians(longitude)))
+                .onEarth(new Position(0.5 * (site.minX() + site.maxX()), 0.5 * (site.minY() + site.maxY()), 0.0));
+        return String.format(
+                Locale.ROOT,
+                "there is neither ground nor a building for the sensors within %s of the origin, %s,%s: what was read extends"
+                        + " from %.0f to %.0f m east and from %.0f to %.0f m north of it; in its middle is --at %.5f,%.5f",
+                Quantity.LENGTH.inWords(within),
+                number(latitude),
+                number(longitude),
+                whole(site.minX()),
+                whole(site.maxX()),
+                whole(site.minY()),
+                whole(site.maxY()),
+                middle.latitude(),
+                middle.longitude());
+    }
+
+    /** Rounded as it is written; never -0. */
+    private static double whole(double value) {
+        return Math.rint(value) + 0.0;
     }
 
     private static String place(Position at, double above) {

@@ -10,7 +10,10 @@ import java.util.function.Consumer;
 import org.dronewatch.buildings.io.MapArea;
 import org.dronewatch.buildings.io.MapFeatures;
 import org.dronewatch.buildings.io.MapFiles;
+import org.dronewatch.buildings.io.MapSystem;
 import org.dronewatch.buildings.land.LandSurvey;
+import org.dronewatch.geo.MapExtent;
+import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
@@ -82,13 +85,13 @@ public final class BuildingLoader {
         Optional<LandSurvey.Found> land = land(map, site, terrain, settings);
         boolean hasLand = land.isPresent() && land.get().cover().isAnywhere();
         if (report.count() == 0 && woods.triangleCount() == 0 && !hasLand) {
-            throw new InputException(
-                    file + ": has no building within " + Quantity.LENGTH.inWords(settings.radius()) + " of the origin");
+            throw new InputException(nothing(settings, origin, map, site, report));
         }
         Map<String, Integer> colours = new HashMap<>(BuildingMaterials.colours(mesh.materialNames()));
         colours.put(Canopies.MATERIAL, Canopies.COLOUR);
         List<String> lines = report.lines(map, mesh.triangleCount());
         List<String> warnings = report.warnings();
+        site.overruled(map).ifPresent(warnings::add);
         land.ifPresent(found -> {
             // The attribution comes last.
             lines.addAll(lines.size() - (BuildingReport.attribution(map).isPresent() ? 1 : 0), found.description());
@@ -107,6 +110,28 @@ public final class BuildingLoader {
                 land.map(LandSurvey.Found::cover),
                 lines,
                 warnings);
+    }
+
+    /** Why there is nothing near the origin: what was left out, and where the map is instead. */
+    private static String nothing(
+            BuildingSettings settings, Origin origin, MapFeatures map, BuildingSite site, BuildingReport report) {
+        boolean isOsm = map.system().rule() == MapSystem.Rule.ALWAYS_DEGREES;
+        MapExtent extent = map.system().extent();
+        MapTransform transform = site.transform(map);
+        return String.format(
+                Locale.ROOT,
+                "%s: has no building within %s of the origin, at latitude %.5f and longitude %.5f%s: %s%s",
+                PackagedSite.plain(settings.file().orElseThrow()),
+                Quantity.LENGTH.inWords(settings.radius()),
+                Math.toDegrees(origin.latitude()),
+                Math.toDegrees(origin.longitude()),
+                report.leftOut().map(what -> " (left out: " + what + ")").orElse(""),
+                extent.inWords(transform),
+                extent.suspicion(
+                        transform,
+                        origin,
+                        settings.radius(),
+                        isOsm ? "of the origin" : "of the origin, or those in the file,"));
     }
 
     private static TriangleMesh woods(

@@ -132,14 +132,18 @@ final class BuildingReport {
                     woodArea,
                     Quantity.LENGTH.inWords(settings.woodHeight().orElseThrow())));
         }
-        if (!leftOut.isEmpty()) {
-            lines.add("buildings: left out: "
-                    + leftOut.entrySet().stream()
-                            .map(entry -> counted(entry.getValue(), entry.getKey()))
-                            .collect(Collectors.joining(", ")));
-        }
+        leftOut().ifPresent(what -> lines.add("buildings: left out: " + what));
         attribution(map).ifPresent(lines::add);
         return lines;
+    }
+
+    /** What could not be built, and how often. */
+    Optional<String> leftOut() {
+        return leftOut.isEmpty()
+                ? Optional.empty()
+                : Optional.of(leftOut.entrySet().stream()
+                        .map(entry -> counted(entry.getValue(), entry.getKey()))
+                        .collect(Collectors.joining(", ")));
     }
 
     private String cityModel(int triangles) {

@@ -18,7 +18,7 @@ import org.dronewatch.setting.file.PackagedSite;
  *
  * @param file the map, or {@code packaged:NAME} for one of the library
  * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it if the
- *     coordinates are longitude and latitude, or if the city model states its system
+ *     coordinates are longitude and latitude, or if the file states its system
  * @param radius distance from the origin within which buildings are included, 10 m to 20 km
  * @param height height of buildings for which the map states neither a height nor levels, 1 to 200 m
  * @param levelHeight height of a level, for buildings for which the map states only the number of levels, 1 to 20 m

@@ -12,7 +12,7 @@ import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /** What all buildings of a map have in common: its place on the earth, its ground, and how features become solids. */
@@ -35,22 +35,27 @@ final class BuildingSite {
     private final Optional<GroundUnder> ground;
     private final BuildingReport report;
 
+    /** What the scene states about the coordinates of the map. */
+    private final Optional<CoordinateReferenceSystem> given;
+
     BuildingSite(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain, BuildingReport report) {
         this.settings = settings;
         this.origin = origin;
         this.geodesy = new Geodesy(origin);
         this.ground = terrain.map(below -> new GroundUnder(below, geodesy));
         this.report = report;
+        this.given = settings.crs().map(CoordinateReferenceSystem::of);
     }
 
     private CoordinateReferenceSystem crs(MapFeatures map) {
-        Optional<CoordinateReferenceSystem> stated =
-                settings.crs().map(CoordinateReferenceSystem::of).or(map::crs);
-        if (stated.isEmpty() && map.model().isPresent()) {
-            throw new InputException(settings.file().orElse("")
-                    + ": does not state its coordinate reference system: set crs, as in crs: EPSG:25832");
-        }
-        return stated.orElse(CoordinateReferenceSystem.WGS_84);
+        return map.system().crs(PackagedSite.plain(settings.file().orElse("")), given);
+    }
+
+    /** A warning if the scene's system is used instead of the file's. */
+    Optional<String> overruled(MapFeatures map) {
+        return given.flatMap(map.system()::overruled)
+                .map(stated -> PackagedSite.plain(settings.file().orElse("")) + ": states " + stated
+                        + "; world.buildings.crs takes " + given.orElseThrow() + " instead");
     }
 
     MapTransform transform(MapFeatures map) {
@@ -59,10 +64,8 @@ final class BuildingSite {
 
     /** The buildings near the origin, with their outlines at its level. */
     List<Building> buildings(MapFeatures map) {
-        Optional<CoordinateReferenceSystem> crs =
-                settings.crs().map(CoordinateReferenceSystem::of).or(map::crs);
-        MapTransform transform = new MapTransform(crs.orElse(CoordinateReferenceSystem.WGS_84), origin);
-        boolean isPlain = crs.isEmpty() || crs.get().equals(CoordinateReferenceSystem.WGS_84);
+        MapTransform transform = transform(map);
+        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.WGS_84);
         List<Building> buildings = new ArrayList<>();
         for (MapFeature feature : map.features()) {
             if (feature.isWood()) {

@@ -49,6 +49,11 @@ public final class MapTransform {
         this.toMap = factory.createTransform(CoordinateReferenceSystem.WGS_84.system(), crs.system());
     }
 
+    /** The system of the map's coordinates. */
+    public CoordinateReferenceSystem crs() {
+        return crs;
+    }
+
     /**
      * The longitude and latitude (WGS 84) of a point of the map.
      *

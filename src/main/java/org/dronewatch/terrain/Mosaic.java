@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.geo.MapExtent;
 import org.dronewatch.geo.MapPoint;
 import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
@@ -134,12 +135,13 @@ final class Mosaic {
         if (found.columns() < 2 || found.rows() < 2) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: no posts within %s m of the origin, at latitude %.5f and longitude %.5f: %s",
+                    "%s: no posts within %s m of the origin, at latitude %.5f and longitude %.5f: %s%s",
                     files.get(0).name(),
                     radius,
                     Math.toDegrees(origin.latitude()),
                     Math.toDegrees(origin.longitude()),
-                    covered()));
+                    extent().inWords(map),
+                    extent().suspicion(map, origin, radius, "of the origin")));
         }
         if (found.posts() > MOST_POSTS
                 || found.columns() > Triangulation.MAX_SIDE
@@ -165,22 +167,18 @@ final class Mosaic {
         return longitude + FULL_TURN * Math.rint((middle - longitude) / FULL_TURN);
     }
 
-    private String covered() {
-        ElevationFile first = files.get(0);
-        double x0 = lattice.x();
-        double y0 = lattice.y();
-        double x1 = lattice.xAt(first.columns() - 1, first.rows() - 1);
-        double y1 = lattice.yAt(first.columns() - 1, first.rows() - 1);
-        int decimals = crs.isGeographic() ? 5 : 1;
-        return String.format(
-                Locale.ROOT,
-                "it covers %." + decimals + "f to %." + decimals + "f east and %." + decimals + "f to %." + decimals
-                        + "f north in %s",
-                Math.min(x0, x1),
-                Math.max(x0, x1),
-                Math.min(y0, y1),
-                Math.max(y0, y1),
-                crs);
+    /** The posts of all files, in the coordinates of the first one. */
+    private MapExtent extent() {
+        MapExtent.Collector extent = new MapExtent.Collector();
+        for (Window file : windows) {
+            int lastColumn = file.column() + file.columns() - 1;
+            int lastRow = file.row() + file.rows() - 1;
+            extent.add(lattice.xAt(file.column(), file.row()), lattice.yAt(file.column(), file.row()));
+            extent.add(lattice.xAt(lastColumn, file.row()), lattice.yAt(lastColumn, file.row()));
+            extent.add(lattice.xAt(file.column(), lastRow), lattice.yAt(file.column(), lastRow));
+            extent.add(lattice.xAt(lastColumn, lastRow), lattice.yAt(lastColumn, lastRow));
+        }
+        return extent.extent();
     }
 
     private static Window between(double west, double north, double east, double south) {

@@ -9,6 +9,8 @@ import org.dronewatch.terrain.io.ElevationFile;
 
 /** Describes in lines what was read of a terrain, and warns of anything suspicious. */
 record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile> files) {
+    private static final double KILOMETRE = 1000.0;
+
     List<String> lines(Posts posts, Heights heights, int all, PostTriangles kept, double level, Origin origin) {
         List<String> lines = new ArrayList<>();
         for (ElevationFile file : files) {
@@ -35,12 +37,8 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
         double south = frame.north(0.0);
         lines.add(String.format(
                 Locale.ROOT,
-                "terrain: extends %.2f km to the west, %.2f east, %.2f north and %.2f south of the origin; %,d x %,d posts %.1f x %.1f m"
-                        + " apart, %.1f to %.1f m high%s",
-                -west / 1000.0,
-                east / 1000.0,
-                north / 1000.0,
-                -south / 1000.0,
+                "terrain: %s; %,d x %,d posts %.1f x %.1f m apart, %.1f to %.1f m high%s",
+                extent(west / KILOMETRE, east / KILOMETRE, south / KILOMETRE, north / KILOMETRE),
                 posts.columns(),
                 posts.rows(),
                 (east - west) / right,
@@ -64,6 +62,30 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                                 heights.holes() == 1 ? "post" : "posts")));
         settings.credit().ifPresent(text -> lines.add("elevations: " + PlainText.line(text)));
         return lines;
+    }
+
+    /** Distances from the origin, km: how far it is to each side or, if it lies outside, between which limits. */
+    private static String extent(double west, double east, double south, double north) {
+        boolean isInside = west <= 0.0 && east >= 0.0 && south <= 0.0 && north >= 0.0;
+        return isInside
+                ? String.format(
+                        Locale.ROOT,
+                        "extends %.2f km to the west, %.2f east, %.2f north and %.2f south of the origin",
+                        -west,
+                        east,
+                        north,
+                        -south)
+                : String.format(
+                        Locale.ROOT,
+                        "extends from %s to %s and from %s to %s of the origin, which lies outside",
+                        side(west, "west", "east"),
+                        side(east, "west", "east"),
+                        side(south, "south", "north"),
+                        side(north, "south", "north"));
+    }
+
+    private static String side(double distance, String below, String above) {
+        return String.format(Locale.ROOT, "%.2f km %s", Math.abs(distance), distance < 0.0 ? below : above);
     }
 
     private static String atOrigin(double level, Origin origin) {

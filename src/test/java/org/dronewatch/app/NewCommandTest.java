@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.drone.DroneClass;
@@ -48,7 +49,7 @@ class NewCommandTest {
     @Test
     void aSceneHasASensorOfEachKindOnItsHighestPoints() throws IOException {
         Outcome outcome =
-                make("--at 43.7314,7.4202 --radius 1km --terrain " + SRTM + " --crs EPSG:4326 --buildings " + MAP);
+                make("--at 43.7314,7.4202 --radius 1500m --terrain " + SRTM + " --crs EPSG:4326 --buildings " + MAP);
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out()).contains("scene in ").contains("town.yaml");
         assertThat(outcome.err()).containsOnlyOnce("read monaco.osm.gz").contains("next: dronewatch view");
@@ -67,7 +68,11 @@ class NewCommandTest {
         assertThat(echo.deviation()).isEqualTo(3.74);
         assertThat(scene.world().terrain().orElseThrow().allFiles()).containsExactly("monaco-srtm.asc");
         assertThat(scene.world().buildings().orElseThrow().landCover()).isTrue();
-        assertThat(Files.readString(directory.resolve("town/town.yaml"))).contains("of the path is hidden.");
+        // The intruder is about as high as the mast, a little lower; its elevation is not -0.
+        assertThat(Files.readString(directory.resolve("town/town.yaml")))
+                .contains("of the path is hidden.")
+                .contains("elevation: 0 deg}")
+                .doesNotContain("-0 ");
     }
 
     /** A map alone, or elevations alone, make a site as well; a directory may exist if it is empty. */
@@ -104,8 +109,11 @@ class NewCommandTest {
                 "--at 43.7314,7.4202 --terrain SRTM | --terrain SRTM: does not state its coordinate reference system",
                 "--at 43.7314,7.4202 --terrain SRTM --crs EPSG:1 | --crs EPSG:1: ",
                 "--at 43.7314,7.4202 --terrain SRTM SRTM --crs EPSG:4326 | another file has the same name",
-                "--at 10,10 --buildings MAP | monaco.osm.gz: has no building within 2000 m of the origin",
-                "--at 10,10 --terrain SRTM --crs EPSG:4326 | monaco-srtm.asc",
+                "--at 10,10 --buildings MAP | --buildings MAP: has no building within 2000 m of the origin, at latitude",
+                "--at 7.42,43.73 --buildings MAP | latitude and longitude of the origin seem to be swapped",
+                "--at 10,10 --terrain SRTM --crs EPSG:4326 | --terrain SRTM: no posts within 2000.0 m of the origin, at",
+                "--at 7.42,43.73 --terrain SRTM --crs EPSG:4326 | latitude and longitude of the origin seem to be swapped",
+                "--at 43.73,7.42 --terrain SRTM --crs EPSG:32632 | seem to be longitude and latitude, for which crs is EPSG:4326",
                 "--at 43.7,7.4 --buildings README.md | README.md: is not OpenStreetMap XML",
             })
     void whatIsWrongLeavesNothingBehind(String options, String message) throws IOException {
@@ -114,9 +122,71 @@ class NewCommandTest {
         assertThat(outcome.err().lines().filter(line -> !line.startsWith("read ")))
                 .singleElement()
                 .asString()
-                .contains(message.replace("SRTM", SRTM))
-                .doesNotContain(".new-");
+                .contains(message.replace("SRTM", SRTM).replace("MAP", MAP))
+                .doesNotContain(".new-")
+                .doesNotContain(".yaml");
         assertThat(left()).isEmpty();
+    }
+
+    /** A square house at 43.7384 N 7.4246 E, which EPSG:32632 has at 373139.3367, 4844024.1247 (PROJ 9.5.1). */
+    private String house(double x, double y, double side) throws IOException {
+        Path file = directory.resolve("house.geojson");
+        Files.writeString(
+                file,
+                String.format(
+                        Locale.ROOT,
+                        "{\"type\": \"Feature\", \"properties\": {\"height\": 12}, \"geometry\": {\"type\": \"Polygon\","
+                                + " \"coordinates\": [[[%1$s,%2$s],[%3$s,%2$s],[%3$s,%4$s],[%1$s,%4$s],[%1$s,%2$s]]]}}",
+                        x,
+                        y,
+                        x + side,
+                        y + side));
+        return file.toString();
+    }
+
+    /** A system that is given is that of the files that do not state theirs, of maps, too, and of no other. */
+    @Test
+    void theGivenSystemReachesTheFilesThatNeedOne() throws IOException {
+        String inGrid = house(373139.3367, 4844024.1247, 20.0);
+        Outcome without = make("--at 43.7384,7.4246 --buildings " + inGrid);
+        assertThat(without.code()).isEqualTo(2);
+        assertThat(without.err())
+                .contains(
+                        "--buildings " + inGrid + ": does not state its coordinate reference system: add --crs, as in");
+        Outcome with = make("--at 43.7384,7.4246 --crs EPSG:32632 --buildings " + inGrid);
+        assertThat(with.code()).as(with.err()).isZero();
+        assertThat(settings().world().buildings().orElseThrow().crs()).contains("EPSG:32632");
+    }
+
+    @Test
+    void filesThatNeedNoSystemDoNotGetOne() throws IOException {
+        String inDegrees = house(7.4246, 43.7384, 2e-4);
+        Outcome mixed = make("--at 43.7384,7.4246 --crs EPSG:4326 --terrain " + SRTM + " --buildings " + inDegrees);
+        assertThat(mixed.code()).as(mixed.err()).isZero();
+        assertThat(mixed.err()).doesNotContain("has no effect");
+        assertThat(settings().world().terrain().orElseThrow().crs()).contains("EPSG:4326");
+        assertThat(settings().world().buildings().orElseThrow().crs()).isEmpty();
+    }
+
+    /** The place that the message suggests works; the house is 600 m away, too far for masts. */
+    @Test
+    void whereNothingIsNearAPlaceIsSuggested() throws IOException {
+        String options = " --crs EPSG:32632 --buildings " + house(373139.3367 + 600.0, 4844024.1247, 20.0);
+        Outcome far = make("--at 43.7384,7.4246" + options);
+        assertThat(far.code()).isEqualTo(2);
+        assertThat(far.err())
+                .contains("there is neither ground nor a building for the sensors within 250 m of the origin");
+        String place = far.err().strip().replaceFirst("(?s).* is --at ", "");
+        assertThat(make("--at " + place + options).code()).isZero();
+    }
+
+    @Test
+    void aSystemThatNoFileNeedsHasNoEffect() throws IOException {
+        Outcome outcome = make("--at 43.7384,7.4246 --crs EPSG:32632 --buildings " + house(7.4246, 43.7384, 2e-4));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .contains(
+                        "warning: --crs EPSG:32632 has no effect: all files state their coordinate reference systems");
     }
 
     @Test

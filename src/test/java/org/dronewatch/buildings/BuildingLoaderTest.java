@@ -454,7 +454,8 @@ class BuildingLoaderTest {
         way(box(5000, 0, 5020, 10), "building=yes height=12");
         assertThatThrownBy(this::load)
                 .isInstanceOf(InputException.class)
-                .hasMessage("map.osm: has no building within 2000 m of the origin");
+                .hasMessageStartingWith("map.osm: has no building within 2000 m of the origin, at latitude 50.00000 and"
+                        + " longitude 15.00000: it covers latitude 49.9");
     }
 
     /**

@@ -374,7 +374,21 @@ class TerrainLoaderTest {
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no posts within 10.0 m of the origin")
                 .hasMessageContaining(
-                        "it covers 458502.0 to 458601.0 east and 5547607.0 to 5547686.0 north in EPSG:32633");
+                        "it covers 458502.0 to 458601.0 east and 5547607.0 to 5547686.0 north in EPSG:32633, latitude ")
+                // Its north-west corner, by PROJ.
+                .hasMessageContaining(" to 50.08000 and longitude 14.42000 to ");
+    }
+
+    /** A terrain beside the origin: its limits are on the same side. */
+    @Test
+    void aTerrainBesideTheOriginHasNoNegativeExtent() throws IOException {
+        write("dem.tif", grid(100, 80, i -> 5.0));
+        LoadedTerrain beside = load(TerrainSettings.of("dem.tif").withAccuracy(0), at(150, 40, 1));
+        assertThat(beside.description())
+                .anyMatch(line ->
+                        line.startsWith("terrain: extends from 0.15 km west to 0.05 km west and from 0.04 km south to"
+                                + " 0.04 km north of the origin, which lies outside; "));
+        assertThat(beside.warnings()).contains("terrain: there is no ground at the origin");
     }
 
     @Test

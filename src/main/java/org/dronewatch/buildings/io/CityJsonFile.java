@@ -1,15 +1,15 @@
 package org.dronewatch.buildings.io;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.geo.MapExtent;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.FileHash;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -17,8 +17,6 @@ import tools.jackson.databind.JsonNode;
  * without openings such as windows, which the third level adds.
  */
 final class CityJsonFile {
-    private static final Pattern CODE = Pattern.compile(".*EPSG(?:/\\d+/|::|:)(\\d{4,6})");
-
     /** Levels of detail from here on have windows and rooms. */
     private static final double TOO_DETAILED = 3.0;
 
@@ -27,15 +25,6 @@ final class CityJsonFile {
     private final double[] vertices;
     private final List<CityModel.Solid> solids = new ArrayList<>();
     private final Map<String, Integer> leftOut = new LinkedHashMap<>();
-
-    /**
-     * What was read.
-     *
-     * @param model the buildings
-     * @param leftOut what was left out, and how often
-     * @param crs the system of its coordinates, if it states one
-     */
-    record Read(CityModel model, Map<String, Integer> leftOut, Optional<CoordinateReferenceSystem> crs) {}
 
     private CityJsonFile(String file, JsonNode root) {
         this.file = file;
@@ -47,9 +36,10 @@ final class CityJsonFile {
      * Reads a file.
      *
      * @param file its name, for messages
+     * @param hash of the file
      * @throws InputException in one line when something of it is wrong
      */
-    static Read read(String file, JsonNode root) {
+    static MapFeatures read(String file, JsonNode root, FileHash hash) {
         String version = root.path("version").asString("");
         if (!version.startsWith("1.") && !version.startsWith("2.")) {
             throw new InputException(file + ": CityJSON of version '" + PlainText.value(version)
@@ -57,20 +47,30 @@ final class CityJsonFile {
         }
         CityJsonFile reader = new CityJsonFile(file, root);
         root.path("CityObjects").properties().forEach(one -> reader.object(one.getKey(), one.getValue()));
-        return new Read(new CityModel(reader.vertices, reader.solids), reader.leftOut, reader.crs());
+        return new MapFeatures(
+                List.of(),
+                Optional.of(new CityModel(reader.vertices, reader.solids)),
+                MapLand.NONE,
+                reader.leftOut,
+                "CityJSON",
+                reader.system(),
+                hash);
     }
 
-    private Optional<CoordinateReferenceSystem> crs() {
+    private MapSystem system() {
         String text = root.path("metadata").path("referenceSystem").asString("");
-        if (text.isEmpty()) {
-            return Optional.empty();
-        }
-        Matcher code = CODE.matcher(text);
-        if (!code.matches()) {
-            throw new InputException(file + ": metadata.referenceSystem is '" + PlainText.value(text)
-                    + "', must end in an EPSG code; state world.buildings.crs instead");
-        }
-        return Optional.of(CoordinateReferenceSystem.of("EPSG:" + code.group(1)));
+        MapExtent.Collector extent = new MapExtent.Collector();
+        solids.stream()
+                .flatMap(solid -> solid.surfaces().stream())
+                .flatMap(List::stream)
+                .flatMapToInt(Arrays::stream)
+                .forEach(vertex -> extent.add(vertices[3 * vertex], vertices[3 * vertex + 1]));
+        return new MapSystem(
+                MapSystem.Rule.STATED,
+                Optional.of(text).filter(any -> !text.isEmpty()),
+                "metadata.referenceSystem",
+                extent.extent(),
+                Optional.empty());
     }
 
     private double[] vertices() {

@@ -6,18 +6,27 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geo.MapExtent;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.FileHash;
 import tools.jackson.databind.JsonNode;
 
 /**
  * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of
  * OpenStreetMap ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless
  * {@code building} is {@code no}. If what covers the ground is asked for, areas and lines whose properties say so are
- * that, unless they are buildings, too.
+ * that, unless they are buildings, too. The older member {@code crs}, which most programs still write for coordinates
+ * of a grid, is read as well.
  */
 final class GeoJsonFile {
     private static final int MOST_DEPTH = 64;
+
+    /** Longitudes may run on beyond the date line. */
+    private static final double MOST_LONGITUDE = 360.0;
+
+    private static final double MOST_LATITUDE = 90.0;
 
     private final String file;
     private final List<MapFeature> features = new ArrayList<>();
@@ -25,23 +34,23 @@ final class GeoJsonFile {
 
     private final boolean withLand;
     private final List<MapShape> shapes = new ArrayList<>();
+    private final MapExtent.Collector extent = new MapExtent.Collector();
+    private Optional<String> foreign = Optional.empty();
 
     private GeoJsonFile(String file, boolean withLand) {
         this.file = file;
         this.withLand = withLand;
     }
 
-    /** What was read: features, what covers the ground, and what was left out. */
-    record Read(List<MapFeature> features, MapLand land, Map<String, Integer> leftOut) {}
-
     /**
      * Reads a file.
      *
      * @param file its name, for messages
      * @param withLand whether what covers the ground is asked for
+     * @param hash of the file
      * @throws InputException in one line when it is not GeoJSON
      */
-    static Read read(String file, JsonNode root, boolean withLand) {
+    static MapFeatures read(String file, JsonNode root, boolean withLand, FileHash hash) {
         GeoJsonFile reader = new GeoJsonFile(file, withLand);
         String type = root.path("type").asString("");
         if (!List.of("FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection")
@@ -50,7 +59,23 @@ final class GeoJsonFile {
                     + "', must be FeatureCollection or CityJSON: no map with areas");
         }
         reader.object(root, "geometry", Map.of(), 0);
-        return new Read(reader.features, new MapLand(reader.shapes), reader.leftOut);
+        MapSystem system = new MapSystem(
+                MapSystem.Rule.DEGREES, stated(root.path("crs")), "crs", reader.extent.extent(), reader.foreign);
+        return new MapFeatures(
+                reader.features, Optional.empty(), new MapLand(reader.shapes), reader.leftOut, "GeoJSON", system, hash);
+    }
+
+    /** The name in the member {@code crs} of the format of 2008, or its number in the one before that. */
+    private static Optional<String> stated(JsonNode crs) {
+        JsonNode properties = crs.path("properties");
+        String text =
+                switch (crs.path("type").asString("")) {
+                    case "name" -> properties.path("name").asString("");
+                    case "EPSG" -> "EPSG:" + properties.path("code").asString("");
+                    case "link" -> properties.path("href").asString("");
+                    default -> "";
+                };
+        return Optional.of(text).filter(any -> !text.isBlank());
     }
 
     private void object(JsonNode node, String id, Map<String, String> tags, int depth) {
@@ -151,6 +176,12 @@ final class GeoJsonFile {
                             + PlainText.value(corner) + ", must be numbers: [longitude, latitude]");
                 }
                 ring[2 * i + axis] = value.doubleValue();
+            }
+            extent.add(ring[2 * i], ring[2 * i + 1]);
+            boolean isDegrees = Math.abs(ring[2 * i]) <= MOST_LONGITUDE && Math.abs(ring[2 * i + 1]) <= MOST_LATITUDE;
+            if (!isDegrees && foreign.isEmpty()) {
+                foreign = Optional.of(
+                        PlainText.value(id) + ": corner " + i + " of an outline is " + PlainText.value(corner));
             }
         }
         return ring;

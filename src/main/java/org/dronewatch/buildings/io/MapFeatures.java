@@ -4,7 +4,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.file.FileHash;
 
 /**
@@ -15,7 +14,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param land what covers the ground, if it was asked for
  * @param leftOut features that could not be used, and their number, in words
  * @param format format of the file, in words
- * @param crs the system of its coordinates, if the file or its format states one
+ * @param system in which its coordinates are
  * @param hash hash of the file
  */
 public record MapFeatures(
@@ -24,7 +23,7 @@ public record MapFeatures(
         MapLand land,
         Map<String, Integer> leftOut,
         String format,
-        Optional<CoordinateReferenceSystem> crs,
+        MapSystem system,
         FileHash hash) {
     /** Copies the collections: later changes by the caller have no effect. */
     public MapFeatures {

@@ -14,7 +14,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.zip.GZIPInputStream;
-import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -33,6 +32,8 @@ public final class MapFiles {
 
     private static final long MOST_BYTES = 1L << 33;
     private static final int START = 64;
+
+    private static final MapArea NOWHERE = new MapArea(0.0, 0.0, 0.0, 0.0);
 
     /** Reading a larger file takes seconds. */
     private static final long LONG = 50_000_000;
@@ -106,9 +107,7 @@ public final class MapFiles {
                         hash,
                         (in, target) -> OsmPbf.read(PackagedSite.plain(name), in, target));
             }
-            String text = new String(start, StandardCharsets.UTF_8)
-                    .replace("\uFEFF", "")
-                    .strip();
+            String text = startText(start);
             if (text.startsWith("<")) {
                 return osm(
                         "OpenStreetMap XML",
@@ -119,12 +118,30 @@ public final class MapFiles {
                         hash,
                         (in, target) -> OsmXml.read(PackagedSite.plain(name), in, target));
             }
-            if (text.startsWith("{")) {
+            if (isJson(text)) {
                 return json(name, source, withLand, hash);
             }
             throw new InputException(name
                     + ": is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson "
                     + shortName(name) + "' converts most other formats");
+        } catch (EOFException e) {
+            throw new InputException(name + ": ends too early: it is cut off or damaged", e);
+        } catch (IOException e) {
+            throw new InputException(name + ": cannot be read: " + PlainText.line(String.valueOf(e.getMessage())), e);
+        }
+    }
+
+    /**
+     * Whether the scene has to say in which coordinates a map is, since neither its format nor the file does.
+     *
+     * @param name of the file
+     * @throws InputException in one line when the file is missing, of no known format, or damaged
+     */
+    public boolean needsCrs(String name) {
+        try {
+            // Maps of OpenStreetMap, which may be large, never do.
+            return isJson(startText(start(source(name))))
+                    && read(name, source(name), NOWHERE, true).system().isUnknown();
         } catch (EOFException e) {
             throw new InputException(name + ": ends too early: it is cut off or damaged", e);
         } catch (IOException e) {
@@ -181,6 +198,14 @@ public final class MapFiles {
         return path;
     }
 
+    private static String startText(byte[] start) {
+        return new String(start, StandardCharsets.UTF_8).replace("\uFEFF", "").strip();
+    }
+
+    private static boolean isJson(String start) {
+        return start.startsWith("{");
+    }
+
     private static byte[] start(Source source) throws IOException {
         try (InputStream in = unpacked(source)) {
             return in.readNBytes(START);
@@ -192,7 +217,7 @@ public final class MapFiles {
         in.mark(2);
         boolean isPacked = in.read() == 0x1F && in.read() == 0x8B;
         in.reset();
-        return isPacked ? new Limited(new GZIPInputStream(in, 1 << 16)) : in;
+        return isPacked ? new LimitedStream(new GZIPInputStream(in, 1 << 16), MOST_BYTES) : in;
     }
 
     /** Reads the elements of a stream. */
@@ -223,7 +248,7 @@ public final class MapFiles {
                 withLand ? OsmLand.read(name, features.nodes(), pass) : MapLand.NONE,
                 features.leftOut(),
                 format,
-                Optional.of(CoordinateReferenceSystem.WGS_84),
+                features.system(),
                 hash);
     }
 
@@ -244,51 +269,12 @@ public final class MapFiles {
         if (root.path("type").asString("").equals("CityJSON")) {
             // Solids are closed by their sides, which take as much again.
             budget.take(JsonText.memory(all));
-            CityJsonFile.Read read = CityJsonFile.read(name, root);
-            return new MapFeatures(
-                    List.of(), Optional.of(read.model()), MapLand.NONE, read.leftOut(), "CityJSON", read.crs(), hash);
+            return CityJsonFile.read(name, root, hash);
         }
-        GeoJsonFile.Read read = GeoJsonFile.read(name, root, withLand);
-        return new MapFeatures(
-                read.features(), Optional.empty(), read.land(), read.leftOut(), "GeoJSON", Optional.empty(), hash);
+        return GeoJsonFile.read(name, root, withLand, hash);
     }
 
     private static HeapBudget budget(String name) {
         return new HeapBudget(name, "cut out the site, as with 'osmium extract'");
-    }
-
-    /** Ends a file that never stops unpacking. */
-    private static final class Limited extends InputStream {
-        private final InputStream in;
-        private long left = MOST_BYTES;
-
-        Limited(InputStream in) {
-            this.in = in;
-        }
-
-        @Override
-        public int read() throws IOException {
-            count(1);
-            return in.read();
-        }
-
-        @Override
-        public int read(byte[] target, int from, int length) throws IOException {
-            int read = in.read(target, from, length);
-            count(Math.max(read, 0));
-            return read;
-        }
-
-        private void count(int bytes) throws IOException {
-            left -= bytes;
-            if (left < 0) {
-                throw new IOException("unpacks to more than " + MOST_BYTES + " bytes");
-            }
-        }
-
-        @Override
-        public void close() throws IOException {
-            in.close();
-        }
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.geo.MapExtent;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.HeapBudget;
 
@@ -40,6 +41,7 @@ final class OsmFeatures implements OsmElements {
     private final Map<Long, Way> ways = new LinkedHashMap<>();
     private final List<Relation> relations = new ArrayList<>();
     private final Map<String, Integer> leftOut = new LinkedHashMap<>();
+    private final MapExtent.Collector extent = new MapExtent.Collector();
     private long corners;
     private boolean dropped;
     private boolean late;
@@ -72,6 +74,11 @@ final class OsmFeatures implements OsmElements {
         return nodes;
     }
 
+    /** In which coordinates all nodes of the file are. */
+    MapSystem system() {
+        return new MapSystem(MapSystem.Rule.ALWAYS_DEGREES, Optional.empty(), "", extent.extent(), Optional.empty());
+    }
+
     /** Whether ways were dropped whose nodes may have come later: the file must be read again, keeping all. */
     boolean isIncomplete() {
         return dropped && late;
@@ -79,6 +86,7 @@ final class OsmFeatures implements OsmElements {
 
     @Override
     public void node(long id, double longitude, double latitude) {
+        extent.add(longitude, latitude);
         if (!area.contains(longitude, latitude)) {
             return;
         }

@@ -1,0 +1,102 @@
+package org.dronewatch.buildings.io;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.geo.MapExtent;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/**
+ * In which coordinates a map is: by its format, by a statement of the file, or by that of the scene, which counts more
+ * than the file's.
+ *
+ * @param rule what the format requires
+ * @param stated what the file states about its coordinates: a code, a URN or an address; not checked yet
+ * @param member of the file that states it
+ * @param extent of its coordinates
+ * @param foreign the first point that cannot be a longitude and latitude, with its place in the file, in words
+ */
+public record MapSystem(Rule rule, Optional<String> stated, String member, MapExtent extent, Optional<String> foreign) {
+    private static final Pattern CODE = Pattern.compile(".*EPSG(?:/[^/]*/|:[^:]*:|:)(\\d{4,6})");
+
+    /** Longitude and latitude in degrees by OGC's own name, as GeoJSON of ogr2ogr and QGIS states them. */
+    private static final Pattern CRS84 = Pattern.compile(".*CRS84");
+
+    /** What formats say about coordinates. */
+    public enum Rule {
+        /** Always longitude and latitude (WGS 84). */
+        ALWAYS_DEGREES,
+        /** Longitude and latitude unless the file states something else. */
+        DEGREES,
+        /** Stated in each file. */
+        STATED
+    }
+
+    /** Whether the scene has to say in which system the coordinates are. */
+    public boolean isUnknown() {
+        return stated.isEmpty() && (rule == Rule.STATED || foreign.isPresent());
+    }
+
+    /**
+     * The system of the coordinates.
+     *
+     * @param file name of the map, for messages
+     * @param given by the scene
+     * @throws InputException in one line when it is neither given nor stated, is not known, or does not fit the
+     *     coordinates
+     */
+    public CoordinateReferenceSystem crs(String file, Optional<CoordinateReferenceSystem> given) {
+        if (rule == Rule.ALWAYS_DEGREES) {
+            given.filter(grid -> !grid.isGeographic()).ifPresent(grid -> {
+                throw new InputException(
+                        file + ": has longitude and latitude, as all maps of OpenStreetMap, but crs is " + grid
+                                + ": leave out crs");
+            });
+            return CoordinateReferenceSystem.WGS_84;
+        }
+        if (given.isEmpty() && stated.isEmpty() && rule == Rule.STATED) {
+            throw new InputException(
+                    file + ": does not state its coordinate reference system: set crs, as in crs: EPSG:25832");
+        }
+        CoordinateReferenceSystem crs =
+                given.orElseGet(() -> stated.map(text -> parsed(file, text)).orElse(CoordinateReferenceSystem.WGS_84));
+        if (crs.isGeographic() && foreign.isPresent()) {
+            throw new InputException(file + ": " + foreign.get()
+                    + ", must be longitude and latitude, -180 to 180 and -90 to 90 degrees: for coordinates of a grid, set"
+                    + " crs, as in crs: EPSG:25832");
+        }
+        return crs;
+    }
+
+    /** What the file states, if the scene takes another system instead. */
+    public Optional<String> overruled(CoordinateReferenceSystem used) {
+        return stated.filter(text -> !isSame(text, used)).map(PlainText::value);
+    }
+
+    private static boolean isSame(String text, CoordinateReferenceSystem used) {
+        return used.name().equals(CRS84.matcher(text).matches() ? CoordinateReferenceSystem.WGS_84.name() : code(text));
+    }
+
+    private static String code(String text) {
+        Matcher code = CODE.matcher(text);
+        return code.matches() ? "EPSG:" + code.group(1) : "";
+    }
+
+    private CoordinateReferenceSystem parsed(String file, String text) {
+        if (CRS84.matcher(text).matches()) {
+            return CoordinateReferenceSystem.WGS_84;
+        }
+        String code = code(text);
+        if (code.isEmpty()) {
+            throw new InputException(file + ": " + member + " is '" + PlainText.value(text)
+                    + "', must end in an EPSG code; state world.buildings.crs instead");
+        }
+        try {
+            return CoordinateReferenceSystem.of(code);
+        } catch (InputException e) {
+            throw new InputException(file + ": " + member + ": " + e.getMessage(), e);
+        }
+    }
+}
