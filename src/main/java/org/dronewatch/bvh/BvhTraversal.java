@@ -158,7 +158,7 @@ final class BvhTraversal extends RayTracer {
         originZ = origin[kz];
         shearX = direction[kx] / direction[kz];
         shearY = direction[ky] / direction[kz];
-        shearZ = 1.0 / direction[kz];
+        shearZ = inverse[kz];
         offsetX = BvhNode.coordinates(kx);
         offsetY = BvhNode.coordinates(ky);
         offsetZ = BvhNode.coordinates(kz);
@@ -241,28 +241,40 @@ final class BvhTraversal extends RayTracer {
                         .min(bz.min(IntVector.broadcast(INTS_8, limit)))
                         .max(IntVector.broadcast(INTS_8, -1));
                 // A byte for each child, all ones where it is missed.
-                IntVector missed = ((ByteVector) left.sub(entered)
+                long missed = ((ByteVector) left.sub(entered)
                                 .lanewise(VectorOperators.ASHR, 31)
                                 .convertShape(VectorOperators.I2B, ByteVector.SPECIES_64, 0))
-                        .reinterpretAsInts();
-                long hits = ~((long) missed.lane(1) << 32 | missed.lane(0) & 0xffffffffL);
+                        .reinterpretShape(ByteVector.SPECIES_128, 0)
+                        .reinterpretAsLongs()
+                        .lane(0);
+                long hits = ~missed;
                 if (hits != 0) {
-                    // The nearest child is next; the others wait, the nearest of them on top.
-                    entered.intoArray(keys, 0);
+                    int node = reference;
                     int child = Long.numberOfTrailingZeros(hits) >>> 3;
                     hits &= ~(0xffL << (child << 3));
-                    int only = BvhNode.reference(nodes, reference, child);
+                    int only = BvhNode.reference(nodes, node, child);
                     if (hits == 0) {
                         reference = only;
                         continue;
                     }
+                    if (anyHit) {
+                        // Sorting costs more than it saves: most segments are free, and visit all.
+                        reference = only;
+                        do {
+                            child = Long.numberOfTrailingZeros(hits) >>> 3;
+                            hits &= ~(0xffL << (child << 3));
+                            waiting[stacked++] = BvhNode.reference(nodes, node, child) & 0xffffffffL;
+                        } while (hits != 0);
+                        continue;
+                    }
+                    // The nearest child is next; the others wait, the nearest of them on top.
+                    entered.intoArray(keys, 0);
                     long next = (long) keys[child] << 32 | only & 0xffffffffL;
                     int bottom = stacked;
                     do {
                         child = Long.numberOfTrailingZeros(hits) >>> 3;
                         hits &= ~(0xffL << (child << 3));
-                        long found =
-                                (long) keys[child] << 32 | BvhNode.reference(nodes, reference, child) & 0xffffffffL;
+                        long found = (long) keys[child] << 32 | BvhNode.reference(nodes, node, child) & 0xffffffffL;
                         long farther = Math.max(next, found);
                         next = Math.min(next, found);
                         int slot = stacked++;
