@@ -51,8 +51,9 @@ public interface AssessableSensor extends Sensor {
     /**
      * As {@link #assess}, at less cost where possible, for a field that keeps probabilities in steps: of a drone that
      * is detected, the quantity may be lower, and a probability between {@code high} and 1 may be any other between
-     * them. Cause and evidence of a miss are the same, and so are probabilities of 1 and those below {@code high}. The
-     * same as {@code assess} unless overridden.
+     * them; of one that is missed, the quantity of an estimate may be lower. Cause and obstacle of a miss are the same,
+     * and so are probabilities of 1 and those below {@code high}, unless they are estimates: these may draw other
+     * random numbers, but are as accurate. The same as {@code assess} unless overridden.
      *
      * @param high probabilities from this one up to 1, exclusive, count as equal
      */

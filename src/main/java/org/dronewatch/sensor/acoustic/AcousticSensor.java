@@ -10,6 +10,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
@@ -97,6 +98,13 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
     @Override
     public Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         return tracer(world).signal(drone, rayRandom);
+    }
+
+    @Override
+    public Assessment assessCoarsely(
+            World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
+        Signal signal = tracer(world).coarseSignal(drone, rayRandom);
+        return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainMiss(world, drone, pointing));
     }
 
     /**

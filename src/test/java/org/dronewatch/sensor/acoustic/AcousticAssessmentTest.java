@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.random.RandomGenerator;
 import java.util.stream.DoubleStream;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
@@ -31,6 +32,7 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a microphone has of a drone, how sure that is, and why it is not enough. */
 class AcousticAssessmentTest {
@@ -90,8 +92,9 @@ class AcousticAssessmentTest {
     }
 
     /** Below a ceiling, a drone behind a wall is heard if the one ray goes up and not too far. */
-    @Test
-    void theFractionOfTracesIsThatOfLooksAndScattersAsItSays() {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theFractionOfTracesIsThatOfLooksAndScattersAsItSays(boolean isCoarse) {
         World world = behindBelow(wall(50, -99, 9), 30);
         AcousticSensor sensor = ONE_RAY.create();
         int looks = 3000;
@@ -102,7 +105,11 @@ class AcousticAssessmentTest {
         }
         Assessment[] fields = new Assessment[300];
         for (int i = 0; i < fields.length; i++) {
-            fields[i] = assessed(ONE_RAY, world, drone(100), 50_000 + i);
+            Look look = Look.of(50_000 + i, "sensor", 0, 10.0);
+            RandomGenerator rays = look.random("drone", RaySensor.RAYS);
+            fields[i] = isCoarse
+                    ? sensor.assessCoarsely(world, drone(100), Optional.empty(), rays, 0.99)
+                    : sensor.assess(world, drone(100), Optional.empty(), rays);
             assertThat(fields[i].isEstimated()).isTrue();
             assertThat(fields[i].cause() == Cause.DETECTED).isEqualTo(fields[i].probability() >= 0.5);
             assertThat(fields[i].cause()).isIn(Cause.DETECTED, Cause.HIDDEN_BY_BUILDING);

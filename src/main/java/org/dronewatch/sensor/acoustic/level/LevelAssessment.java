@@ -24,8 +24,11 @@ final class LevelAssessment {
      * even that would be too quiet; estimated from some looks otherwise. The first of these is the look of a run with
      * the same random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in
      * the middle, so that it reaches the threshold when half of the looks do.
+     *
+     * @param others what the looks after the first are if the ray budget ended no ray of that; otherwise, they are like
+     *     the first
      */
-    static Signal signal(double straightLevel, double threshold, RandomGenerator rays, Look look) {
+    static Signal signal(double straightLevel, double threshold, RandomGenerator rays, Look look, Look others) {
         if (straightLevel < threshold) {
             return Signal.certain(straightLevel, UNIT, threshold);
         }
@@ -36,8 +39,9 @@ final class LevelAssessment {
         double[] levels = new double[TRACES];
         levels[0] = first.bestLevel();
         int hits = first.detected() ? 1 : 0;
+        Look repeated = first.cutByBudget() == 0 ? others : look;
         for (int i = 1; i < TRACES; i++) {
-            LevelReading next = look.listen(rays);
+            LevelReading next = repeated.listen(rays);
             levels[i] = next.bestLevel();
             hits += next.detected() ? 1 : 0;
         }

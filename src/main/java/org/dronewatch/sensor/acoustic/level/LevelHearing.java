@@ -60,7 +60,19 @@ public final class LevelHearing implements SoundTracer {
 
     @Override
     public Signal signal(Drone drone, RandomGenerator random) {
-        return LevelAssessment.signal(straightLevel(drone), threshold, random, rays -> listen(drone, rays));
+        LevelAssessment.Look look = rays -> listen(drone, rays);
+        return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look);
+    }
+
+    /** {@inheritDoc} Its looks after the first do not trace rays that cannot be detected. */
+    @Override
+    public Signal coarseSignal(Drone drone, RandomGenerator random) {
+        return LevelAssessment.signal(
+                straightLevel(drone),
+                threshold,
+                random,
+                rays -> listen(drone, rays),
+                rays -> tracer.trace(drone.origin(), drone.soundLevel(), rays, TracedRays.DECISIVE, RayRecorder.NONE));
     }
 
     @Override

@@ -70,6 +70,12 @@ public final class LevelTracer {
      */
     public LevelReading trace(
             Position source, double sourceLevel, RandomGenerator random, boolean fully, RayRecorder recorder) {
+        return trace(source, sourceLevel, random, fully ? TracedRays.ALL : TracedRays.UNTIL_DETECTED, recorder);
+    }
+
+    /** Takes one look that traces these rays. */
+    LevelReading trace(
+            Position source, double sourceLevel, RandomGenerator random, TracedRays extent, RayRecorder recorder) {
         reset();
         emit(source, sourceLevel, random);
         long seed = random.nextLong();
@@ -88,13 +94,13 @@ public final class LevelTracer {
             Workers.forEach(wave, i -> {
                 int from = first + i * CHUNK;
                 int to = Math.min(from + CHUNK, queue.added());
-                team.get(i).trace(queue, from, to, new SplittableRandom(Draws.mix(seed, from)), fully, recorder);
+                team.get(i).trace(queue, from, to, new SplittableRandom(Draws.mix(seed, from)), extent, recorder);
             });
             int waiting = queue.added();
             for (int i = 0; i < wave && !enough; i++) {
                 add(team.get(i));
                 next = Math.min(first + (i + 1) * CHUNK, waiting);
-                enough = !fully && bestLevel >= detectionLevel;
+                enough = extent != TracedRays.ALL && bestLevel >= detectionLevel;
             }
         }
         OptionalInt cutAt = cutByBudget > 0 ? OptionalInt.of(cutOrder) : OptionalInt.empty();

@@ -22,9 +22,11 @@ final class RayChunk {
     private final double detectionLevel;
     private final RayTracer traversal;
     private final ReflectionGenerator reflections;
+    private final DecisiveRays decisive;
     private final RayQueue branches = new RayQueue();
     private final AcousticRay ray = new AcousticRay();
 
+    private TracedRays extent = TracedRays.ALL;
     private double bestLevel;
     private double energy;
     private long received;
@@ -43,6 +45,7 @@ final class RayChunk {
         this.radius = radius;
         this.detectionLevel = detectionLevel;
         this.traversal = world.newRayTracer();
+        this.decisive = new DecisiveRays(model, sensor, radius, detectionLevel, surfaces);
         this.reflections = new ReflectionGenerator(model, world, surfaces, sensor);
     }
 
@@ -51,9 +54,10 @@ final class RayChunk {
      *
      * @param from the first
      * @param to the first that is not traced
-     * @param fully whether to go on after the first detection
+     * @param wanted which rays
      */
-    void trace(RayQueue queue, int from, int to, RandomGenerator random, boolean fully, RayRecorder recorder) {
+    void trace(RayQueue queue, int from, int to, RandomGenerator random, TracedRays wanted, RayRecorder recorder) {
+        extent = wanted;
         branches.clear();
         bestLevel = Double.NEGATIVE_INFINITY;
         energy = 0.0;
@@ -67,7 +71,7 @@ final class RayChunk {
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
             if (reachesSensor(distance)) {
                 receive(recorder);
-                if (!fully && bestLevel >= detectionLevel) {
+                if (extent != TracedRays.ALL && bestLevel >= detectionLevel) {
                     return;
                 }
             } else {
@@ -122,7 +126,7 @@ final class RayChunk {
 
     /** Too quiet a ray is not worth tracing: nothing that comes of it can be detected. */
     private void keep(AcousticRay branch) {
-        if (branch.level >= detectionLevel) {
+        if (branch.level >= detectionLevel && (extent != TracedRays.DECISIVE || decisive.include(branch))) {
             branches.add(branch);
         }
     }

@@ -75,6 +75,19 @@ final class SurfaceLevels {
         return transmissionLoss[material];
     }
 
+    /**
+     * What a level loses at least at any surface, dB. Sound that leaves a solid wall loses nothing; where a reflection
+     * depends on the angle, it is taken to lose nothing.
+     */
+    double leastLoss() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < reflectionLoss.length; i++) {
+            double through = !transmits[i] ? Double.POSITIVE_INFINITY : sheet[i] ? transmissionLoss[i] : 0.0;
+            least = Math.min(least, Math.min(angular[i] == null ? reflectionLoss[i] : 0.0, through));
+        }
+        return least;
+    }
+
     double transmittedFraction(int material) {
         return transmittedFraction[material];
     }

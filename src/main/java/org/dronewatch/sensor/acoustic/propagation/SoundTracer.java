@@ -21,6 +21,15 @@ public interface SoundTracer {
     /** The signal received from a drone, before any random decision; draws from the same random numbers as a look. */
     Signal signal(Drone drone, RandomGenerator random);
 
+    /**
+     * The same at less cost where possible: where a fraction of several looks is the probability, those after the first
+     * may draw other random numbers, and the quantity of a drone that is missed may be lower. The same as
+     * {@link #signal} unless overridden.
+     */
+    default Signal coarseSignal(Drone drone, RandomGenerator random) {
+        return signal(drone, random);
+    }
+
     /** Whether a drone would be heard without obstructions. */
     boolean isHeardInTheOpen(Drone drone);
 

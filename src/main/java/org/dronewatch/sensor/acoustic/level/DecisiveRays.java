@@ -1,0 +1,59 @@
+package org.dronewatch.sensor.acoustic.level;
+
+import org.dronewatch.geometry.IntersectionHandler;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+
+/**
+ * Which rays from surfaces can decide whether a drone is detected: those that would be loud enough if they went
+ * straight to the sensor from where they begin, since no path is shorter; and of those that are too quiet, or have hit
+ * too many surfaces, to be reflected once more, only the ones that are directed at the sensor. Immutable.
+ */
+final class DecisiveRays {
+    /** Above the rounding of the levels along a path, dB. */
+    private static final double ROUNDING = 1e-6;
+
+    /** Above the relative rounding of the distance between a ray and the sensor. */
+    private static final double RELATIVE_ROUNDING = 1e-9;
+
+    private final LevelModel model;
+    private final Position sensor;
+    private final double radius;
+    private final double detectionLevel;
+
+    /** What a ray loses at least at any surface, dB. */
+    private final double leastLoss;
+
+    DecisiveRays(LevelModel model, Position sensor, double radius, double detectionLevel, SurfaceLevels surfaces) {
+        this.model = model;
+        this.sensor = sensor;
+        this.radius = radius * (1.0 + RELATIVE_ROUNDING);
+        this.detectionLevel = detectionLevel;
+        this.leastLoss = surfaces.leastLoss();
+    }
+
+    /** Whether a ray from a surface, or one that comes of it, can be loud enough at the sensor. */
+    boolean include(AcousticRay ray) {
+        double x = sensor.x() - ray.originX;
+        double y = sensor.y() - ray.originY;
+        double z = sensor.z() - ray.originZ;
+        double highest = ray.level - model.attenuation() * Math.sqrt(x * x + y * y + z * z) + ROUNDING;
+        boolean canBeReflected = ray.order < model.maxOrder() && highest - leastLoss >= detectionLevel;
+        return highest >= detectionLevel && (canBeReflected || isDirectedAtSensor(ray));
+    }
+
+    private boolean isDirectedAtSensor(AcousticRay ray) {
+        return IntersectionHandler.raySphere(
+                        ray.originX,
+                        ray.originY,
+                        ray.originZ,
+                        ray.directionX,
+                        ray.directionY,
+                        ray.directionZ,
+                        sensor.x(),
+                        sensor.y(),
+                        sensor.z(),
+                        radius)
+                < Double.POSITIVE_INFINITY;
+    }
+}

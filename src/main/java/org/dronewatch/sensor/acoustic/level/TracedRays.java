@@ -1,0 +1,15 @@
+package org.dronewatch.sensor.acoustic.level;
+
+/** Which rays of a look are traced. */
+enum TracedRays {
+    /** All of them. */
+    ALL,
+    /** Those up to the first that is loud enough. */
+    UNTIL_DETECTED,
+    /**
+     * Those up to the first that is loud enough, without those of which none can come: see {@link DecisiveRays}. The
+     * look detects with the same probability as with all rays, but from other random numbers, and its levels below that
+     * of detection may be too low.
+     */
+    DECISIVE
+}
