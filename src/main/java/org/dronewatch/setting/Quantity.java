@@ -70,7 +70,11 @@ public enum Quantity {
     private static final Pattern NUMBER_AND_UNIT =
             Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
     private static final int LONGEST = 60;
-    private static final int LONGEST_PLAIN = 12;
+
+    /** Numbers below and from which on powers of ten are shorter, and easier to compare. */
+    private static final double SMALLEST_PLAIN = 1e-4;
+
+    private static final double LARGEST_PLAIN = 1e6;
     /** A radian value with at most this many digits was probably typed, not converted from degrees. */
     private static final int LONGEST_WRITTEN = 6;
     /** Display precision at which 200 deg survives the round trip through radians. */
@@ -168,13 +172,20 @@ public enum Quantity {
         return Double.toString(value).replaceFirst("\\.0$", "");
     }
 
-    /** A number as a person writes it: {@code 0.5}, {@code 10000}. */
+    /** A number as a person writes it: {@code 0.5}, {@code 10000}, {@code 1e-12}, {@code 2.4e9}. */
     private static String plain(double value) {
         if (!Double.isFinite(value)) {
             return Double.toString(value);
         }
-        String plain = BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
-        return plain.length() <= LONGEST_PLAIN ? plain : Double.toString(value);
+        BigDecimal shortest = BigDecimal.valueOf(value).stripTrailingZeros();
+        String plain = shortest.toPlainString();
+        double size = Math.abs(value);
+        if (size == 0.0 || size >= SMALLEST_PLAIN && size < LARGEST_PLAIN) {
+            return plain;
+        }
+        int exponent = shortest.precision() - shortest.scale() - 1;
+        String power = shortest.movePointLeft(exponent).toPlainString() + "e" + exponent;
+        return power.length() < plain.length() ? power : plain;
     }
 
     /**

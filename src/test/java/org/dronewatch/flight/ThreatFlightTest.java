@@ -269,6 +269,6 @@ class ThreatFlightTest {
                 .withMessageContaining("angle 5.729578 deg (0.1 rad) must be 10 to 90 deg");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new PopUp(new Position(0, 0, 0), -1, 10))
-                .withMessage("hoverTime -1 s must be 0 to 1000000");
+                .withMessage("hoverTime -1 s must be 0 to 1e6");
     }
 }

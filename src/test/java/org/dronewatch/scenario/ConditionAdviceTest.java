@@ -77,10 +77,9 @@ class ConditionAdviceTest {
         CameraSettings deciding = CameraSettings.at(HERE).withDetection(TargetTask.DEFAULT);
 
         assertThat(advice(world, CameraSettings.at(HERE), deciding, ThermalSettings.at(HERE)))
-                .containsExactly(
-                        "world.light.cn2 1.0E-13 m^-2/3 and world.light.skyToGroundRatio 5 do not change what is"
-                                + " detected by camera sensor 's0': 'detection: {kind: target-task}' takes light and weather into"
-                                + " account");
+                .containsExactly("world.light.cn2 1e-13 m^-2/3 and world.light.skyToGroundRatio 5 do not change what is"
+                        + " detected by camera sensor 's0': 'detection: {kind: target-task}' takes light and weather into"
+                        + " account");
     }
 
     @Test

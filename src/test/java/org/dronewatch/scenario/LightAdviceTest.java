@@ -22,7 +22,7 @@ class LightAdviceTest {
         assertThat(advice(-20, 60_000))
                 .containsExactly(
                         "world.light.illuminance 60000 lx does not fit a sun 20.0 degrees below the horizon: the"
-                                + " natural range there is 0.00001 lx to 0.27 lx; both are used as stated");
+                                + " natural range there is 1e-5 lx to 0.27 lx; both are used as stated");
         assertThat(advice(60, 1))
                 .containsExactly("world.light.illuminance 1 lx does not fit a sun 60.0 degrees above the horizon: the"
                         + " natural range there is 510 lx to 150000 lx; both are used as stated");

@@ -36,19 +36,19 @@ class SceneLimitsTest {
             textBlock =
                     """
             sensors.eye.position.x       | 1e155     | -100000 to 100000
-            sensors.eye.position         | 1e155,0,9 | x 1.0E155 m must be -100000 to 100000
+            sensors.eye.position         | 1e155,0,9 | x 1e155 m must be -100000 to 100000
             sensors.eye.fov              | 1e-300    | 0.01 to 179 deg
             sensors.eye.fov              | 179.9 deg | 0.01 to 179 deg
             sensors.radar.detection.pulses | 1001    | 1 to 1000
-            sensors.radar.budget.power   | 1e300     | 0.000000001 to 1000000000
-            sensors.radar.maxRange       | 1e300     | at most 1000000
+            sensors.radar.budget.power   | 1e300     | 1e-9 to 1e9
+            sensors.radar.maxRange       | 1e300     | at most 1e6
             world.noiseShape.hz125       | 100000    | -200 to 200
-            world.models.0.scale         | 1e-300    | 0.000001 to 1000000
+            world.models.0.scale         | 1e-300    | 1e-6 to 1e6
             world.models.0.position.z    | -1e6      | -100000 to 100000
             drones.d.speed               | 1e-300    | 0.001 to 400
             drones.d.acceleration        | 1e-300    | 0.001 to 10000
             drones.d.flight.radius       | 1e-300    | 0.1 to 100000
-            drones.d.radar.crossSection  | 1e-300    | 0.000000001 to 1000000
+            drones.d.radar.crossSection  | 1e-300    | 1e-9 to 1e6
             drones.d.radar.aspects       | 0,101     | aspects.1 101 dB must be -100 to 100
             """)
     void aSettingBeyondReasonIsRefused(String path, String value, String limit) {
@@ -106,6 +106,6 @@ class SceneLimitsTest {
         };
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SceneRunner(scene).settings())
-                .withMessageContaining("drones.d.flight.position.x 1.0E155 m must be -100000 to 100000");
+                .withMessageContaining("drones.d.flight.position.x 1e155 m must be -100000 to 100000");
     }
 }

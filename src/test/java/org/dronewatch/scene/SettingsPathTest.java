@@ -132,7 +132,7 @@ class SettingsPathTest {
                 "drones.crosser.flight.points.9.x | 1     | no '9'        | 0 to 1",
                 "drones.crosser.flight.points.-1.x | 1    | no '-1'       | 0 to 1",
                 "run.seed                       | x       | 'x'           | whole number",
-                "world.models.0.scale           | -1      | scale -1    | 0.000001 to 1000000",
+                "world.models.0.scale           | -1      | scale -1    | 1e-6 to 1e6",
                 "nothing                        | 1       | no 'nothing'  | world, drones, sensors, alert,"
                         + " prices, run, sweep",
                 "''                             | 1       | no ''         | world",

@@ -40,7 +40,7 @@ class LimitsTest {
                 "NaN   | 1     | 0        | 0     | 0        | open NaN m must be finite",
                 "1     | 1     | 0        | -20.1 | 0        | least -20.1 dB must be -20 or more",
                 "1     | 1     | 0        | 0     | 0.5      | half 0.5 must be below 0.5",
-                "1e-20 | 1     | 0        | 0     | 1e30     | half 1.0E30 must be below 0.5",
+                "1e-20 | 1     | 0        | 0     | 1e30     | half 1e30 must be below 0.5",
             })
     void whatDoesNotFitIsNamedWithValueAndLimit(
             double open, int count, double any, double least, double half, String message) {

@@ -113,6 +113,31 @@ class QuantityTest {
         }
     }
 
+    /** One notation for small and large limits: powers of ten where they are shorter, and never within 0.0001 to 1e6. */
+    @ParameterizedTest
+    @CsvSource({
+        "0, 0",
+        "-0.0, 0",
+        "1e-12, 1e-12",
+        "1e-10, 1e-10",
+        "-2.5e-14, -2.5e-14",
+        "0.00001, 1e-5",
+        "0.0001, 0.0001",
+        "0.000123456789, 0.000123456789",
+        "200000, 200000",
+        "999999.5, 999999.5",
+        "1e6, 1e6",
+        "2.4e9, 2.4e9",
+        "268435456, 268435456",
+        "1e12, 1e12",
+        "4.9e-324, 4.9e-324",
+        "1.7976931348623157e308, 1.7976931348623157e308"
+    })
+    void numbersInMessagesAreAsShortAsPeopleWriteThem(double value, String text) {
+        assertThat(Quantity.NUMBER.inWords(value)).isEqualTo(text);
+        assertThat(Quantity.NUMBER.parse(text)).isEqualTo(value);
+    }
+
     @Test
     void exactTextsAreAsPeopleWriteThem() {
         assertThat(Quantity.ANGLE.exactly(Math.toRadians(30))).isEqualTo("30 deg");

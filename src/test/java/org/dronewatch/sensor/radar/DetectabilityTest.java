@@ -275,7 +275,7 @@ class DetectabilityTest {
     void settingsHaveLimits() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Detectability.required(0.5, 0.02, Fluctuation.STEADY))
-                .withMessageContaining("falseAlarm 0.02 must be 1.0E-12 to 0.01");
+                .withMessageContaining("falseAlarm 0.02 must be 1e-12 to 0.01");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Detectability.probability(0, 1e-6, Fluctuation.STEADY, 1001))
                 .withMessageContaining("pulses 1001 must be 1 to 1000");

@@ -144,7 +144,7 @@ class LinkBudgetTest {
     void settingsHaveLimits() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Hardware(0, 30, 0.02, 10e6, 0, 0))
-                .withMessageContaining("power 0 W must be 0.000000001 to 1000000000");
+                .withMessageContaining("power 0 W must be 1e-9 to 1e9");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> DataSheet.of(1000, -1))
                 .withMessageContaining("crossSection -1 m2");

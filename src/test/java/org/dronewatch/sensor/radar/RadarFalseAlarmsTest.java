@@ -104,6 +104,6 @@ class RadarFalseAlarmsTest {
                 .hasMessage(
                         "falseAlarms: 5.0373696E7 cells with a probability of 1.0E-4 each raise 5037.3696 false alarms per"
                                 + " scan, must be at most 1000");
-        assertThatThrownBy(() -> none.withGate(0.5)).hasMessage("gate 0.5 must be 1 to 1000000");
+        assertThatThrownBy(() -> none.withGate(0.5)).hasMessage("gate 0.5 must be 1 to 1e6");
     }
 }

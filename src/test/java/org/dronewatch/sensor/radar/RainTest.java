@@ -53,7 +53,7 @@ class RainTest {
     void outsideItsFrequenciesNothingIsKnown() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Rain.attenuation(0.5e9, 5, 0, Polarisation.VERTICAL))
-                .withMessageContaining("frequency 500000000 Hz must be 1000000000 to 1.0E12");
+                .withMessageContaining("frequency 5e8 Hz must be 1e9 to 1e12");
     }
 
     /**

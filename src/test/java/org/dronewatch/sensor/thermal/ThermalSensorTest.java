@@ -206,6 +206,6 @@ class ThermalSensorTest {
 
     @Test
     void impossibleCamerasAreRefused() {
-        assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNetd(0)).hasMessage("netd 0 K must be 0.000001 to 100");
+        assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNetd(0)).hasMessage("netd 0 K must be 1e-6 to 100");
     }
 }
