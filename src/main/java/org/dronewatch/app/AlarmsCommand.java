@@ -18,6 +18,7 @@ import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.world.Weather;
 import picocli.CommandLine.Command;
@@ -160,14 +161,30 @@ final class AlarmsCommand implements Callable<Integer> {
             throw new InputException(given + "is of kind " + named.kind()
                     + ", whose rate is set, not computed: only a radar has a false-alarm probability");
         }
+        double probability;
         try {
-            String setting = radar.detection() instanceof RadarDetection.Chance
-                    ? "detection.falseAlarm"
-                    : "falseAlarms.probability";
-            return String.format(
-                    Locale.ROOT, "sensors.%s.%s=%.3e", sensor, setting, radar.falseAlarmProbability(perHour));
+            probability = radar.falseAlarmProbability(perHour);
         } catch (IllegalArgumentException e) {
             throw new InputException(given + e.getMessage(), e);
+        }
+        String setting = "sensors." + sensor
+                + (radar.detection() instanceof RadarDetection.Chance
+                        ? ".detection.falseAlarm"
+                        : ".falseAlarms.probability");
+        String value = String.format(Locale.ROOT, "%.3e", probability);
+        checkSettable(setting, value);
+        return setting + "=" + value;
+    }
+
+    /** Refuses a probability that {@code --set} would refuse, with its limit. */
+    private void checkSettable(String setting, String value) {
+        try {
+            choice.runner(choice.create()).set(setting, value).settingsOfRuns();
+        } catch (InputException e) {
+            throw new InputException(
+                    "--per-hour " + Quantity.NUMBER.inWords(perHour) + " needs "
+                            + e.getMessage().replaceFirst("^--set ", ""),
+                    e);
         }
     }
 

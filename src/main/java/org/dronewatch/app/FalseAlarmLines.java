@@ -2,7 +2,6 @@ package org.dronewatch.app;
 
 import java.io.PrintWriter;
 import java.util.Locale;
-import java.util.Map;
 import java.util.stream.Collectors;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.run.FalseAlarmResult;
@@ -23,7 +22,7 @@ final class FalseAlarmLines {
                 String why = isUnknown && counted.count() == 0 ? ", since no sensor sets 'falseAlarms'" : "";
                 String here = isUnknown && counted.count() == 0
                         ? ""
-                        : "; in this run: " + counted.alertCount() + " (" + bySensor(counted.counted()) + ")";
+                        : "; in this run: " + counted.alertCount() + " (" + bySensor(counted) + ")";
                 target.println(which + "false alerts: " + run.falseAlertRate().inWords() + why + here);
                 counted.birds()
                         .forEach((bird, alert) -> target.printf(
@@ -37,12 +36,21 @@ final class FalseAlarmLines {
         }
     }
 
-    private static String bySensor(Map<String, Long> counted) {
-        return counted.isEmpty()
+    /** {@code false alarms: radar 51 (48 of them birds), radio 2 (all of them birds), camera 3}. */
+    private static String bySensor(FalseAlarmResult result) {
+        return result.counted().isEmpty()
                 ? "no false alarms"
                 : "false alarms: "
-                        + counted.entrySet().stream()
-                                .map(one -> one.getKey() + " " + one.getValue())
+                        + result.counted().entrySet().stream()
+                                .map(one -> one.getKey() + " " + one.getValue()
+                                        + birds(one.getValue(), result.ofBirds().getOrDefault(one.getKey(), 0L)))
                                 .collect(Collectors.joining(", "));
+    }
+
+    private static String birds(long count, long birds) {
+        if (birds == 0) {
+            return "";
+        }
+        return birds < count ? " (" + birds + " of them birds)" : count == 1 ? " (a bird)" : " (all of them birds)";
     }
 }

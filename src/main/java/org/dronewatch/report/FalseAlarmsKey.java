@@ -8,6 +8,7 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.world.Weather;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -54,7 +55,7 @@ final class FalseAlarmsKey {
         run.settings().enabledSensors().forEach((id, sensor) -> {
             ObjectNode one = sensors.addObject();
             one.put("sensor", id);
-            rate(sensor)
+            rate(sensor, run.settings().world().weather())
                     .ifPresentOrElse(
                             rate -> {
                                 one.put("per_hour", rate.perHour());
@@ -91,7 +92,7 @@ final class FalseAlarmsKey {
         rate.merging().forEach(merging::add);
     }
 
-    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor) {
-        return sensor.as(FalseAlarming.class).flatMap(FalseAlarming::falseAlarmRate);
+    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor, Weather weather) {
+        return sensor.as(FalseAlarming.class).flatMap(capability -> capability.falseAlarmRate(weather));
     }
 }

@@ -1,9 +1,12 @@
 package org.dronewatch.report;
 
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Origin;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -14,10 +17,12 @@ public final class JsonFile {
 
     private JsonFile() {}
 
-    /** Adds the geographic position of a scene's origin. */
+    /** Adds the geographic position of a scene's origin, to a millimetre on the ground. */
     public static void add(ObjectNode node, Origin origin) {
-        node.put("latitude_deg", Math.toDegrees(origin.latitude()));
-        node.put("longitude_deg", Math.toDegrees(origin.longitude()));
+        List<BigDecimal> point =
+                new GeoPoint(Math.toDegrees(origin.longitude()), Math.toDegrees(origin.latitude()), 0.0).onPlan();
+        node.put("latitude_deg", point.get(1));
+        node.put("longitude_deg", point.get(0));
         origin.height().ifPresent(height -> node.put("height_m", height));
     }
 

@@ -1,13 +1,6 @@
 package org.dronewatch.report;
 
-import java.math.BigDecimal;
-import java.util.List;
 import java.util.OptionalDouble;
-<<<<<<< HEAD
-=======
-import org.dronewatch.geo.GeoPoint;
-import org.dronewatch.geo.Origin;
->>>>>>> d38a8acd (The origin in results has the degrees of the scene file, not the rounding errors of radians)
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.SceneResult;
@@ -67,17 +60,6 @@ final class ResultFile {
         }
     }
 
-<<<<<<< HEAD
-=======
-    static void add(ObjectNode node, Origin origin) {
-        List<BigDecimal> point =
-                new GeoPoint(Math.toDegrees(origin.longitude()), Math.toDegrees(origin.latitude()), 0.0).onPlan();
-        node.put("latitude_deg", point.get(1));
-        node.put("longitude_deg", point.get(0));
-        origin.height().ifPresent(height -> node.put("height_m", height));
-    }
-
->>>>>>> d38a8acd (The origin in results has the degrees of the scene file, not the rounding errors of radians)
     private static void add(ObjectNode node, PairResult pair) {
         node.put("run", pair.run());
         node.put("sensor", pair.sensor());

@@ -38,6 +38,7 @@ public final class AlertWatch {
     private final AlertLog log;
     private final ConfirmationTrials trials;
     private final Map<String, Long> falseAlarms = new LinkedHashMap<>();
+    private final Map<String, Long> falseAlarmsOfBirds = new LinkedHashMap<>();
     private final List<Alert> falseAlerts = new ArrayList<>();
     private final Map<String, Double> firstSights = new HashMap<>();
     private final Map<String, Position> placesAtAlert = new HashMap<>();
@@ -84,6 +85,7 @@ public final class AlertWatch {
     void add(DetectionEvent event) {
         if (event.gained() && event.observation().isBird()) {
             falseAlarms.merge(event.observation().sensor(), 1L, Long::sum);
+            falseAlarmsOfBirds.merge(event.observation().sensor(), 1L, Long::sum);
         }
     }
 
@@ -138,7 +140,8 @@ public final class AlertWatch {
         List<String> drones = settings.individualDrones().keySet().stream()
                 .filter(id -> !birds.contains(id))
                 .toList();
-        return new FalseAlarmResult(falseAlarms, falseAlertCount, falseAlerts, birdAlerts, trials.results(drones));
+        return new FalseAlarmResult(
+                falseAlarms, falseAlarmsOfBirds, falseAlertCount, falseAlerts, birdAlerts, trials.results(drones));
     }
 
     /**

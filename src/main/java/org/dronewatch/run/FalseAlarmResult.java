@@ -11,6 +11,7 @@ import org.dronewatch.fusion.Alert;
  *
  * @param counted their number by name of the sensor; a false alarm that lasts for several looks counts once, and a bird
  *     counts each time the sensor begins to detect it
+ * @param ofBirds how many of these were birds, by name of the sensor
  * @param alertCount number of false alerts that they raised with the scene's rule
  * @param alerts these alerts in order of time, at most the first {@link #MOST_ALERTS}
  * @param birds the false alerts for birds, by name of the bird
@@ -19,6 +20,7 @@ import org.dronewatch.fusion.Alert;
  */
 public record FalseAlarmResult(
         Map<String, Long> counted,
+        Map<String, Long> ofBirds,
         long alertCount,
         List<Alert> alerts,
         Map<String, Alert> birds,
@@ -27,11 +29,12 @@ public record FalseAlarmResult(
     public static final int MOST_ALERTS = 1000;
 
     /** That of a run in which no sensor looked. */
-    static final FalseAlarmResult NONE = new FalseAlarmResult(Map.of(), 0, List.of(), Map.of(), List.of());
+    static final FalseAlarmResult NONE = new FalseAlarmResult(Map.of(), Map.of(), 0, List.of(), Map.of(), List.of());
 
-    /** Copies map and lists: later changes by the caller have no effect. */
+    /** Copies maps and lists: later changes by the caller have no effect. */
     public FalseAlarmResult {
         counted = Collections.unmodifiableMap(new LinkedHashMap<>(counted));
+        ofBirds = Collections.unmodifiableMap(new LinkedHashMap<>(ofBirds));
         alerts = List.copyOf(alerts);
         birds = Collections.unmodifiableMap(new LinkedHashMap<>(birds));
         trials = List.copyOf(trials);

@@ -1,6 +1,9 @@
 package org.dronewatch.scenario;
 
 import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.FalseAlarming;
 
 /** Warns of sensors whose settings are implausible, although they are valid. */
 public final class SensorAdvice {
@@ -14,9 +17,15 @@ public final class SensorAdvice {
     public static List<String> of(List<SceneSettings> runs) {
         return runs.stream()
                 .flatMap(scene -> scene.enabledSensors().entrySet().stream())
-                .flatMap(sensor ->
-                        sensor.getValue().advice().stream().map(line -> "sensor '" + sensor.getKey() + "': " + line))
+                .flatMap(sensor -> on(sensor.getValue()).map(line -> "sensor '" + sensor.getKey() + "': " + line))
                 .distinct()
                 .toList();
+    }
+
+    private static Stream<String> on(SensorSettings<?> sensor) {
+        Stream<String> falseAlarms =
+                sensor.as(FalseAlarming.Stated.class).flatMap(FalseAlarming.Stated::falseAlarms).stream()
+                        .flatMap(stated -> stated.advice().stream());
+        return Stream.concat(sensor.advice().stream(), falseAlarms);
     }
 }

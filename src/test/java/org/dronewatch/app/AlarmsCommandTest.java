@@ -73,6 +73,8 @@ class AlarmsCommandTest {
                 "--out",
                 results.toString());
         assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(Files.readString(results.resolve("result.json")))
+                .containsPattern("\"sensor\" : \"radio\",\\s+\"per_hour\" : 1800\\.0");
         long count = Files.readAllLines(results.resolve("detections.csv")).stream()
                 .filter(row -> row.contains(",false,") && row.contains(",radio,"))
                 .count();
@@ -99,6 +101,29 @@ class AlarmsCommandTest {
         Program.Outcome set =
                 Program.run("alarms", SCENE, "--set", outcome.out().strip());
         assertThat(set.out().lines()).anyMatch(line -> line.matches("radar +radar +20\\.0 .*"));
+    }
+
+    /** What is printed, {@code --set} accepts; what it would refuse is refused here, with the limit. */
+    @Test
+    void noProbabilityIsPrintedThatCannotBeSet() throws IOException {
+        assertError(
+                "--per-hour 1e-30 needs sensors.radar.detection.falseAlarm=1.071e-38: falseAlarm 1.071e-38 must be 1e-12"
+                        + " to 0.01",
+                "--sensor",
+                "radar",
+                "--per-hour",
+                "1e-30");
+        assertError(
+                "--per-hour 1e7 needs sensors.radar.detection.falseAlarm=", "--sensor", "radar", "--per-hour", "1e7");
+        // A threshold that noise alone exceeds may be rarer than that of a radar that decides by chance.
+        Path fixed = directory.resolve("fixed.yaml");
+        Files.writeString(
+                fixed,
+                Files.readString(Path.of(SCENE))
+                        .replace("detection: {kind: chance, falseAlarm: 1e-6}", "detection: fixed-threshold")
+                        .replace("falseAlarms: {}", "falseAlarms: {probability: 1e-9}"));
+        Program.Outcome rare = Program.run("alarms", fixed.toString(), "--sensor", "radar", "--per-hour", "1e-6");
+        assertThat(rare.out()).startsWith("sensors.radar.falseAlarms.probability=1.071e-14");
     }
 
     @Test

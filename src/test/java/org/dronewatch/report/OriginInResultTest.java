@@ -15,7 +15,7 @@ import tools.jackson.databind.node.ObjectNode;
 class OriginInResultTest {
     private static ObjectNode written(Origin origin) {
         ObjectNode node = JsonNodeFactory.instance.objectNode();
-        ResultFile.add(node, origin);
+        JsonFile.add(node, origin);
         return node;
     }
 

@@ -21,6 +21,7 @@ import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.run.FalseAlarmResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
 import org.junit.jupiter.api.Test;
@@ -57,7 +58,10 @@ class BirdsTest {
     void aBirdIsAFalseAlertAndNoDrone() throws IOException {
         Path out = directory.resolve("out");
         String printed = main("run", SCENE.toString(), "--observations", "--out", out.toString());
-        assertThat(printed).contains("was a bird: buzzard").doesNotContain(" gull ");
+        assertThat(printed)
+                .contains("was a bird: buzzard")
+                .containsPattern("\\(false alarms: radar \\d+ \\(all of them birds\\)\\)")
+                .doesNotContain(" gull ");
         List<String> rows = Files.readAllLines(out.resolve("detections.csv"));
         assertThat(rows)
                 .anyMatch(row -> row.contains(",false,radar,radar,buzzard,"))
@@ -83,6 +87,25 @@ class BirdsTest {
         assertThat(run.falseAlarms().alertCount())
                 .isEqualTo(run.falseAlarms().birds().size());
         assertThat(run.settings().birds()).hasSize(14).contains("gull", "starling-12");
+    }
+
+    /** Noise and birds of one radar: the console says how many are which. */
+    @Test
+    void birdsAmongFalseAlarmsAreCounted() throws IOException {
+        SceneRunner runner = runner(
+                "detection: {kind: chance, falseAlarm: 1e-6}",
+                "detection: {kind: chance, falseAlarm: 1e-6}\n    falseAlarms: {cells: 2e4}");
+        Path noisy = directory.resolve("birds.yaml");
+        FalseAlarmResult counted = runner.run().runs().get(0).falseAlarms();
+        long all = counted.counted().get("radar");
+        long birds = counted.ofBirds().get("radar");
+        assertThat(birds).isBetween(1L, all - 1);
+        assertThat(main(
+                        "run",
+                        noisy.toString(),
+                        "--out",
+                        directory.resolve("noisy").toString()))
+                .contains("(false alarms: radar " + all + " (" + birds + " of them birds))");
     }
 
     /** What is measured does not depend on the role, and a harmless drone is a drone. */

@@ -113,7 +113,7 @@ class QuantityTest {
         }
     }
 
-    /** One notation for small and large limits: powers of ten where they are shorter, and never within 0.0001 to 1e6. */
+    /** One notation for small and large limits: powers of ten where they are shorter, never from 0.0001 to 1e6. */
     @ParameterizedTest
     @CsvSource({
         "0, 0",

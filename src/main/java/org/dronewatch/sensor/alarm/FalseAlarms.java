@@ -1,6 +1,9 @@
 package org.dronewatch.sensor.alarm;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -17,8 +20,8 @@ import org.dronewatch.world.Weather;
  *     same cell confirm each other; 1, the most cautious value, if all of them do
  * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
  *     confirmed like a drone
- * @param weather rates for particular weather or light: the first whose conditions the site meets applies instead of
- *     {@code perHour}; unless set, the rate is the same in all weather
+ * @param weather rates for particular weather or light: of those whose conditions the site meets, the highest applies
+ *     instead of {@code perHour}, in whatever order they are stated; unless set, the rate is the same in all weather
  */
 public record FalseAlarms(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,
@@ -66,14 +69,42 @@ public record FalseAlarms(
         return SettingsForm.with(this, "weather", rates);
     }
 
-    /** These false alarms in a given weather: with the rate that applies then, and no other. */
+    /** These false alarms in a given weather: with the highest of the rates that apply then, and no other. */
     public FalseAlarms in(Weather given) {
         double applies = weather.stream()
                 .filter(one -> one.appliesIn(given))
-                .findFirst()
-                .map(WeatherRate::perHour)
+                .mapToDouble(WeatherRate::perHour)
+                .max()
                 .orElse(perHour);
         return new FalseAlarms(applies, cells, duration);
+    }
+
+    /** One sentence for each entry of {@code weather} that applies always, or that never makes a difference. */
+    public List<String> advice() {
+        List<String> lines = new ArrayList<>();
+        for (int i = 0; i < weather.size(); i++) {
+            String entry = "falseAlarms.weather." + i;
+            OptionalInt stronger = stronger(i);
+            if (stronger.isPresent()) {
+                lines.add(entry + " makes no difference: whenever it applies, so does weather." + stronger.getAsInt()
+                        + ", whose rate is at least as high");
+            } else if (weather.get(i).isUnconditional()) {
+                lines.add(entry + " has no conditions, so that it always applies and perHour never does: state rain,"
+                        + " wind, visibility or illuminance");
+            }
+        }
+        return lines;
+    }
+
+    /** The first entry that applies whenever another does, and is at least as high; of two equal ones, the first. */
+    private OptionalInt stronger(int index) {
+        WeatherRate one = weather.get(index);
+        return IntStream.range(0, weather.size())
+                .filter(i -> i != index && weather.get(i).appliesWhenever(one))
+                .filter(i -> weather.get(i).perHour() > one.perHour()
+                        || weather.get(i).perHour() == one.perHour()
+                                && (i < index || !one.appliesWhenever(weather.get(i))))
+                .findFirst();
     }
 
     /**

@@ -54,6 +54,19 @@ public record WeatherRate(
         return SettingsForm.with(this, "illuminance", lux);
     }
 
+    /** Whether it applies in any weather that a site can have. */
+    boolean isUnconditional() {
+        return appliesWhenever(of(perHour));
+    }
+
+    /** Whether all weather in which another rate applies meets the conditions of this one. */
+    boolean appliesWhenever(WeatherRate other) {
+        return rain <= other.rain
+                && wind <= other.wind
+                && visibility >= other.visibility
+                && illuminance >= other.illuminance;
+    }
+
     /** Whether it applies in some weather. */
     public boolean appliesIn(Weather weather) {
         return weather.rain() >= rain

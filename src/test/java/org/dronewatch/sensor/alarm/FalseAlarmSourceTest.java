@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -278,17 +279,21 @@ class FalseAlarmSourceTest {
         assertThat(observe(chance, 50)).isEqualTo(observe(chance, 50)).allMatch(Observation::isDetected);
     }
 
-    /** With 60 in calm and dry hours, 1,800 in wind, and 7,200 in rain, windy or not: Poisson numbers. */
+    /**
+     * With 60 in calm and dry hours, 1,800 in rain, and 7,200 in wind, rainy or not, whichever is stated first: Poisson
+     * numbers.
+     */
     @ParameterizedTest
-    @CsvSource({"0, 0, 60", "1.9, 7.9, 60", "0, 8, 1800", "2, 0, 7200", "2, 20, 7200"})
-    void asManyAsTheRateOfTheWeather(double rain, double wind, double perHour) {
-        FalseAlarms alarms = new FalseAlarms(60.0, 1, 0.0)
-                .withWeather(List.of(
-                        WeatherRate.of(7200.0).withRain(2.0),
-                        WeatherRate.of(1800.0).withWind(8.0)));
+    @CsvSource({"0, 0, 60", "1.9, 7.9, 60", "2, 0, 1800", "0, 8, 7200", "2, 20, 7200"})
+    void asManyAsTheHighestRateOfTheWeather(double rain, double wind, double perHour) {
+        List<WeatherRate> rates = new ArrayList<>(List.of(
+                WeatherRate.of(1800.0).withRain(2.0), WeatherRate.of(7200.0).withWind(8.0)));
+        FalseAlarms alarms = new FalseAlarms(60.0, 1, 0.0).withWeather(rates);
+        Collections.reverse(rates);
+        Weather weather = new Weather(rain, wind, 20_000.0, 5_000.0);
+        assertThat(alarms.in(weather)).isEqualTo(alarms.withWeather(rates).in(weather));
         SensorSettings<?> sensor = RfSettings.at(PLACE).withFalseAlarms(alarms);
-        FalseAlarmSource source = FalseAlarmSource.of(sensor, new Weather(rain, wind, 20_000.0, 5_000.0))
-                .orElseThrow();
+        FalseAlarmSource source = FalseAlarmSource.of(sensor, weather).orElseThrow();
         double hours = 2.0;
         int count = 0;
         for (int i = 0; i < hours * 3600.0 * sensor.rate(); i++) {
@@ -316,6 +321,76 @@ class FalseAlarmSourceTest {
         assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(storm)).hasMessageContaining("must be 0 to 1000");
     }
 
+    /** A quieter night, stated alone, is quieter: the rate of fair weather is not another that applies. */
+    @Test
+    void aRateMayBeLowerThanThatOfFairWeather() {
+        FalseAlarms alarms =
+                FalseAlarms.of(20.0).withWeather(List.of(WeatherRate.of(3.0).withIlluminance(1.0)));
+        assertThat(alarms.in(new Weather(0, 0, 20_000, 0.2)).perHour()).isEqualTo(3.0);
+        assertThat(alarms.in(FAIR).perHour()).isEqualTo(20.0);
+    }
+
+    /** By brute force over all weather: an entry that is warned of may be removed, one that is not may not. */
+    @Test
+    void entriesThatMakeNoDifferenceAreWarnedOf() {
+        SplittableRandom random = new SplittableRandom(SEED);
+        int idle = 0;
+        for (int trial = 0; trial < 300; trial++) {
+            List<WeatherRate> rates = new ArrayList<>();
+            for (int i = 0; i < 4; i++) {
+                rates.add(new WeatherRate(
+                        random.nextInt(3),
+                        random.nextInt(3),
+                        random.nextInt(3),
+                        random.nextBoolean() ? 1e6 : 1e3,
+                        200_000));
+            }
+            FalseAlarms all = FalseAlarms.of(9.0).withWeather(rates);
+            for (int i = 0; i < rates.size(); i++) {
+                List<WeatherRate> others = new ArrayList<>(rates);
+                others.remove(i);
+                String start = "falseAlarms.weather." + i + " makes no difference";
+                boolean isWarnedOf = all.advice().stream().anyMatch(line -> line.startsWith(start));
+                // Of two equal entries, the first makes a difference once the second is gone.
+                boolean isDouble = rates.subList(i + 1, rates.size()).contains(rates.get(i));
+                assertThat(isWarnedOf || isDouble)
+                        .as("seed %d, trial %d: %s without %d", SEED, trial, rates, i)
+                        .isEqualTo(sameInAllWeather(all, all.withWeather(others)));
+                idle += isWarnedOf ? 1 : 0;
+            }
+        }
+        assertThat(idle).isBetween(300, 900);
+    }
+
+    private static boolean sameInAllWeather(FalseAlarms one, FalseAlarms other) {
+        for (int rain = 0; rain < 3; rain++) {
+            for (int wind = 0; wind < 3; wind++) {
+                for (double visibility : new double[] {1e6, 1e3}) {
+                    Weather weather = new Weather(rain, wind, visibility, 5_000);
+                    if (one.in(weather).perHour() != other.in(weather).perHour()) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    @Test
+    void anEntryWithoutConditionsIsWarnedOf() {
+        FalseAlarms always = FalseAlarms.of(5.0).withWeather(List.of(WeatherRate.of(0.0)));
+        assertThat(always.advice())
+                .containsExactly("falseAlarms.weather.0 has no conditions, so that it always applies and perHour never"
+                        + " does: state rain, wind, visibility or illuminance");
+        assertThat(always.withWeather(List.of(
+                                WeatherRate.of(12.0).withRain(2.0),
+                                WeatherRate.of(30.0).withRain(1.0)))
+                        .advice())
+                .containsExactly("falseAlarms.weather.0 makes no difference: whenever it applies, so does weather.1,"
+                        + " whose rate is at least as high");
+        assertThat(FalseAlarms.of(5.0).advice()).isEmpty();
+    }
+
     @Test
     void whereNoRateIsKnownThereIsNothing() {
         assertThat(FalseAlarmSource.of(RfSettings.at(PLACE), FAIR)).isEmpty();
@@ -338,8 +413,8 @@ class FalseAlarmSourceTest {
                         .withFalseAlarms(new FalseAlarms(36_000, 1, 100))
                         .falseAlarmRate())
                 .isPresent();
-        assertThatThrownBy(() -> FalseAlarms.of(-1)).hasMessage("perHour -1 must be 0 to 10000000");
+        assertThatThrownBy(() -> FalseAlarms.of(-1)).hasMessage("perHour -1 must be 0 to 1e7");
         assertThatThrownBy(() -> FalseAlarms.of(Double.NaN)).hasMessageContaining("perHour NaN");
-        assertThatThrownBy(() -> FalseAlarms.of(1).withCells(0)).hasMessage("cells 0 must be 1 to 1000000000");
+        assertThatThrownBy(() -> FalseAlarms.of(1).withCells(0)).hasMessage("cells 0 must be 1 to 1e9");
     }
 }
