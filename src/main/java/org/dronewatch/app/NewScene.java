@@ -143,7 +143,7 @@ record NewScene(
                 way -> {
                     line(
                             text,
-                            "    # Low over ground and roofs, from the direction with the worst view from the mast: %.0f %% of the path is hidden.",
+                            "    # Low over ground and roofs, from the direction in which the radar sees least: %.0f %% of the path is hidden.",
                             100.0 * way.hidden());
                     line(
                             text,
