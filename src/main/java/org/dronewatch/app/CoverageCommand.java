@@ -3,8 +3,10 @@ package org.dronewatch.app;
 import java.io.PrintWriter;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
@@ -26,10 +28,11 @@ import org.dronewatch.report.coverage.CoverageDirectory;
 import org.dronewatch.report.coverage.CoverageFindings;
 import org.dronewatch.report.coverage.CoverageInputs;
 import org.dronewatch.report.coverage.CoveragePicture;
+import org.dronewatch.report.coverage.CoverageSite;
 import org.dronewatch.report.coverage.CoverageTable;
-import org.dronewatch.report.coverage.FieldPictures;
 import org.dronewatch.report.coverage.FieldTable;
 import org.dronewatch.report.coverage.WarningTable;
+import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -91,7 +94,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             paramLabel = "DIR|FILE.png",
-            description = "Directory for coverage.json and maps, or the picture file of a plan.")
+            description = "Directory for report.html, coverage.json and maps, or the picture file of a plan.")
     private String out;
 
     @Mixin
@@ -102,6 +105,8 @@ final class CoverageCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec spec;
+
+    private final Instant started = Instant.now();
 
     @Override
     public Integer call() {
@@ -171,15 +176,18 @@ final class CoverageCommand implements Callable<Integer> {
                 CoverageFindings found =
                         withProgress(cells, settings, progress -> find(settings, stage, id, grid, courses, progress));
                 if (target != null) {
-                    List<Position> sensors = settings.enabledSensors().values().stream()
-                            .map(sensor -> sensor.position())
-                            .toList();
-                    target.write(found, inputs, new FieldPictures(stage, sensors, inputs));
+                    target.write(found, inputs, new CoverageSite(settings, stage), provenance(runner, settings));
                 }
                 print(found);
                 return 0;
             });
         }
+    }
+
+    private Map<String, String> provenance(SceneRunner runner, SceneSettings settings) {
+        List<String> command = spec.root().commandLine().getParseResult().originalArgs();
+        return new Provenance(started, command, runner.inputs())
+                .inWords(settings.run().seed(), threads.number());
     }
 
     private static <T> T withProgress(long cells, SceneSettings settings, Function<IntConsumer, T> work) {

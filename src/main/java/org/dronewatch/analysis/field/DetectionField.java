@@ -176,6 +176,11 @@ public final class DetectionField {
         return probe(sensor).settings().kind();
     }
 
+    /** Where a sensor, given by its number, is, m. */
+    public Position position(int sensor) {
+        return probe(sensor).settings().position();
+    }
+
     /** Whether a drone can be in a cell: there is ground below it, and nothing solid around it. */
     public boolean isOpen(int height, int column, int row) {
         return columns.isOpen(height, column, row);

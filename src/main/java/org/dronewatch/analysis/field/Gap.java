@@ -1,5 +1,8 @@
 package org.dronewatch.analysis.field;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.sensor.Cause;
 
@@ -11,13 +14,39 @@ import org.dronewatch.sensor.Cause;
  * @param x east coordinate of its innermost cell's middle, m: the cell of the gap farthest from everything else, the
  *     first from the north-west among equals
  * @param y north coordinate of the same cell, m
+ * @param causes the number of cells for each dominant cause, in the order of {@link Cause}
  * @param cause the most frequent dominant cause in it, and the one nearest to a detection among equals
  * @param touchesRim whether it reaches the rim of the grid: it may continue outside
  */
-public record Gap(int cells, double area, double x, double y, Cause cause, boolean touchesRim) {
+public record Gap(
+        int cells, double area, double x, double y, Map<Cause, Integer> causes, Cause cause, boolean touchesRim) {
+    /** Copies the map: later changes by the caller have no effect. */
+    public Gap {
+        causes = Collections.unmodifiableMap(new LinkedHashMap<>(causes));
+    }
+
+    /**
+     * A gap.
+     *
+     * @param causes the number of cells for each dominant cause, in the order of {@link Cause}
+     * @param cellArea area of a cell, m2
+     */
+    static Gap of(Map<Cause, Integer> causes, double cellArea, double x, double y, boolean touchesRim) {
+        int cells = 0;
+        int most = 0;
+        Cause cause = Cause.UNKNOWN;
+        for (Map.Entry<Cause, Integer> one : causes.entrySet()) {
+            cells += one.getValue();
+            if (one.getValue() >= most) {
+                most = one.getValue();
+                cause = one.getKey();
+            }
+        }
+        return new Gap(cells, cells * cellArea, x, y, causes, cause, touchesRim);
+    }
 
     /** The largest gap at a height, given by its number; the first from the north-west among equals; empty if none. */
     public static Optional<Gap> largest(FieldCoverage coverage, int height) {
-        return new GapSearch(coverage, height).largest();
+        return GapMap.of(coverage, height).gaps().stream().findFirst();
     }
 }

@@ -5,9 +5,8 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.dronewatch.analysis.field.FieldSummary;
+import java.util.Map;
 import org.dronewatch.report.JsonFile;
-import org.dronewatch.report.Numbers;
 import org.dronewatch.report.OutputDirectory;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
@@ -24,21 +23,24 @@ public final class CoverageDirectory implements AutoCloseable {
     }
 
     /**
-     * Writes all files.
+     * Writes all files, on the threads of the {@link org.dronewatch.parallel.Workers} that call.
      *
+     * @param site the scene that was assessed
+     * @param provenance origin of the results, as names and values
      * @throws org.dronewatch.setting.InputException when writing fails
      */
-    public void write(CoverageFindings findings, CoverageInputs inputs, FieldPictures pictures) {
-        FieldSummary summary = findings.summary();
+    public void write(
+            CoverageFindings findings, CoverageInputs inputs, CoverageSite site, Map<String, String> provenance) {
         directory.write(() -> {
             JsonFile.write(directory.file("coverage.json"), FieldFile.toJson(findings, inputs));
-            for (int height = 0; height < summary.heights().size(); height++) {
-                String metres = Numbers.text(summary.heights().get(height).height());
-                write("cause-" + metres + ".png", pictures.causes(summary, height));
+            Map<String, MapSheet> maps =
+                    new FieldPictures(site, inputs, findings.visible().grid()).all(findings);
+            for (Map.Entry<String, MapSheet> map : maps.entrySet()) {
+                write(map.getKey(), map.getValue());
             }
-            write("visible-height.png", pictures.visibleHeights(findings.visible()));
-            write("min-height.png", pictures.detectableHeights(findings.detectable()));
-            write("warning.png", pictures.warnings(findings.visible().grid(), findings.warnings()));
+            try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
+                new CoverageReport(findings, inputs, site).write(page, maps.values(), provenance);
+            }
             directory.publish(List.of());
         });
     }

@@ -83,13 +83,10 @@ public final class CoveragePicture {
     }
 
     private void drawMap(World world) {
-        ReliefShade relief = new ReliefShade(world);
-        double pixel = grid.side() / MAP;
+        int[] ground = ReliefShade.of(world, grid.east(), grid.north(), grid.side(), MAP);
         for (int v = 0; v < MAP; v++) {
             for (int u = 0; u < MAP; u++) {
-                double x = grid.east() - 0.5 * grid.side() + (u + 0.5) * pixel;
-                double y = grid.north() + 0.5 * grid.side() - (v + 0.5) * pixel;
-                image.setRGB(u, v, covered(relief.shade(x, y), u, v).getRGB());
+                image.setRGB(u, v, covered(new Color(ground[v * MAP + u]), u, v).getRGB());
             }
         }
     }

@@ -2,6 +2,7 @@ package org.dronewatch.report.coverage;
 
 import java.awt.Color;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -17,12 +18,10 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
-import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Cause;
-import org.dronewatch.world.World;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
-public final class FieldPictures {
+final class FieldPictures {
     /** From light to dark, so that they keep their order in black and white; above the last one nothing is visible. */
     private static final Color LOWEST = new Color(0xfff3c4);
 
@@ -39,25 +38,38 @@ public final class FieldPictures {
 
     private static final Color HIGH_UP = new Color(0x0072b2);
 
-    private final World world;
+    private final int[] ground;
     private final List<Position> sensors;
     private final Protection protection;
     private final List<String> credits;
     private final CoverageInputs inputs;
 
     /**
-     * Maps of one site.
+     * Maps of one site, whose ground is drawn on the threads of the {@link org.dronewatch.parallel.Workers} that call.
      *
-     * @param stage its world, its protected zones and the credits of its data
-     * @param sensors where they are, m
      * @param inputs what the coverage was asked for
+     * @param grid of the maps
      */
-    public FieldPictures(Stage stage, List<Position> sensors, CoverageInputs inputs) {
-        this.world = stage.world();
-        this.sensors = List.copyOf(sensors);
-        this.protection = stage.protection();
-        this.credits = stage.credits();
+    FieldPictures(CoverageSite site, CoverageInputs inputs, FieldGrid grid) {
+        this.ground = MapSheet.ground(site.stage().world(), grid);
+        this.sensors = site.sensors();
+        this.protection = site.stage().protection();
+        this.credits = site.stage().credits();
         this.inputs = inputs;
+    }
+
+    /** All maps by the names of their files, in the order in which a reader needs them. */
+    Map<String, MapSheet> all(CoverageFindings findings) {
+        Map<String, MapSheet> maps = new LinkedHashMap<>();
+        FieldSummary summary = findings.summary();
+        for (int height = 0; height < summary.heights().size(); height++) {
+            String metres = Numbers.text(summary.heights().get(height).height());
+            maps.put("cause-" + metres + ".png", causes(summary, height));
+        }
+        maps.put("min-height.png", detectableHeights(findings.detectable()));
+        maps.put("visible-height.png", visibleHeights(findings.visible()));
+        maps.put("warning.png", warnings(findings.visible().grid(), findings.warnings()));
+        return maps;
     }
 
     /** The dominant causes at a height, given by its number. */
@@ -65,7 +77,7 @@ public final class FieldPictures {
         FieldCoverage coverage = summary.coverage();
         HeightSummary numbers = summary.heights().get(height);
         MapSheet sheet = new MapSheet(coverage.field().grid());
-        sheet.drawMap(world, (column, row) -> fill(coverage, height, column, row), sensors);
+        sheet.drawMap(ground, (column, row) -> fill(coverage, height, column, row), sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
         sheet.line("drone '" + inputs.drone() + "' at " + metres(numbers.height()) + " above the ground,");
@@ -87,6 +99,8 @@ public final class FieldPictures {
             sheet.entry(CauseFills.INSIDE, "inside something solid");
         }
         sheet.line("cells of " + metres(coverage.field().grid().cell()));
+        sheet.caption("At " + metres(numbers.height())
+                + " above the ground: where the drone is detected, and the main reason elsewhere.");
         return sheet;
     }
 
@@ -109,6 +123,7 @@ public final class FieldPictures {
         return heights(
                 visible.grid(),
                 visible::height,
+                "The least height above the ground from which there is a free line of sight to a sensor.",
                 List.of(
                         "least height above the ground that",
                         "any sensor sees, by the line of sight alone,",
@@ -120,6 +135,7 @@ public final class FieldPictures {
         return heights(
                 detectable.grid(),
                 detectable::height,
+                "The least height above the ground at which a sensor detects the drone.",
                 List.of(
                         "least height above the ground at which",
                         "a sensor detects the drone '" + inputs.drone() + "',",
@@ -132,9 +148,9 @@ public final class FieldPictures {
         double at(int column, int row);
     }
 
-    private MapSheet heights(FieldGrid grid, Heights least, List<String> words) {
+    private MapSheet heights(FieldGrid grid, Heights least, String caption, List<String> words) {
         MapSheet sheet = new MapSheet(grid);
-        sheet.drawMap(world, (column, row) -> fill(grid, least.at(column, row)), sensors);
+        sheet.drawMap(ground, (column, row) -> fill(grid, least.at(column, row)), sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
         words.forEach(sheet::line);
@@ -147,6 +163,7 @@ public final class FieldPictures {
         sheet.entry(fill(grid, Double.NaN), "not up to that height, or no ground");
         sheet.space();
         sheet.line("cells of " + metres(grid.cell()));
+        sheet.caption(caption);
         return sheet;
     }
 
@@ -156,7 +173,7 @@ public final class FieldPictures {
      */
     MapSheet warnings(FieldGrid grid, InboundWarnings warnings) {
         MapSheet sheet = new MapSheet(grid);
-        sheet.drawMap(world, (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35), sensors);
+        sheet.drawMap(ground, (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35), sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
         sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
@@ -170,8 +187,7 @@ public final class FieldPictures {
             List<Warning> its = warnings.all().stream()
                     .filter(one -> one.height() == height)
                     .toList();
-            Color colour =
-                    MapSheet.mixed(NEAR_GROUND, HIGH_UP, heights.length == 1 ? 0.0 : (double) i / (heights.length - 1));
+            Color colour = ofHeight(i, heights.length);
             sheet.outline(outline(warnings, its), colour, i + 1);
             sheet.sample(colour, i + 1, metres(height) + ": least " + WarningTable.least(its));
         }
@@ -184,7 +200,13 @@ public final class FieldPictures {
         sheet.space();
         sheet.line("where a line meets the zone, or the middle:");
         sheet.line("no detection before the drone arrives");
+        sheet.caption("Where a drone that flies in straight is first detected, by height.");
         return sheet;
+    }
+
+    /** The colour of a line for a height, given by its number. */
+    static Color ofHeight(int number, int heights) {
+        return MapSheet.mixed(NEAR_GROUND, HIGH_UP, heights == 1 ? 0.0 : (double) number / (heights - 1));
     }
 
     private static List<Position> outline(InboundWarnings warnings, List<Warning> bearings) {

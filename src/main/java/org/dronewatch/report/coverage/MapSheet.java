@@ -18,6 +18,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Credits;
 import org.dronewatch.report.Numbers;
+import org.dronewatch.report.html.Figure;
 import org.dronewatch.world.World;
 
 /** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */
@@ -39,6 +40,7 @@ final class MapSheet {
     private final Graphics2D g = image.createGraphics();
     private final FieldGrid grid;
     private final double side;
+    private String caption = "";
     private int line = MARGIN + 16;
 
     /** What fills a cell or a swatch of the legend: by the position of a pixel, so that it may be a pattern. */
@@ -64,16 +66,21 @@ final class MapSheet {
         g.fillRect(MAP, 0, SIDE, MAP);
     }
 
-    /** Draws the cells, the sensors and the scale. */
-    void drawMap(World world, Cells cells, List<Position> sensors) {
-        ReliefShade relief = new ReliefShade(world);
-        double pixel = side / MAP;
+    /** The ground of a grid, which is the same on all maps of it. */
+    static int[] ground(World world, FieldGrid grid) {
+        return ReliefShade.of(world, grid.east(), grid.north(), grid.columns() * grid.cell(), MAP);
+    }
+
+    /**
+     * Draws the cells, the sensors and the scale.
+     *
+     * @param ground as {@link #ground} gives it
+     */
+    void drawMap(int[] ground, Cells cells, List<Position> sensors) {
         for (int v = 0; v < MAP; v++) {
             for (int u = 0; u < MAP; u++) {
-                double x = grid.east() - 0.5 * side + (u + 0.5) * pixel;
-                double y = grid.north() + 0.5 * side - (v + 0.5) * pixel;
                 Fill fill = cells.at(u * grid.columns() / MAP, v * grid.columns() / MAP);
-                image.setRGB(u, v, fill.at(u, v, relief.shade(x, y)).getRGB());
+                image.setRGB(u, v, fill.at(u, v, new Color(ground[v * MAP + u])).getRGB());
             }
         }
         sensors.forEach(this::drawSensor);
@@ -204,6 +211,16 @@ final class MapSheet {
     /** The colour of a pixel, from the top left. */
     Color colour(int column, int row) {
         return new Color(image.getRGB(column, row));
+    }
+
+    /** States in a sentence what the map shows, for a report. */
+    void caption(String sentence) {
+        caption = sentence;
+    }
+
+    /** The sheet as a figure of a report. */
+    Figure figure() throws IOException {
+        return Figure.of(caption, image);
     }
 
     /** Writes the sheet as PNG. */

@@ -3,6 +3,7 @@ package org.dronewatch.report.coverage;
 import java.awt.Color;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
 /** The ground seen from directly above, lit from the north-west. */
@@ -15,7 +16,29 @@ final class ReliefShade {
     private final RayTracer traversal;
     private final double above;
 
-    ReliefShade(World world) {
+    /**
+     * The ground of a square area, on the threads of the {@link Workers} that call: red, green and blue of each pixel,
+     * row by row from the north-west.
+     *
+     * @param east of the middle, m
+     * @param north of the middle, m
+     * @param side length of a side, m
+     * @param pixels along a side
+     */
+    static int[] of(World world, double east, double north, double side, int pixels) {
+        int[] colours = new int[pixels * pixels];
+        double pixel = side / pixels;
+        Workers.forEach(pixels, () -> new ReliefShade(world), (relief, v) -> {
+            double y = north + 0.5 * side - (v + 0.5) * pixel;
+            for (int u = 0; u < pixels; u++) {
+                double x = east - 0.5 * side + (u + 0.5) * pixel;
+                colours[v * pixels + u] = relief.shade(x, y).getRGB();
+            }
+        });
+        return colours;
+    }
+
+    private ReliefShade(World world) {
         this.world = world;
         this.mesh = world.mesh();
         this.traversal = world.newRayTracer();
@@ -23,7 +46,7 @@ final class ReliefShade {
     }
 
     /** The colour at a point: pale where the surface faces the light, lighter the higher it is. */
-    Color shade(double x, double y) {
+    private Color shade(double x, double y) {
         if (!traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)) {
             return NOTHING;
         }

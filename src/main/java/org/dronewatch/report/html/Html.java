@@ -7,13 +7,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Pieces of a page as well-formed text; what comes from outside is escaped. */
-final class Html {
+public final class Html {
     private static final int LONGEST_NAME = 16;
 
     private Html() {}
 
     /** Text in which nothing is mark-up. */
-    static String text(String plain) {
+    public static String text(String plain) {
         return plain.replace("&", "&amp;")
                 .replace("<", "&lt;")
                 .replace(">", "&gt;")
@@ -21,24 +21,24 @@ final class Html {
     }
 
     /** An element with mark-up in it. */
-    static String element(String name, String inside) {
+    public static String element(String name, String inside) {
         return "<" + name + ">" + inside + "</" + name + ">\n";
     }
 
     /** A heading or a paragraph of plain text. */
-    static String plain(String name, String text) {
+    public static String plain(String name, String text) {
         return element(name, text(text));
     }
 
     /** A table of plain texts. */
-    static String table(List<String> head, List<List<String>> rows) {
+    public static String table(List<String> head, List<List<String>> rows) {
         String body = rows.stream().map(row -> element("tr", cells("td", row))).collect(Collectors.joining());
         String table = element("table", element("thead", element("tr", cells("th", head))) + element("tbody", body));
         return "<div class=\"wide\">" + table + "</div>\n";
     }
 
     /** A table of two columns without a head: names and what they stand for. */
-    static String definitions(Map<String, String> texts) {
+    public static String definitions(Map<String, String> texts) {
         StringBuilder rows = new StringBuilder();
         texts.forEach((name, text) ->
                 rows.append(element("tr", "<td>" + text(name) + "</td><td class=\"hash\">" + text(text) + "</td>")));
@@ -46,7 +46,7 @@ final class Html {
     }
 
     /** What a reader may open, and what print shows in any case. */
-    static String fold(String summary, String inside, boolean open) {
+    public static String fold(String summary, String inside, boolean open) {
         return "<details" + (open ? " open=\"open\"" : "") + ">\n<summary>" + text(summary) + "</summary>\n" + inside
                 + "</details>\n";
     }
@@ -68,7 +68,7 @@ final class Html {
     }
 
     /** A picture that is part of the page, with what it shows. */
-    static String figure(byte[] png, String caption) {
+    public static String figure(byte[] png, String caption) {
         String data = Base64.getEncoder().encodeToString(png);
         return "<figure><img alt=\"" + text(caption) + "\" src=\"data:image/png;base64," + data + "\"/>"
                 + "<figcaption>" + text(caption) + "</figcaption></figure>\n";

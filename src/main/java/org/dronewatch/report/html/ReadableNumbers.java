@@ -6,19 +6,19 @@ import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 
 /** Number formats for the report. */
-final class ReadableNumbers {
+public final class ReadableNumbers {
     /** Shown in tables where there is no value. */
     static final String NONE = "-";
 
     private ReadableNumbers() {}
 
     /** One decimal at most; none for whole numbers and from 100 on. */
-    static String number(double value) {
+    public static String number(double value) {
         return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
     }
 
     /** With its unit; a number without one is a probability. */
-    static String measured(double value, String unit) {
+    public static String measured(double value, String unit) {
         if (!unit.isEmpty()) {
             return number(value) + " " + unit;
         }

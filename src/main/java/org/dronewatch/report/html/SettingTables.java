@@ -4,34 +4,24 @@ import static org.dronewatch.report.html.ReadableNumbers.format;
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronewatch.buildings.BuildingSettings;
-import org.dronewatch.catalog.Catalog;
-import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geo.Origin;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * The settings of the simulation: sensors with their costs, drones, the site, the alert rule, and the limitations of
- * the model.
+ * The settings of the simulation: drones, the site, the alert rule, and the limitations of the model; those of the
+ * sensors are in {@link SensorTables}.
  */
 final class SettingTables {
     private final SceneResult result;
@@ -40,52 +30,6 @@ final class SettingTables {
     SettingTables(SceneResult result) {
         this.result = result;
         this.settings = result.runs().get(0).settings();
-    }
-
-    String sensors() {
-        Map<String, Double> prices = settings.prices().sensors();
-        boolean priced = !prices.isEmpty();
-        List<String> head =
-                new ArrayList<>(List.of("sensor", "kind", "east, north, up [m]", "looks per second", "settings"));
-        if (priced) {
-            head.add(4, "cost [" + settings.prices().currency() + "]");
-        }
-        List<List<String>> rows = new ArrayList<>();
-        settings.sensors().forEach((id, sensor) -> {
-            boolean enabled = settings.isEnabled(id);
-            String looks = enabled ? number(sensor.rate()) : "switched off";
-            List<String> row = new ArrayList<>(
-                    List.of(id, sensor.kind(), coordinates(sensor.position()), looks, described(sensor)));
-            if (priced) {
-                String known = prices.containsKey(id) ? money(prices.get(id)) : "unknown";
-                row.add(4, enabled ? known : "not installed");
-            }
-            rows.add(row);
-        });
-        if (priced) {
-            Set<String> installed = settings.enabledSensors().keySet();
-            double sum = installed.stream()
-                    .mapToDouble(id -> prices.getOrDefault(id, 0.0))
-                    .sum();
-            long unknown =
-                    installed.stream().filter(id -> !prices.containsKey(id)).count();
-            String rest = unknown == 0 ? "" : "excluding " + unknown + " of unknown price";
-            rows.add(List.of("all", "", "", "", money(sum), rest));
-        }
-        return Html.table(head, rows)
-                + (priced ? "" : Html.plain("p", "No prices are known; a scene specifies them under 'prices'."));
-    }
-
-    private static String money(double amount) {
-        return format("%,.0f", amount).replace(',', '\u202f');
-    }
-
-    private static String described(SensorSettings<?> sensor) {
-        return sensor instanceof Record parts ? Described.of(parts, Set.of("position", "rate")) : sensor.toString();
-    }
-
-    private static String coordinates(Position at) {
-        return format("%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
     }
 
     /** {@code 50.08000 deg N, 14.42000 deg E, 250 m above sea level}. */
@@ -101,27 +45,6 @@ final class SettingTables {
                 + origin.height()
                         .map(height -> format("%.1f m above sea level", height))
                         .orElse("altitude unknown");
-    }
-
-    /**
-     * The sources of the sensors' settings: a row for each catalogue entry, and one for all sensors that are not in the
-     * catalogue.
-     */
-    String sources() {
-        Map<String, List<String>> users = new LinkedHashMap<>();
-        settings.sensors().forEach((id, sensor) -> users.computeIfAbsent(
-                        Catalog.nameOf(sensor).orElse(""), name -> new ArrayList<>())
-                .add(id));
-        List<List<String>> rows = new ArrayList<>();
-        users.forEach((name, ids) -> {
-            Optional<CatalogEntry> entry = Catalog.packaged().entry(name);
-            rows.add(List.of(
-                    String.join(", ", ids),
-                    entry.map(CatalogEntry::title).orElse("defined in the scene"),
-                    entry.map(known -> Choices.name(known.basis().name())).orElse("not stated"),
-                    entry.map(known -> known.source() + ". " + known.note()).orElse("No source given in the scene.")));
-        });
-        return Html.table(List.of("sensor", "model", "basis of its ranges", "source and assumptions"), rows);
     }
 
     String drones() {
@@ -175,7 +98,7 @@ final class SettingTables {
         alert.protect().ifPresent(ball -> zone.append(" Protected zone: everything within ")
                 .append(number(ball.radius()))
                 .append(" m of (")
-                .append(coordinates(ball.centre()))
+                .append(SensorTables.coordinates(ball.centre()))
                 .append(") m."));
         alert.zones().forEach((name, area) -> zone.append(" Protected area '")
                 .append(name)
@@ -237,11 +160,7 @@ final class SettingTables {
     String limits() {
         List<String> items = new ArrayList<>();
         items.add("Ranges follow from the models and settings above; the ranges of real sensors must be measured.");
-        Set<String> omissions = new LinkedHashSet<>();
-        settings.enabledSensors()
-                .values()
-                .forEach(sensor -> omissions.addAll(sensor.description().leavesOut()));
-        items.addAll(omissions);
+        items.addAll(new SensorTables(settings).omissions());
         items.add(falseAlarms());
         items.add(
                 "Each result holds for these flight paths only; other bearings, altitudes and times give other results.");

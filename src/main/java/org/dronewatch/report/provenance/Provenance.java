@@ -47,14 +47,24 @@ public record Provenance(Instant date, List<String> command, InputFiles inputs) 
 
     /** All entries in readable form, by label. */
     public Map<String, String> inWords(SceneResult result) {
+        return inWords(result.seed(), result.threads());
+    }
+
+    /**
+     * The same without a run.
+     *
+     * @param seed of the scene
+     * @param threads number of worker threads
+     */
+    public Map<String, String> inWords(long seed, int threads) {
         Map<String, String> words = new LinkedHashMap<>();
         words.put("program", ProgramVersion.PROGRAM + " " + version());
         words.put("date", date.toString());
         if (!command.isEmpty()) {
             words.put("command", command.stream().map(Provenance::quoted).collect(Collectors.joining(" ")));
         }
-        words.put("seed", Long.toString(result.seed()));
-        words.put("threads", Integer.toString(result.threads()));
+        words.put("seed", Long.toString(seed));
+        words.put("threads", Integer.toString(threads));
         words.put("Java", java());
         words.put("system", operatingSystem() + ", " + architecture());
         words.put("SHA-256 of the effective settings", inputs.settingsHash());

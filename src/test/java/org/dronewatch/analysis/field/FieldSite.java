@@ -24,7 +24,7 @@ import org.dronewatch.sensor.Cause;
  */
 public record FieldSite(SceneSettings settings, Stage stage) {
     /** The drone. */
-    static final String DRONE = "one";
+    public static final String DRONE = "one";
 
     /** A box that is aligned with the axes, from the ground up. */
     record Box(double west, double south, double east, double north, double height) {
@@ -126,7 +126,7 @@ public record FieldSite(SceneSettings settings, Stage stage) {
     }
 
     /** The field on all courses. */
-    DetectionField field(FieldGrid grid, int threads) {
+    public DetectionField field(FieldGrid grid, int threads) {
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, DRONE));
         try (Workers workers = new Workers(threads)) {
             return workers.call(() -> DetectionField.of(settings, stage, DRONE, grid, courses, cells -> {}));

@@ -16,7 +16,7 @@ import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 
 /** Reports of scenes, and what stands in them. */
-final class ReportPage {
+public final class ReportPage {
     private ReportPage() {}
 
     static String report(Scene scene, List<Figure> figures) throws IOException {
@@ -34,7 +34,7 @@ final class ReportPage {
         return page.toString(StandardCharsets.UTF_8);
     }
 
-    static Document parsed(String page) throws IOException {
+    public static Document parsed(String page) throws IOException {
         try {
             return DocumentBuilderFactory.newInstance()
                     .newDocumentBuilder()
@@ -44,7 +44,7 @@ final class ReportPage {
         }
     }
 
-    static List<String> texts(Document page, String tag) {
+    public static List<String> texts(Document page, String tag) {
         NodeList nodes = page.getElementsByTagName(tag);
         List<String> texts = new ArrayList<>();
         for (int i = 0; i < nodes.getLength(); i++) {

@@ -1,0 +1,155 @@
+package org.dronewatch.report.coverage;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.report.html.Page;
+import org.dronewatch.report.html.SensorTables;
+import org.dronewatch.sensor.Cause;
+
+/** The coverage of a site for those who decide: the verdict, the worst places with their causes, maps, and warnings. */
+final class CoverageReport {
+    private final CoverageInputs inputs;
+    private final CoverageSite site;
+    private final FieldSummary summary;
+    private final WorstPlaces places;
+    private final Losses losses;
+    private final WarningWords warnings;
+
+    CoverageReport(CoverageFindings findings, CoverageInputs inputs, CoverageSite site) {
+        this.inputs = inputs;
+        this.site = site;
+        this.summary = findings.summary();
+        this.places = new WorstPlaces(
+                summary,
+                site,
+                ReferencePoint.of(findings.warnings(), site.stage().protection(), inputs.origin()));
+        this.losses = new Losses(summary);
+        this.warnings = new WarningWords(findings.warnings());
+    }
+
+    /**
+     * Writes the page.
+     *
+     * @param maps in their order
+     * @param provenance origin of the results, as names and values; empty to omit this section
+     */
+    void write(OutputStream target, Collection<MapSheet> maps, Map<String, String> provenance) throws IOException {
+        Page page = new Page(target, inputs.scene() + ": coverage report", inputs.scene() + ": coverage");
+        page.verdict(verdict());
+        page.section("The worst places", places.html());
+        page.section("Coverage by height", heights());
+        page.section("Warning of inbound flights", warnings.html());
+        page.section("If a sensor fails", losses.html());
+        page.section("Maps", "");
+        for (MapSheet map : maps) {
+            Figure figure = map.figure();
+            page.add(Html.figure(figure.png(), figure.caption()));
+        }
+        SensorTables sensors = new SensorTables(site.settings());
+        page.section("Sensors", sensors.sensors());
+        page.section("Sources of the settings", sensors.sources());
+        page.section("What these results hold for", list(conditions(sensors)));
+        if (!provenance.isEmpty()) {
+            page.section("Provenance", Html.definitions(provenance));
+        }
+        page.end();
+    }
+
+    private String verdict() {
+        List<String> sentences = new ArrayList<>(List.of(covered(), places.worstInWords(), warnings.worstInWords()));
+        losses.worstInWords().ifPresent(sentences::add);
+        if (!summary.idleSensors().isEmpty()) {
+            sentences.add(losses.idle());
+        }
+        return String.join(" ", sentences);
+    }
+
+    private String covered() {
+        HeightSummary least = summary.heights().get(0);
+        HeightSummary most = least;
+        for (HeightSummary height : summary.heights()) {
+            least = share(height) < share(least) ? height : least;
+            most = share(height) > share(most) ? height : most;
+        }
+        String subject = "The drone '" + inputs.drone() + "', " + heading() + ", is detected in ";
+        String from = percent(least.covered(), least) + " % ";
+        return least == most
+                ? subject + from + "of the area at " + number(least.height()) + " m above the ground."
+                : subject + from + "(at " + number(least.height()) + " m above the ground) to "
+                        + percent(most.covered(), most) + " % (at " + number(most.height()) + " m) of the area.";
+    }
+
+    private String heading() {
+        return switch (inputs.heading()) {
+            case "inbound" -> "flying inbound";
+            case "best" -> "on the heading on which it is most likely to be detected";
+            default -> "on the heading on which it is least likely to be detected";
+        };
+    }
+
+    private static double share(HeightSummary height) {
+        return height.known() == 0 ? 0.0 : (double) height.covered() / height.known();
+    }
+
+    private static String percent(int cells, HeightSummary height) {
+        return height.known() == 0 || cells == 0 ? "0" : CoverageTable.percent(cells, height.known());
+    }
+
+    private String heights() {
+        Set<Cause> causes = EnumSet.noneOf(Cause.class);
+        summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));
+        causes.remove(Cause.DETECTED);
+        List<String> head = new ArrayList<>(List.of("height", "covered [%]", "by two or more [%]"));
+        causes.forEach(cause -> head.add(CoverageTable.name(cause) + " [%]"));
+        List<List<String>> rows = new ArrayList<>();
+        for (HeightSummary height : summary.heights()) {
+            int single = height.counts().length > 1 ? height.counts()[1] : 0;
+            List<String> row = new ArrayList<>(List.of(
+                    number(height.height()) + " m",
+                    percent(height.covered(), height),
+                    percent(height.covered() - single, height)));
+            causes.forEach(cause -> row.add(percent(height.causes().getOrDefault(cause, 0), height)));
+            rows.add(row);
+        }
+        return Html.plain(
+                        "p",
+                        "In % of the known area at each height: where at least one sensor detects the drone in one look"
+                                + " with a probability of " + number(inputs.covered())
+                                + " or more, and the causes of all sensors' misses elsewhere.")
+                + Html.table(head, rows);
+    }
+
+    private List<String> conditions(SensorTables sensors) {
+        FieldGrid grid = summary.coverage().field().grid();
+        List<String> items = new ArrayList<>();
+        items.add("An area of " + number(grid.side()) + " m by " + number(grid.side()) + " m in cells of "
+                + number(grid.cell()) + " m: what is smaller than a cell may be missed.");
+        items.add(
+                "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor"
+                        + " those about which nothing is known, beyond the elevations that were given.");
+        items.add("One drone of the kind '" + inputs.drone() + "' in level flight at its cruise speed; sensors on"
+                + " positioners have turned to it.");
+        items.addAll(sensors.omissions());
+        items.addAll(site.stage().siteNotes());
+        items.addAll(site.stage().credits());
+        return items;
+    }
+
+    private static String list(List<String> items) {
+        return Html.element(
+                "ul", items.stream().map(item -> Html.plain("li", item)).reduce("", String::concat));
+    }
+}

@@ -1,0 +1,142 @@
+package org.dronewatch.report.coverage;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.report.html.Html;
+
+/** What is lost if a sensor fails, and at which heights, and which sensors add nothing. */
+final class Losses {
+    /** A height at which this fraction of the coverage is lost belongs to a lost band. */
+    private static final double MOST_OF_IT = 0.5;
+
+    private final FieldSummary summary;
+    private final List<HeightSummary> heights;
+    private final List<String> sensors;
+
+    Losses(FieldSummary summary) {
+        this.summary = summary;
+        this.heights = summary.heights();
+        this.sensors = summary.coverage().field().sensors();
+    }
+
+    /** The section. */
+    String html() {
+        StringBuilder html = new StringBuilder();
+        html.append(Html.plain(
+                "p",
+                "Covered, in % of the known area at each height, with all sensors and without each one. Without a sensor,"
+                        + " the drone may fly on the heading that suits the others least."));
+        html.append(table());
+        List<String> bands = sensors.stream()
+                .map(this::band)
+                .flatMap(Optional::stream)
+                .map(text -> Html.plain("li", text))
+                .toList();
+        if (!bands.isEmpty()) {
+            html.append(Html.element("ul", String.join("", bands)));
+        }
+        return html.append(Html.plain("p", idle())).toString();
+    }
+
+    private String table() {
+        List<String> head = new ArrayList<>(List.of("sensors"));
+        List<String> all = new ArrayList<>(List.of("all"));
+        for (HeightSummary height : heights) {
+            head.add(metres(height));
+            all.add(percent(height.covered(), height));
+        }
+        List<List<String>> rows = new ArrayList<>(List.of(all));
+        for (String sensor : sensors) {
+            List<String> row = new ArrayList<>(List.of("without " + sensor));
+            for (HeightSummary height : heights) {
+                int lost = height.lost().get(sensor);
+                row.add(percent(height.covered() - lost, height)
+                        + (lost == 0 ? "" : String.format(Locale.ROOT, " (%+.1f)", -100.0 * lost / height.known())));
+            }
+            rows.add(row);
+        }
+        return Html.table(head, rows);
+    }
+
+    /** At which heights most of the coverage depends on a sensor; empty if at none. */
+    private Optional<String> band(String sensor) {
+        List<String> bands = new ArrayList<>();
+        int start = -1;
+        for (int i = 0; i <= heights.size(); i++) {
+            boolean isLost = i < heights.size() && isLost(heights.get(i), sensor);
+            if (isLost && start < 0) {
+                start = i;
+            } else if (!isLost && start >= 0) {
+                bands.add(
+                        start == i - 1
+                                ? metres(heights.get(start))
+                                : number(heights.get(start).height()) + " to " + metres(heights.get(i - 1)));
+                start = -1;
+            }
+        }
+        return bands.isEmpty()
+                ? Optional.empty()
+                : Optional.of("Without '" + sensor + "', at least half of the coverage is lost at "
+                        + String.join(" and ", bands) + ".");
+    }
+
+    private static boolean isLost(HeightSummary height, String sensor) {
+        return height.covered() > 0 && height.lost().get(sensor) >= MOST_OF_IT * height.covered();
+    }
+
+    /** The failure that costs most, for the verdict; empty if none costs anything. */
+    Optional<String> worstInWords() {
+        String worst = "";
+        HeightSummary where = null;
+        double most = 0.0;
+        for (String sensor : sensors) {
+            for (HeightSummary height : heights) {
+                double lost = height.known() == 0 ? 0.0 : (double) height.lost().get(sensor) / height.known();
+                if (lost > most) {
+                    most = lost;
+                    worst = sensor;
+                    where = height;
+                }
+            }
+        }
+        return where == null
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "If one sensor fails, most is lost without '%s': at %s, %s %% of the area instead of %s %% remain"
+                                + " covered.",
+                        worst,
+                        metres(where),
+                        percent(where.covered() - where.lost().get(worst), where),
+                        percent(where.covered(), where)));
+    }
+
+    /** The sensors that add nothing. */
+    String idle() {
+        List<String> idle = summary.idleSensors();
+        if (idle.isEmpty()) {
+            return "Every sensor adds to the coverage.";
+        }
+        String names = "'" + String.join("', '", idle) + "'";
+        return idle.size() == 1
+                ? names
+                        + " adds nothing: without it, the coverage is the same at every height. It is still a reserve if"
+                        + " another sensor fails, and may confirm what others detect."
+                : "Of " + names + ", any single one adds nothing: without it, the coverage is the same at every height."
+                        + " Without several of them, it may not be.";
+    }
+
+    private static String metres(HeightSummary height) {
+        return number(height.height()) + " m";
+    }
+
+    private static String percent(int cells, HeightSummary height) {
+        return height.known() == 0 ? "-" : cells == 0 ? "0" : CoverageTable.percent(cells, height.known());
+    }
+}

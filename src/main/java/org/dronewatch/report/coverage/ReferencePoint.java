@@ -1,0 +1,98 @@
+package org.dronewatch.report.coverage;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.GapMap;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.Geodesy;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.Position;
+
+/**
+ * The point from which a report describes where something is: the middle of what is protected, or of the sensors.
+ *
+ * @param at its position, m
+ * @param name what it is, such as {@code the middle of the sensors}
+ * @param geodesy for geographic coordinates, where the scene has an origin
+ */
+record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
+    private static final String[] COMPASS = {
+        "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"
+    };
+
+    /** The target of inbound flights. */
+    static ReferencePoint of(InboundWarnings warnings, Protection protection, Optional<Origin> origin) {
+        String name = protection.isEmpty()
+                ? "the middle of the sensors"
+                : "the middle of "
+                        + protection
+                                .zone()
+                                .map(ball -> "the protected zone")
+                                .orElseGet(() -> area(protection.areas().get(0)));
+        return new ReferencePoint(warnings.target(), name, origin.map(Geodesy::new));
+    }
+
+    private static String area(AreaZone area) {
+        return "the protected area '" + area.name() + "'";
+    }
+
+    /** {@code 210 m north-west of the middle of the sensors}. */
+    String describe(double x, double y) {
+        return distanceAndDirection(x, y) + " of " + name;
+    }
+
+    /** {@code 210 m north-west}. */
+    String distanceAndDirection(double x, double y) {
+        return String.format(Locale.ROOT, "%.0f m %s", distance(x, y), direction(Math.atan2(x - at.x(), y - at.y())));
+    }
+
+    /** In plan view, m. */
+    double distance(double x, double y) {
+        return Math.hypot(x - at.x(), y - at.y());
+    }
+
+    /**
+     * A bearing in a word, such as {@code north-west}.
+     *
+     * @param bearing clockwise from north, rad
+     */
+    static String direction(double bearing) {
+        return COMPASS[Math.floorMod(Math.round(bearing / (0.25 * Math.PI)), COMPASS.length)];
+    }
+
+    /** Coordinates in the scene's frame and on earth: {@code x -44 m, y 124 m; 43.73120° N, 7.41950° E}. */
+    String coordinates(double x, double y) {
+        String plan = String.format(Locale.ROOT, "x %.0f m, y %.0f m", x + 0.0, y + 0.0);
+        return plan
+                + geodesy.map(earth -> {
+                            GeoPoint point = earth.onEarth(new Position(x, y, at.z()));
+                            return String.format(
+                                    Locale.ROOT,
+                                    "; %.5f\u00b0 %s, %.5f\u00b0 %s",
+                                    Math.abs(point.latitude()),
+                                    point.latitude() < 0.0 ? "S" : "N",
+                                    Math.abs(point.longitude()),
+                                    point.longitude() < 0.0 ? "W" : "E");
+                        })
+                        .orElse("");
+    }
+
+    /** The cell of a gap that is nearest to this point: {@code row * columns + column}; the first among equals. */
+    int nearestCell(GapMap map, int gap) {
+        FieldGrid grid = map.coverage().field().grid();
+        int nearest = -1;
+        double least = Double.POSITIVE_INFINITY;
+        for (int cell : map.cells(gap)) {
+            double distance = distance(grid.x(cell % grid.columns()), grid.y(cell / grid.columns()));
+            if (distance < least) {
+                least = distance;
+                nearest = cell;
+            }
+        }
+        return nearest;
+    }
+}

@@ -1,0 +1,214 @@
+package org.dronewatch.report.coverage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.analysis.field.DetectableHeights;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.GapMap;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.VisibleHeights;
+import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.report.html.ReportPage;
+import org.dronewatch.scenario.SceneSettings;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+
+/** The report of a coverage: what it says is what was found. */
+class CoverageReportTest {
+    private static final FieldGrid GRID = new FieldGrid(0, 0, 400, 20, List.of(2.0, 60.0));
+
+    /** The second one sees nothing that the first one does not see. */
+    private static final String SENSORS =
+            FieldSite.ROUND + FieldSite.ROUND.replace("round", "short").replace("maxRange: 150", "maxRange: 40");
+
+    @TempDir
+    private static Path directory;
+
+    private static FieldSite site;
+    private static CoverageFindings found;
+    private static Document page;
+    private static String text;
+
+    @BeforeAll
+    static void report() throws IOException {
+        site = FieldSite.in(directory, SENSORS);
+        found = find(site.settings());
+        String html = html(found, site.settings(), Optional.of(new Origin(0.8, 0.2, Optional.empty())));
+        page = ReportPage.parsed(html);
+        text = page.getDocumentElement().getTextContent();
+    }
+
+    private static CoverageFindings find(SceneSettings settings) {
+        try (Workers workers = new Workers(2)) {
+            return workers.call(() -> {
+                FieldSummary summary = FieldSummary.of(site.field(GRID, 2), FieldCoverage.Choice.BEST, 0.5);
+                return new CoverageFindings(
+                        summary,
+                        VisibleHeights.of(settings, site.stage(), GRID),
+                        DetectableHeights.of(summary.coverage(), cells -> {}),
+                        InboundWarnings.of(settings, site.stage(), FieldSite.DRONE, GRID, 0.5, cells -> {}));
+            });
+        }
+    }
+
+    private static String html(CoverageFindings findings, SceneSettings settings, Optional<Origin> origin)
+            throws IOException {
+        CoverageInputs inputs = new CoverageInputs("boxes <1>", FieldSite.DRONE, "best", 0.5, origin);
+        CoverageSite there = new CoverageSite(settings, site.stage());
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        new CoverageReport(findings, inputs, there)
+                .write(
+                        bytes,
+                        new FieldPictures(there, inputs, GRID).all(findings).values(),
+                        Map.of("program", "<2>"));
+        return bytes.toString(StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void theWorstPlaceIsTheFirstAndIsDescribedWithItsNumbers() {
+        List<String> headings = ReportPage.texts(page, "h3");
+        double area = found.summary().heights().get(0).gap().orElseThrow().area();
+        assertThat(headings.get(0))
+                .isEqualTo(String.format(Locale.ROOT, "1. At 2 to 60 m above the ground: %.1f ha", 1e-4 * area));
+        Matcher hectares = Pattern.compile("([\\d.]+) ha").matcher(String.join("; ", headings));
+        double before = Double.POSITIVE_INFINITY;
+        while (hectares.find()) {
+            double its = Double.parseDouble(hectares.group(1));
+            assertThat(its).isLessThanOrEqualTo(before);
+            before = its;
+        }
+        String first = ReportPage.texts(page, "p").stream()
+                .filter(line -> line.startsWith("A gap of "))
+                .findFirst()
+                .orElseThrow();
+        Matcher begins = Pattern.compile("begins (\\d+) m ([a-z-]+) of the middle of the sensors and reaches the edge")
+                .matcher(first);
+        assertThat(begins.find()).as(first).isTrue();
+        assertThat(Double.parseDouble(begins.group(1))).isEqualTo(Math.rint(nearest()));
+        assertThat(first).contains("° N", "° E");
+    }
+
+    /** The distance of the nearest cell of the largest gap, by looking at all cells. */
+    private static double nearest() {
+        GapMap map = GapMap.of(found.summary().coverage(), 0);
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int row = 0; row < GRID.columns(); row++) {
+            for (int column = 0; column < GRID.columns(); column++) {
+                if (map.contains(0, column, row)) {
+                    nearest = Math.min(nearest, Math.hypot(GRID.x(column), GRID.y(row)));
+                }
+            }
+        }
+        return nearest;
+    }
+
+    @Test
+    void whatHidesTheDroneIsNamed() {
+        assertThat(text)
+                .contains("hidden by a building (building.obj)")
+                .contains("hidden by terrain (terrain.obj)")
+                .contains("out of range (limit: 150 m)")
+                .contains("out of range (limit: 40 m)");
+    }
+
+    @Test
+    void theSensorThatAddsNothingIsNamedAndTheOneThatCarriesAllOfIt() {
+        String verdict = ReportPage.texts(page, "p").get(0);
+        assertThat(verdict)
+                .startsWith(
+                        "The drone 'one', on the heading on which it is most likely to be detected, is detected in ")
+                .contains("most is lost without 'round'")
+                .contains("'short' adds nothing");
+        assertThat(text).contains("Without 'round', at least half of the coverage is lost at 2 to 60 m.");
+    }
+
+    /** Without a required response there is no ring; with one, its radius is that of its time. */
+    @Test
+    void theRoseHasTheNeededResponseAsARing() throws IOException {
+        assertThat(text).contains("requires no response time").doesNotContain("required response,");
+        assertThat(page.getElementsByTagName("polygon").getLength()).isEqualTo(2);
+        InboundWarnings all = found.warnings();
+        InboundWarnings asked = new InboundWarnings(all.target(), all.reach(), 8.0, all.isZone(), all.all());
+        String rose = new WarningRose(asked).svg();
+        double longest = all.all().stream()
+                .mapToDouble(one -> one.time().orElse(0))
+                .max()
+                .orElseThrow();
+        assertThat(rose)
+                .contains(String.format(Locale.ROOT, "r=\"%.1f\" fill=\"none\" stroke=\"#000\"", 235 * 8.0 / longest))
+                .contains("required response, 8 s");
+        List<Warning> east = all.all().stream()
+                .filter(one -> Math.abs(one.bearing() - 0.5 * Math.PI) < 1e-9)
+                .toList();
+        for (Warning one : east) {
+            assertThat(rose)
+                    .contains(String.format(
+                            Locale.ROOT, "%.1f,280.0", 280 + 235 * one.time().orElse(0) / longest));
+        }
+        String words = new WarningWords(asked).html() + new WarningWords(asked).worstInWords();
+        long late = all.all().stream().filter(one -> !one.isInTime(8.0)).count();
+        assertThat(words).contains("bearings with less than 8 s", "are not met in " + late + " of 72 cases");
+        assertThat(ReportPage.parsed("<r>" + words + "</r>")).isNotNull();
+    }
+
+    /** Where nothing is detected, and nothing is missed. */
+    @Test
+    void theExtremesAreWordedToo() throws IOException {
+        FieldSummary none = FieldSummary.of(
+                FieldSite.in(Files.createDirectory(directory.resolve("none")), FieldSite.ROUND.replace("150", "2"))
+                        .field(GRID, 2),
+                FieldCoverage.Choice.BEST,
+                0.5);
+        List<Warning> silent = found.warnings().all().stream()
+                .map(one -> new Warning(
+                        one.bearing(),
+                        one.height(),
+                        one.arrival(),
+                        java.util.OptionalDouble.empty(),
+                        java.util.OptionalDouble.empty()))
+                .toList();
+        InboundWarnings all = found.warnings();
+        InboundWarnings undetected = new InboundWarnings(all.target(), all.reach(), 8.0, all.isZone(), silent);
+        String words = new Losses(none).html()
+                + new WarningWords(undetected).html()
+                + new WarningWords(undetected).worstInWords();
+        assertThat(words)
+                .contains("undetected, as in 72 of 72 cases", "none from the north")
+                .contains("'round' adds nothing")
+                .doesNotContain("NaN", "Infinity");
+        assertThat(new Losses(none).worstInWords()).isEmpty();
+    }
+
+    @Test
+    void whatComesFromOutsideIsEscapedAndNothingIsLoaded() {
+        assertThat(text).contains("boxes <1>: coverage", "<2>");
+        assertThat(page.getElementsByTagName("img").getLength()).isEqualTo(5);
+        for (int i = 0; i < 5; i++) {
+            assertThat(page.getElementsByTagName("img")
+                            .item(i)
+                            .getAttributes()
+                            .getNamedItem("src")
+                            .getNodeValue())
+                    .startsWith("data:image/png;base64,");
+        }
+        assertThat(page.getElementsByTagName("script").getLength()).isZero();
+    }
+}
