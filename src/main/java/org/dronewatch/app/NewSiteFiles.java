@@ -80,7 +80,7 @@ record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<String>
 
     /** The system to state for the map; empty if it states its own. */
     Optional<String> mapCrs() {
-        return crs(MAP, map.stream(), new MapFiles(Path.of(""))::needsCrs);
+        return crs(MAP, map.stream(), NewSiteFiles::needsCrs);
     }
 
     private Optional<String> crs(String option, Stream<String> files, Predicate<String> needsCrs) {
@@ -106,7 +106,19 @@ record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<String>
     }
 
     private static ElevationFile open(String file) {
-        return new ElevationFiles(Path.of("")).open(file);
+        try {
+            return new ElevationFiles(Path.of("")).open(file);
+        } catch (InputException e) {
+            throw new InputException(TERRAIN + " " + e.getMessage(), e);
+        }
+    }
+
+    private static boolean needsCrs(String file) {
+        try {
+            return new MapFiles(Path.of("")).needsCrs(file);
+        } catch (InputException e) {
+            throw new InputException(MAP + " " + e.getMessage(), e);
+        }
     }
 
     /** A message with the option that names the file, instead of a line of the scene, which the user has not seen. */

@@ -34,6 +34,7 @@ final class BuildingReport {
     private int parts;
     private int assumed;
     private int fromLevels;
+    private int unusable;
     private double area;
     private int woods;
     private double woodArea;
@@ -61,6 +62,7 @@ final class BuildingReport {
             buildings++;
         }
         assumed += dimensions.isAssumed() ? 1 : 0;
+        unusable += dimensions.isAssumed() && isAnyStated(building) ? 1 : 0;
         fromLevels += !dimensions.isAssumed() && !isHeightStated(building) ? 1 : 0;
         area += squareMetres;
         outlines.add(BuildingOutline.of(building, dimensions));
@@ -88,6 +90,12 @@ final class BuildingReport {
 
     private static boolean isHeightStated(Building building) {
         return building.tags().containsKey("height") || building.tags().containsKey("building:height");
+    }
+
+    private static boolean isAnyStated(Building building) {
+        return isHeightStated(building)
+                || building.tags().containsKey("building:levels")
+                || building.tags().containsKey("levels");
     }
 
     int count() {
@@ -190,10 +198,11 @@ final class BuildingReport {
         if (2 * assumed > count()) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "%s: %,d of %,d buildings have no height in the map: %s is assumed (world.buildings.height)",
+                    "%s: %,d of %,d buildings have no height in the map%s: %s is assumed (world.buildings.height)",
                     file,
                     assumed,
                     count(),
+                    unusable == 0 ? "" : String.format(Locale.ROOT, ", or one that cannot be used (%,d)", unusable),
                     Quantity.LENGTH.inWords(settings.height())));
         }
         if (!floors.isEmpty() && Math.abs(floors.get(floors.size() / 2)) > FLOATING) {

@@ -184,7 +184,7 @@ final class BuildingSite {
         Footprint there = building.footprint();
         double width = 2.0 * Rectangle.about(there.outer()).halfWidth();
         Dimensions dimensions = Dimensions.of(building.tags(), settings, width);
-        dimensions.doubts().forEach(doubt -> report.doubt("not used: " + doubt, building.id()));
+        dimensions.doubts().forEach(doubt -> report.doubt(doubt, building.id()));
         if (dimensions.top() <= dimensions.bottom()) {
             report.leave("building no higher than its lowest point");
             return;

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.dronewatch.buildings.io.MapLength;
 
 /**
@@ -20,7 +21,7 @@ import org.dronewatch.buildings.io.MapLength;
  * @param direction in which the roof slopes down, rad clockwise from north, if the map states it
  * @param isAcross whether the ridge runs along the shorter side
  * @param isOpen whether there are no walls under the roof
- * @param doubts what of the map could not be used, in words
+ * @param doubts about what the map states, in words
  */
 record Dimensions(
         double bottom,
@@ -36,6 +37,18 @@ record Dimensions(
     private static final double HIGHEST = 1000.0;
 
     private static final double MOST_LEVELS = 200.0;
+
+    /** About thirty buildings are higher, m. */
+    private static final double FEW_ARE_HIGHER = 500.0;
+
+    /** The slenderest skyscraper is 24 times as high as wide; what is lower than the second figure may be a mast, m. */
+    private static final double SLENDEREST = 30.0;
+
+    private static final double MAST = 100.0;
+
+    /** Rounded figures of a map, m. */
+    private static final double ROUNDED = 0.05;
+
     private static final List<String> WINDS =
             List.of("n", "nne", "ne", "ene", "e", "ese", "se", "sse", "s", "ssw", "sw", "wsw", "w", "wnw", "nw", "nnw");
 
@@ -57,10 +70,14 @@ record Dimensions(
                     if (length.isPresent() && length.get() >= 0.0 && length.get() <= HIGHEST) {
                         return OptionalDouble.of(length.get());
                     }
-                    doubts.add(key + "=" + text);
+                    refuse(key);
                 }
             }
             return OptionalDouble.empty();
+        }
+
+        private void refuse(String key) {
+            doubts.add("not used: " + key + "=" + tags.get(key));
         }
 
         OptionalDouble number(double most, String... keys) {
@@ -72,7 +89,7 @@ record Dimensions(
                     if (value <= most) {
                         return OptionalDouble.of(value);
                     }
-                    doubts.add(key + "=" + text);
+                    refuse(key);
                 }
             }
             return OptionalDouble.empty();
@@ -97,7 +114,7 @@ record Dimensions(
                     return shape;
                 }
             }
-            doubts.add("roof:shape=" + text);
+            refuse("roof:shape");
             return RoofShape.FLAT;
         }
     }
@@ -129,7 +146,14 @@ record Dimensions(
         } else {
             top = bottom + settings.height();
         }
-        rise = Math.min(rise, Math.max(0.0, top - bottom));
+        double most = Math.max(0.0, top - bottom);
+        if (rise > most + ROUNDED && most > 0.0) {
+            roofOf(tags).ifPresent(stated -> reader.doubts.add("roof cut to the height of the building: " + stated));
+        }
+        rise = Math.min(rise, most);
+        if (height.isPresent()) {
+            reader.doubts.addAll(implausible(top, most, width));
+        }
         return new Dimensions(
                 bottom,
                 top,
@@ -140,6 +164,25 @@ record Dimensions(
                 "across".equals(tags.get("roof:orientation")),
                 "roof".equals(tags.get("building")) || "roof".equals(tags.get("building:part")),
                 List.copyOf(reader.doubts));
+    }
+
+    /** What states how high the roof is, if anything does. */
+    private static Optional<String> roofOf(Map<String, String> tags) {
+        return Stream.of("roof:height", "roof:levels", "roof:angle")
+                .filter(tags::containsKey)
+                .map(key -> key + "=" + tags.get(key))
+                .findFirst();
+    }
+
+    /** What suggests that a height is in another unit or mistyped; it is used all the same. */
+    private static List<String> implausible(double top, double high, double width) {
+        if (top > FEW_ARE_HIGHER) {
+            return List.of(String.format(Locale.ROOT, "height of %.0f m, more than that of almost any building", top));
+        }
+        return high > MAST && high > SLENDEREST * width
+                ? List.of(
+                        String.format(Locale.ROOT, "height of %.0f m, more than %.0f times the width", top, SLENDEREST))
+                : List.of();
     }
 
     private static double rise(

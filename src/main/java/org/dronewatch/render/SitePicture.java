@@ -96,10 +96,14 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /** The box of interest: all sensors and all flights, with a margin; the whole site where there are none, m. */
+    /** The box of interest: all sensors and all flights, with a margin; without a flight, the whole site, too, m. */
     public AABB interest() {
-        boolean empty = settings.enabledSensors().isEmpty() && drones.isEmpty();
-        return empty ? world.bounds() : flights.interest(settings);
+        if (!drones.isEmpty()) {
+            return flights.interest(settings);
+        }
+        return settings.enabledSensors().isEmpty()
+                ? world.bounds()
+                : world.bounds().union(flights.interest(settings));
     }
 
     /**

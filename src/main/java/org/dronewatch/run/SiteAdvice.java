@@ -9,6 +9,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.scenario.LightAdvice;
+import org.dronewatch.scenario.OriginAdvice;
 import org.dronewatch.scenario.PositionerAdvice;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SoundAdvice;
@@ -34,6 +35,7 @@ record SiteAdvice(SceneSettings settings, World world) {
 
     /** Gives one line for each warning. */
     void giveTo(Consumer<String> target) {
+        settings.world().origin().ifPresent(origin -> new OriginAdvice(origin).giveTo(target));
         onSurfaces(target);
         onTerrain(target);
         new LightAdvice(settings.world().light()).giveTo(target);

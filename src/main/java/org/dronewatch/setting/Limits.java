@@ -134,11 +134,22 @@ public final class Limits {
             if (!Double.isFinite(value)) {
                 throw fails(part, value, "finite");
             }
-            boolean fits =
-                    value >= limits.from() && value > limits.above() && value <= limits.to() && value < limits.below();
-            if (!fits) {
-                throw fails(part, value, inWords(limits));
+            if (!fits(value)) {
+                throw fails(part, value, inWords(limits) + remedy(value));
             }
+        }
+
+        private boolean fits(double value) {
+            return value >= limits.from() && value > limits.above() && value <= limits.to() && value < limits.below();
+        }
+
+        /** How to write it, if it is allowed in the unit in which it is displayed. */
+        private String remedy(double value) {
+            Quantity quantity = limits.value();
+            return quantity.bare(value)
+                    .filter(written -> fits(Math.toRadians(value)))
+                    .map(written -> "; for degrees, write " + written + " " + quantity.displayUnit())
+                    .orElse("");
         }
 
         private IllegalArgumentException fails(String part, double value, String limit) {

@@ -3,6 +3,7 @@ package org.dronewatch.setting;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -75,8 +76,8 @@ public enum Quantity {
     private static final double SMALLEST_PLAIN = 1e-4;
 
     private static final double LARGEST_PLAIN = 1e6;
-    /** A radian value with at most this many digits was probably typed, not converted from degrees. */
-    private static final int LONGEST_WRITTEN = 6;
+    /** A radian value with at most this many characters was probably typed, not converted from degrees. */
+    private static final int LONGEST_WRITTEN = 12;
     /** Display precision at which 200 deg survives the round trip through radians. */
     private static final MathContext DISPLAYED = new MathContext(7);
 
@@ -134,12 +135,23 @@ public enum Quantity {
      */
     public String inWords(double value) {
         String shown = (number(value) + " " + displayUnit()).strip();
+        return bare(value)
+                .map(written -> shown + " (" + written + " " + unit + ")")
+                .orElse(shown);
+    }
+
+    /**
+     * The number that was probably typed without a unit, of a value that is displayed in another unit: {@code 60} if an
+     * angle of 60 rad may have been meant to be 60 degrees. Empty for a value that was probably converted, which has
+     * many digits.
+     */
+    public Optional<String> bare(double value) {
         String written = plain(value);
-        boolean bare = !unit.equals(displayUnit())
+        boolean isTyped = !unit.equals(displayUnit())
                 && Double.isFinite(value)
                 && value != 0.0
                 && written.length() <= LONGEST_WRITTEN;
-        return bare ? shown + " (" + written + " " + unit + ")" : shown;
+        return isTyped ? Optional.of(written) : Optional.empty();
     }
 
     /**

@@ -6,6 +6,12 @@ import org.dronewatch.kdtree.RayTracer;
 
 /** Probes the surfaces around a point, with one ray towards each corner, edge and face of a cube. */
 final class Surroundings {
+    /**
+     * Fewer say little: far from a model, a ray along an axis or a diagonal may hit just a corner or an edge, from
+     * behind. From under the corner of a flat ground, four rays hit it.
+     */
+    private static final int FEWEST = 4;
+
     private final TriangleMesh mesh;
     private final RayTracer traversal;
     private final double[] normal = new double[3];
@@ -16,8 +22,8 @@ final class Surroundings {
     }
 
     /**
-     * Whether most surfaces around a position show their backs: then it is inside a wall or under the ground, in a mesh
-     * whose triangles are wound counter-clockwise seen from where sound and light are.
+     * Whether most surfaces around a position, and several of them, show their backs: then it is inside a wall or under
+     * the ground, in a mesh whose triangles are wound counter-clockwise seen from where sound and light are.
      */
     boolean showTheirBacks(Position position) {
         int fronts = 0;
@@ -36,7 +42,7 @@ final class Surroundings {
                 }
             }
         }
-        return backs > fronts;
+        return backs >= FEWEST && backs > fronts;
     }
 
     private boolean isBack(int triangle, int x, int y, int z) {

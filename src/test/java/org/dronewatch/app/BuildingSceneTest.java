@@ -237,7 +237,7 @@ class BuildingSceneTest {
                 "origin=null | world.buildings needs a world.origin",
                 "buildings={} | world.buildings needs a 'file', a map with buildings",
                 "buildings={file: none.osm} | site.yaml:4:21: world.buildings.file: file 'none.osm' does not exist",
-                "buildings={file: ground.asc} | ground.asc: is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON",
+                "buildings={file: ground.asc} | ground.asc: is an ESRI ASCII grid, which belongs to world.terrain, not to world.buildings",
                 "buildings={file: ../map.osm} | file '../map.osm' leads out of the directory of this file",
                 "buildings={file: map.osm, height: 0} | height",
                 "buildings={file: map.osm, crs: EPSG:1} | EPSG",

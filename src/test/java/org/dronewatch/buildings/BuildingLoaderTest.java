@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
@@ -276,6 +277,61 @@ class BuildingLoaderTest {
         assertThat(load().warnings())
                 .anyMatch(line -> line.equals("map.osm: not used: height=tall: way/1001"))
                 .anyMatch(line -> line.equals("map.osm: not used: roof:shape=onion: way/1001"));
+    }
+
+    /** 889 of 889 without a height is another matter than a height that is not understood. */
+    @Test
+    void aHeightThatCannotBeUsedIsNotNone() throws IOException {
+        way(box(0, 0, 20, 10), "building=yes height=12;15");
+        way(box(30, 0, 50, 10), "building=yes");
+        way(box(60, 0, 80, 10), "building=yes building:levels=many");
+        way(box(90, 0, 99, 10), "building=yes height=7");
+        assertThat(load().warnings())
+                .contains(
+                        "map.osm: 3 of 4 buildings have no height in the map, or one that cannot be used (2): 9 m is assumed"
+                                + " (world.buildings.height)");
+    }
+
+    /** Built as far as the building is high; the warning names what the map states. */
+    @ParameterizedTest
+    @CsvSource({
+        "height=5 roof:shape=gabled roof:height=50, true",
+        "height=8 min_height=3 roof:shape=gabled roof:height=5, false",
+        "height=8.1 min_height=3.14 roof:shape=gabled roof:height=5, false",
+        "height=4 roof:shape=pyramidal roof:levels=2, true",
+        "height=4 roof:shape=gabled roof:angle=60, true",
+        "height=2.5 roof:shape=gabled, false",
+        "building:levels=1 roof:shape=gabled roof:height=50, false",
+        "height=5 roof:height=50, false",
+    })
+    void aRoofHigherThanItsBuildingIsDoubted(String tags, boolean isDoubted) throws IOException {
+        way(box(0, 0, 20, 10), "building=yes " + tags);
+        String stated = tags.replaceFirst(".*(roof:(?:height|levels|angle)=\\d+).*", "$1");
+        assertThat(load().warnings().stream()
+                        .filter(line -> line.contains("roof cut"))
+                        .toList())
+                .isEqualTo(
+                        isDoubted
+                                ? List.of("map.osm: roof cut to the height of the building: " + stated + ": way/1001")
+                                : List.of());
+    }
+
+    /** 9 m in centimetres; 111 West 57th Street in New York is 435 m high and 18 m wide, and chimneys are slender. */
+    @ParameterizedTest
+    @CsvSource({
+        "900, 18, 'height of 900 m, more than that of almost any building'",
+        "501, 60, 'height of 501 m, more than that of almost any building'",
+        "450, 14, 'height of 450 m, more than 30 times the width'",
+        "435, 18, ''",
+        "90, 1, ''",
+        "500, 60, ''",
+    })
+    void anImplausibleHeightIsDoubted(double height, double width, String doubt) throws IOException {
+        way(box(0, 0, 80, width), "building=yes height=" + height);
+        LoadedBuildings loaded = load();
+        assertThat(highest(loaded.mesh())).isCloseTo(height, within(0.01));
+        assertThat(loaded.warnings())
+                .isEqualTo(doubt.isEmpty() ? List.of() : List.of("map.osm: " + doubt + ": way/1001"));
     }
 
     @Test

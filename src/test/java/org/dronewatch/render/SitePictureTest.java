@@ -7,19 +7,23 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Point2d;
 import org.jogamp.vecmath.Vector3d;
@@ -326,6 +330,17 @@ class SitePictureTest {
 
         assertThat(at.x).isCloseTo(camera.width(), within(1e-6));
         assertThat(at.y).isCloseTo(camera.height(), within(1e-6));
+    }
+
+    /** Two sensors alone do not say how much of the site is worth seeing. */
+    @Test
+    void withoutAFlightTheWholeSiteIsFramed() {
+        AABB site = stage.world().bounds();
+        assertThat(pictures.interest().minX()).isGreaterThan(site.minX());
+
+        SceneSettings still = SettingsForm.with(settings, "drones", Map.of());
+        AABB whole = new SitePicture(still, new Stage(still, new ModelCache(directory, line -> {}), 0L)).frame();
+        assertThat(whole.union(site)).isEqualTo(whole);
     }
 
     @Test

@@ -49,6 +49,24 @@ class LimitsTest {
                 .withMessage(message);
     }
 
+    private record Turn(@In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude) {}
+
+    /** How to write it is said if that would be allowed, and if it seems to be typed. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "43.7314    | latitude 2505.625 deg (43.7314 rad) must be -90 to 90 deg; for degrees, write 43.7314 deg",
+                "-89.123456 | latitude -5106.398 deg (-89.123456 rad) must be -90 to 90 deg; for degrees, write -89.123456 deg",
+                "91         | latitude 5213.916 deg (91 rad) must be -90 to 90 deg",
+                "1.6580627893946132 | latitude 95 deg must be -90 to 90 deg",
+            })
+    void degreesWithoutAUnitGetARemedy(double value, String message) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Limits.check(Turn.class, value))
+                .withMessage(message);
+    }
+
     @Test
     void nothingMayBeMissing() {
         assertThatIllegalArgumentException()

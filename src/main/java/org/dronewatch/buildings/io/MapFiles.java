@@ -19,6 +19,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.FileKind;
 import org.dronewatch.setting.file.HeapBudget;
 import org.dronewatch.setting.file.JsonText;
 import org.dronewatch.setting.file.LinkOut;
@@ -31,7 +32,7 @@ public final class MapFiles {
     private static final int MOST_JSON = 256 * 1024 * 1024;
 
     private static final long MOST_BYTES = 1L << 33;
-    private static final int START = 64;
+    private static final int START = 128;
 
     private static final MapArea NOWHERE = new MapArea(0.0, 0.0, 0.0, 0.0);
 
@@ -120,6 +121,10 @@ public final class MapFiles {
             }
             if (isJson(text)) {
                 return json(name, source, withLand, hash);
+            }
+            Optional<String> misplaced = FileKind.misplaced(shortName(name), start, "world.buildings");
+            if (misplaced.isPresent()) {
+                throw new InputException(name + ": " + misplaced.get());
             }
             throw new InputException(name
                     + ": is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson "

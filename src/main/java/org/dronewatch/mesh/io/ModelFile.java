@@ -91,7 +91,7 @@ public final class ModelFile {
             throw new InputException("model file " + PlainText.value(path) + " " + problem);
         }
         LinkOut.refuse(directory, path, "model file");
-        return new ModelFile(path.toString(), path, null);
+        return new ModelFile(file, path, null);
     }
 
     /** What is wrong with a file, as the end of a sentence; empty for nothing. */

@@ -17,6 +17,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.file.FileKind;
 import org.dronewatch.setting.file.LinkOut;
 import org.dronewatch.setting.file.PackagedSite;
 
@@ -28,6 +29,9 @@ public final class ElevationFiles {
     private static final long MOST_BYTES = 1L << 33;
     private static final int MOST_ENTRIES = 1000;
     private static final int LONGEST_KEY = 16;
+
+    /** Enough to recognise what other programs write, bytes. */
+    private static final int START = 128;
 
     private final Path directory;
 
@@ -116,6 +120,9 @@ public final class ElevationFiles {
     }
 
     private static ElevationFile open(ElevationBytes bytes) throws IOException {
+        if (bytes.size() == 0) {
+            throw new InputException(bytes.name() + ": is empty");
+        }
         byte[] start = bytes.read(0, 8);
         if (TiffDirectory.isTiff(start)) {
             return new GeoTiffFile(bytes);
@@ -133,6 +140,11 @@ public final class ElevationFiles {
         }
         if (bytes.shortName().endsWith(".hgt")) {
             return new HgtFile(bytes, bytes.shortName());
+        }
+        byte[] more = bytes.read(0, (int) Math.min(START, bytes.size()));
+        Optional<String> misplaced = FileKind.misplaced(bytes.shortName(), more, "world.terrain");
+        if (misplaced.isPresent()) {
+            throw new InputException(bytes.name() + ": " + misplaced.get());
         }
         throw new InputException(bytes.name()
                 + ": is not a GeoTIFF file, an SRTM tile (.hgt, also in .zip or .gz) or an ESRI ASCII grid; gdal_translate "

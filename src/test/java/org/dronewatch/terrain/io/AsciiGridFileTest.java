@@ -100,9 +100,12 @@ class AsciiGridFileTest {
     void otherFilesAreNamed() throws IOException {
         assertThatThrownBy(() -> open("{\"type\": \"FeatureCollection\"}"))
                 .isInstanceOf(InputException.class)
+                .hasMessageContaining("is a JSON file, which belongs to world.buildings, not to world.terrain");
+        assertThatThrownBy(() -> open("x y z 1 2 3"))
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining(
                         "is not a GeoTIFF file, an SRTM tile (.hgt, also in .zip or .gz) or an ESRI ASCII grid")
                 .hasMessageContaining("gdal_translate dem.asc dem.tif");
-        assertThatThrownBy(() -> open("")).isInstanceOf(InputException.class).hasMessageContaining("ends too early");
+        assertThatThrownBy(() -> open("")).isInstanceOf(InputException.class).hasMessage("dem.asc: is empty");
     }
 }

@@ -1,0 +1,67 @@
+package org.dronewatch.setting.file;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiPredicate;
+
+/** What a file is that was named where something else is expected, by its first characters or its name. */
+public enum FileKind {
+    /** GeoTIFF among them. */
+    TIFF("a TIFF file", "world.terrain", (name, start) -> start.matches("(?s)(II[*+]\0|MM\0[*+]).*")),
+    /** ESRI's text format of elevations. */
+    ASCII_GRID("an ESRI ASCII grid", "world.terrain", (name, start) -> start.matches("(?is)\\s*(ncols|nrows)\\s.*")),
+    /** A tile of SRTM has no beginning of its own. */
+    SRTM("an SRTM tile", "world.terrain", (name, start) -> name.endsWith(".hgt")),
+    /** Models of buildings, by the exchange format of STEP. */
+    IFC("an IFC model", "world.models", (name, start) -> start.startsWith("ISO-10303-21")),
+    /** glTF in one file, or as JSON. */
+    GLTF("a glTF model", "world.models", (name, start) -> start.startsWith("glTF") || name.endsWith(".gltf")),
+    /** Polygon file format. */
+    PLY("a PLY model", "world.models", (name, start) -> start.matches("(?s)ply\\s.*")),
+    /** As text or as bytes, which have no fixed beginning. */
+    STL("an STL model", "world.models", (name, start) -> start.matches("(?s)solid\\s.*") || name.endsWith(".stl")),
+    /** Wavefront's format has no fixed beginning. */
+    OBJ("an OBJ model", "world.models", (name, start) -> name.endsWith(".obj")),
+    /** Text of OpenStreetMap. */
+    OSM("a map of OpenStreetMap", "world.buildings", (name, start) -> start.contains("<osm ")),
+    /** Binary format of OpenStreetMap. */
+    PBF("a map of OpenStreetMap", "world.buildings", (name, start) -> start.contains("OSMHeader")),
+    /** GeoJSON and CityJSON. */
+    JSON("a JSON file", "world.buildings", (name, start) -> start.matches("(?s)\\s*\\{.*"));
+
+    private static final int BEGINNING = 200;
+
+    private final String words;
+    private final String place;
+    private final BiPredicate<String, String> signature;
+
+    FileKind(String words, String place, BiPredicate<String, String> signature) {
+        this.words = words;
+        this.place = place;
+        this.signature = signature;
+    }
+
+    /**
+     * What is wrong with a file that its reader does not recognise, as the end of a message.
+     *
+     * @param name of the file
+     * @param start its first bytes, some 100 of them
+     * @param wanted where it was named: world.terrain, world.models or world.buildings
+     * @return empty if nothing is known about it, or if it belongs there
+     */
+    public static Optional<String> misplaced(String name, byte[] start, String wanted) {
+        if (start.length == 0) {
+            return Optional.of("is empty");
+        }
+        // One character for each byte.
+        String text = new String(start, 0, Math.min(BEGINNING, start.length), StandardCharsets.ISO_8859_1);
+        String lower = name.toLowerCase(Locale.ROOT);
+        return Arrays.stream(values())
+                .filter(kind -> kind.signature.test(lower, text))
+                .findFirst()
+                .filter(kind -> !kind.place.equals(wanted))
+                .map(kind -> "is " + kind.words + ", which belongs to " + kind.place + ", not to " + wanted);
+    }
+}
