@@ -96,9 +96,9 @@ class MeadowTableTest {
         List<Observation> all = run(row.settings(), 1);
         assertThat(row.figures())
                 .containsExactly(
-                        inWords(of(all, "camera"), observers(of(all, "camera"))),
+                        inWords(of(all, "camera"), FirstDetections.observers(of(all, "camera"))),
                         number("%.2f", at(all, "camera", 600).figures().get(Observation.PROBABILITY)),
-                        inWords(of(all, "radar"), independentLooks(of(all, "radar"))),
+                        inWords(of(all, "radar"), FirstDetections.independentLooks(of(all, "radar"))),
                         number("%.2f", at(all, "radar", 1000).figures().get(Observation.PROBABILITY)),
                         first(all, "radio"),
                         number("%.1f dB", at(all, "radio", 1000).value()));
@@ -130,7 +130,7 @@ class MeadowTableTest {
     }
 
     private static double median(List<Observation> all) {
-        return quantile(of(all, "radar"), independentLooks(of(all, "radar")), 0.5)
+        return FirstDetections.quantile(of(all, "radar"), FirstDetections.independentLooks(of(all, "radar")), 0.5)
                 .orElseThrow();
     }
 
@@ -145,7 +145,7 @@ class MeadowTableTest {
         List<String[]> radarOnly = List.of(
                 new String[] {"sensors.camera.enabled", "false"}, new String[] {"sensors.radio.enabled", "false"});
         List<Observation> looks = of(run(List.of(), 1), "radar");
-        double[] detected = independentLooks(looks);
+        double[] detected = FirstDetections.independentLooks(looks);
         List<Double> first = new ArrayList<>();
         for (int seed = 100; seed < 100 + runs; seed++) {
             first.add(of(run(radarOnly, seed), "radar").stream()
@@ -155,7 +155,7 @@ class MeadowTableTest {
                     .range());
         }
         for (double share : new double[] {0.1, 0.5, 0.9}) {
-            double range = quantile(looks, detected, share).orElseThrow();
+            double range = FirstDetections.quantile(looks, detected, share).orElseThrow();
             int look = IntStream.range(0, detected.length)
                     .filter(i -> detected[i] >= share)
                     .findFirst()
@@ -172,57 +172,14 @@ class MeadowTableTest {
         return all.stream().filter(one -> one.look().sensor().equals(sensor)).toList();
     }
 
-    private static double probability(Observation look) {
-        return look.figures().get(Observation.PROBABILITY);
-    }
-
-    /** The probability that a look so far has detected the drone, if each decides for itself. */
-    private static double[] independentLooks(List<Observation> looks) {
-        double[] detected = new double[looks.size()];
-        double missed = 1.0;
-        for (int i = 0; i < detected.length; i++) {
-            missed *= 1.0 - probability(looks.get(i));
-            detected[i] = 1.0 - missed;
-        }
-        return detected;
-    }
-
-    /**
-     * The same for observers, who differ in the probability u that they need, and who search at the rate P / 3.4 s
-     * while it is at least u.
-     */
-    private static double[] observers(List<Observation> looks) {
-        int all = 2000;
-        double[] detected = new double[looks.size()];
-        for (int observer = 0; observer < all; observer++) {
-            double able = (observer + 0.5) / all;
-            double exponent = 0.0;
-            for (int i = 0; i < detected.length; i++) {
-                double now = probability(looks.get(i));
-                double time =
-                        i == 0 ? 0.0 : looks.get(i).time() - looks.get(i - 1).time();
-                exponent += now >= able ? now * time / 3.4 : 0.0;
-                detected[i] += -Math.expm1(-exponent) / all;
-            }
-        }
-        return detected;
-    }
-
-    /** The range by which a fraction of runs has detected the drone. */
-    private static OptionalDouble quantile(List<Observation> looks, double[] detected, double share) {
-        return IntStream.range(0, detected.length)
-                .filter(i -> detected[i] >= share)
-                .mapToDouble(i -> looks.get(i).range())
-                .findFirst();
-    }
-
     /** The median, and the ranges by which nine tenths and one tenth of the runs have detected the drone. */
     private static String inWords(List<Observation> looks, double[] detected) {
-        String median = metres(quantile(looks, detected, 0.5));
+        String median = metres(FirstDetections.quantile(looks, detected, 0.5));
         return median.equals(NEVER)
                 ? NEVER
-                : median + " (" + metres(quantile(looks, detected, 0.9)).replace(" m", "") + " to "
-                        + metres(quantile(looks, detected, 0.1)) + ")";
+                : median + " ("
+                        + metres(FirstDetections.quantile(looks, detected, 0.9)).replace(" m", "") + " to "
+                        + metres(FirstDetections.quantile(looks, detected, 0.1)) + ")";
     }
 
     private static String metres(OptionalDouble range) {
