@@ -10,8 +10,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * At what range the cued camera identifies the drone through turbulent air and a small lens: the figures of the README.
+ * From one frame to the next the drone comes half a metre nearer, which is what the small lens costs: the figures are
+ * those of runs, to a hundredth of a metre.
  */
 class LongLensRunsTest {
+    private static final double TOLERANCE = 0.006;
+
     private static OptionalDouble identified(double cn2, String aperture) {
         SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes/cued-camera.yaml")))
                 .threads(2)
@@ -23,13 +27,13 @@ class LongLensRunsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "0, none, 723.2",
-        "1e-14, none, 723.2",
-        "1e-13, none, 721.7",
-        "1e-13, 27 mm, 721.2",
-        "1e-12, none, 380.8"
+        "0, none, 722.69",
+        "1e-14, none, 722.69",
+        "1e-13, none, 721.25",
+        "1e-13, 27 mm, 720.77",
+        "1e-12, none, 380.83"
     })
     void turbulenceDelaysIdentification(double cn2, String aperture, double range) {
-        assertThat(identified(cn2, aperture).orElseThrow()).isCloseTo(range, within(1.0));
+        assertThat(identified(cn2, aperture).orElseThrow()).isCloseTo(range, within(TOLERANCE));
     }
 }

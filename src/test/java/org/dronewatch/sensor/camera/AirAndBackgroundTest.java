@@ -35,7 +35,11 @@ class AirAndBackgroundTest {
         return new DroneView(400, range, focalLength, 0.0, light, SKY, lens, background);
     }
 
-    /** Contrast 0.05 at a visibility of 10 km: computed independently. */
+    /**
+     * Duntley (1948): {@code 1 / (1 + K (exp(s R) - 1))}. Contrast 0.05 at a visibility of 10 km is s = ln 20 / 10 km =
+     * 0.29957 per km; at 2 km exp(s R) = 20^0.2 = 1.82056, so that by hand K = 1 gives 1 / 1.82056 = 0.549 and K = 5
+     * gives 1 / 5.1028 = 0.196.
+     */
     @ParameterizedTest
     @CsvSource({"1, 0.549", "5, 0.196", "1.4, 0.465", "25, 0.0465", "0.2, 0.859"})
     void theAirTakesMoreContrastFromDarkGround(double skyToGround, double left) {
@@ -113,7 +117,10 @@ class AirAndBackgroundTest {
         }
     }
 
-    /** 2.2 degrees over 1920 pixels at 723 m: what is left of the resolution, computed independently. */
+    /**
+     * 2.2 degrees over 1920 pixels at 723 m: what is left of the resolution. The figures are those of {@link #finest},
+     * relative to still air and a perfect lens.
+     */
     @ParameterizedTest
     @CsvSource({"0, 0, 1", "1e-14, 0, 0.97953", "1e-13, 0, 0.69067", "0, 0.027, 0.94027", "1e-13, 0.027, 0.62515"})
     void turbulenceAndDiffractionTakeDetail(double cn2, double aperture, double left) {
@@ -122,6 +129,37 @@ class AirAndBackgroundTest {
 
         assertThat(TargetTask.DEFAULT.resolved(view(723, Light.DAY.withCn2(cn2), lens, SKY)) / sharp)
                 .isCloseTo(left, within(1e-5));
+        assertThat(finest(cn2, aperture) / finest(0.0, 0.0)).isCloseTo(left, within(1e-5));
+    }
+
+    /**
+     * The finest pattern that is resolved, as a fraction u of half a line pair per pixel, by halving
+     * {@code C M(u) (1 - u) = Ct}: C is a contrast of 0.5 after 723 m of air of 20 km visibility, Ct = 0.02. M is the
+     * product of the long-exposure transfer function of a spherical wave, {@code exp(-3.44 (lambda f / r0)^(5/3))} with
+     * {@code r0 = (3/8 0.423 k^2 Cn2 L)^(-3/5)} (Fried 1966), and of that of a circular aperture (Goodman, Fourier
+     * Optics, section 6.3).
+     */
+    private static double finest(double cn2, double aperture) {
+        double contrast = 0.5 * Math.pow(0.05, 723.0 / 20_000.0);
+        double low = 0.0;
+        double high = 1.0;
+        for (int i = 0; i < 60; i++) {
+            double middle = 0.5 * (low + high);
+            boolean isResolved = contrast * transferred(middle, cn2, aperture) * (1.0 - middle) > 0.02;
+            low = isResolved ? middle : low;
+            high = isResolved ? high : middle;
+        }
+        return low;
+    }
+
+    private static double transferred(double fraction, double cn2, double aperture) {
+        double wavelength = 550e-9;
+        double cyclesPerRadian = fraction * 0.5 * 960.0 / Math.tan(Math.toRadians(1.1));
+        double wave = 2.0 * Math.PI / wavelength;
+        double spread = Math.pow(0.375 * 0.423 * wave * wave * cn2 * 723.0, 0.6);
+        double air = Math.exp(-3.44 * Math.pow(wavelength * cyclesPerRadian * spread, 5.0 / 3.0));
+        double x = aperture == 0.0 ? 0.0 : wavelength * cyclesPerRadian / aperture;
+        return x >= 1.0 ? 0.0 : air * 2.0 / Math.PI * (Math.acos(x) - x * Math.sqrt(1.0 - x * x));
     }
 
     private static DroneView look(World world, Position camera, Position drone) {
