@@ -138,9 +138,9 @@ final class CoverageReport {
         items.add("An area of " + number(grid.side()) + " m by " + number(grid.side()) + " m in cells of "
                 + number(grid.cell()) + " m: what is smaller than a cell may be missed.");
         items.add(
-                "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor"
-                        + " those about which nothing is known, beyond the elevations that were given.");
-        items.add("One drone of the kind '" + inputs.drone() + "' in level flight at its cruise speed; sensors on"
+                "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"
+                        + " those that are unknown because they, or the line of sight to them, are beyond the known ground.");
+        items.add("The drone '" + inputs.drone() + "' alone, in level flight at its cruise speed; sensors on"
                 + " positioners have turned to it.");
         items.addAll(sensors.omissions());
         items.addAll(site.stage().siteNotes());

@@ -109,8 +109,8 @@ final class Losses {
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,
-                        "If one sensor fails, most is lost without '%s': at %s, %s %% of the area instead of %s %% remain"
-                                + " covered.",
+                        "If one sensor fails, most is lost without '%s': at %s, %s %% of the area instead of %s %%"
+                                + " remains covered.",
                         worst,
                         metres(where),
                         percent(where.covered() - where.lost().get(worst), where),
@@ -128,7 +128,7 @@ final class Losses {
                 ? names
                         + " adds nothing: without it, the coverage is the same at every height. It is still a reserve if"
                         + " another sensor fails, and may confirm what others detect."
-                : "Of " + names + ", any single one adds nothing: without it, the coverage is the same at every height."
+                : names + " each add nothing: without any one of them, the coverage is the same at every height."
                         + " Without several of them, it may not be.";
     }
 

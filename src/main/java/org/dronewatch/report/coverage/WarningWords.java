@@ -27,8 +27,8 @@ final class WarningWords {
     private String introduction() {
         return "A drone flies straight in from " + number(warnings.reach()) + " m away, at its cruise speed, to "
                 + (warnings.isZone() ? "the protected zone" : "the middle of the sensors")
-                + ". Drawn is, for each bearing from which it comes, the time from its first detection until it"
-                + " arrives; at the centre, it is not detected before. "
+                + ". For each bearing from which it comes, the figure shows the time from its first detection until"
+                + " it arrives; at the centre, it arrives undetected. "
                 + (warnings.response() > 0.0
                         ? "From bearings where a line is inside the ring, the warning comes too late."
                         : "The scene requires no response time (alert.response).");
@@ -74,7 +74,7 @@ final class WarningWords {
             }
             rows.add(row);
         }
-        List<String> head = new ArrayList<>(List.of("height", "least warning", "bearings without any"));
+        List<String> head = new ArrayList<>(List.of("height", "least warning", "bearings without a warning"));
         if (isRequired) {
             head.add("bearings with less than " + number(warnings.response()) + " s");
         }

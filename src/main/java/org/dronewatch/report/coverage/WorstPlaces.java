@@ -120,13 +120,13 @@ final class WorstPlaces {
         return begins
                 + (span.gap().touchesRim()
                         ? " and reaches the edge of the area, beyond which it may continue"
-                        : " and is surrounded by what is covered");
+                        : " and is surrounded by covered cells");
     }
 
     private String why(Gap gap, List<GapEvidence> evidence) {
         List<Map.Entry<Cause, Integer>> causes = new ArrayList<>(gap.causes().entrySet());
         causes.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
-        return "For the sensor that comes nearest to a detection, the drone is there "
+        return "The causes there, for the sensor that comes nearest to a detection: "
                 + causes.stream()
                         .map(one -> cause(one.getKey())
                                 + names(one.getKey(), evidence)
