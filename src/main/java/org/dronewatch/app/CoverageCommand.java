@@ -4,9 +4,11 @@ import java.io.PrintWriter;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
@@ -14,18 +16,13 @@ import java.util.function.IntConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
-import org.dronewatch.analysis.field.Course;
-import org.dronewatch.analysis.field.DetectableHeights;
-import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.InboundTarget;
-import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.coverage.CoverageDirectory;
-import org.dronewatch.report.coverage.CoverageFindings;
 import org.dronewatch.report.coverage.CoverageInputs;
 import org.dronewatch.report.coverage.CoveragePicture;
 import org.dronewatch.report.coverage.CoverageSite;
@@ -46,6 +43,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
 /** Finds where the sensors detect a drone, and why not elsewhere; or draws a plan of it at one height. */
@@ -60,11 +58,14 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  dronewatch coverage multi-sensor --heights 10m,30m --side 400m --out field",
+            "  dronewatch coverage scenes/hill-radar.yaml --within 5s --covered 0.9",
+            "  dronewatch coverage scenes/monaco.yaml --area stadium --heights 30m,60m --out field",
             "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"
         })
 final class CoverageCommand implements Callable<Integer> {
     private static final int DEFAULT_CELLS = 100;
     private static final double DEFAULT_HEIGHT = 10.0;
+    private static final double DEFAULT_SIDE = 500.0;
 
     @Mixin
     private SceneChoice choice;
@@ -77,7 +78,6 @@ final class CoverageCommand implements Callable<Integer> {
 
     @Option(
             names = "--side",
-            defaultValue = "500",
             paramLabel = "L",
             description = "Length of a side of the area, centred on the sensors; 500 m by default.")
     private String side;
@@ -102,6 +102,9 @@ final class CoverageCommand implements Callable<Integer> {
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
+
+    @ParentCommand
+    private Main main;
 
     @Spec
     private CommandSpec spec;
@@ -142,8 +145,9 @@ final class CoverageCommand implements Callable<Integer> {
             runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
             Coverage coverage = withProgress(
-                    (long) grid.cells() * grid.cells(),
-                    settings,
+                    (long) grid.cells()
+                            * grid.cells()
+                            * settings.enabledSensors().size(),
                     progress -> Coverage.of(settings, stage, id, grid, progress));
             String words = "drone '" + id + "'";
             CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words, stage.credits());
@@ -158,27 +162,36 @@ final class CoverageCommand implements Callable<Integer> {
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = runner.settingsOfRuns().get(0);
-        FieldGrid grid = field.grid(InboundTarget.sensors(settings), (double) value("side", side));
+        FieldGrid grid = field.grid(
+                settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));
         String id = drone(settings);
         CoverageInputs inputs = new CoverageInputs(
                 scene.name(),
                 id,
                 field.heading(),
                 field.covered(),
+                field.terms().within(),
+                field.area(),
                 settings.world().origin());
         try (CoverageDirectory target = out == null ? null : new CoverageDirectory(Path.of(out))) {
             return threads.call(() -> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);
-                List<Course> courses = field.courses(settings, stage, id);
-                long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
-                        + InboundWarnings.cells(grid);
-                CoverageFindings found =
-                        withProgress(cells, settings, progress -> find(settings, stage, id, grid, courses, progress));
+                FieldRequest request = new FieldRequest(
+                        settings,
+                        stage,
+                        id,
+                        grid,
+                        field.courses(settings, stage, id, grid),
+                        field.choice(),
+                        field.terms(),
+                        field.covered());
+                FieldSurvey survey = withProgress(
+                        request.looks(), progress -> FieldSurvey.of(request, progress, main.interruption()::letFinish));
                 if (target != null) {
-                    target.write(found, inputs, new CoverageSite(settings, stage), provenance(runner, settings));
+                    target.write(survey, inputs, new CoverageSite(settings, stage), provenance(runner, settings));
                 }
-                print(found);
+                print(survey, inputs);
                 return 0;
             });
         }
@@ -190,9 +203,8 @@ final class CoverageCommand implements Callable<Integer> {
                 .inWords(settings.run().seed(), threads.number());
     }
 
-    private static <T> T withProgress(long cells, SceneSettings settings, Function<IntConsumer, T> work) {
-        ProgressBar bar =
-                Progress.barOf("coverage", cells * settings.enabledSensors().size());
+    private static <T> T withProgress(long looks, Function<IntConsumer, T> work) {
+        ProgressBar bar = Progress.barOf("coverage", looks);
         AtomicLong done = new AtomicLong();
         try {
             return work.apply(points -> {
@@ -234,7 +246,7 @@ final class CoverageCommand implements Callable<Integer> {
         return new CoverageGrid(
                 middle.x(),
                 middle.y(),
-                (double) value("side", side),
+                side == null ? DEFAULT_SIDE : (double) value("side", side),
                 cells == null ? DEFAULT_CELLS : (int) value("cells", String.valueOf(cells)),
                 height == null ? DEFAULT_HEIGHT : (double) value("height", height));
     }
@@ -258,34 +270,28 @@ final class CoverageCommand implements Callable<Integer> {
         CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
     }
 
-    private CoverageFindings find(
-            SceneSettings settings,
-            Stage stage,
-            String id,
-            FieldGrid grid,
-            List<Course> courses,
-            IntConsumer progress) {
-        FieldSummary summary = FieldSummary.of(
-                DetectionField.of(settings, stage, id, grid, courses, progress), field.choice(), field.covered());
-        return new CoverageFindings(
-                summary,
-                VisibleHeights.of(settings, stage, grid),
-                DetectableHeights.of(summary.coverage(), progress),
-                InboundWarnings.of(settings, stage, id, grid, field.covered(), progress));
-    }
-
-    private void print(CoverageFindings found) {
+    private void print(FieldSurvey survey, CoverageInputs inputs) {
         PrintWriter target = spec.commandLine().getOut();
-        FieldTable.causes(found.summary()).forEach(target::println);
-        target.println();
-        FieldTable.visible(found.visible()).forEach(target::println);
-        target.println();
-        FieldTable.detectable(found.detectable()).forEach(target::println);
-        target.println();
-        FieldTable.gaps(found.summary()).forEach(target::println);
-        target.println();
-        FieldTable.losses(found.summary()).forEach(target::println);
-        target.println();
-        WarningTable.lines(found.warnings()).forEach(target::println);
+        List<List<String>> tables = new ArrayList<>();
+        tables.add(FieldTable.causes(survey.summary(), inputs));
+        survey.visible().map(FieldTable::visible).ifPresent(tables::add);
+        survey.detectable().map(FieldTable::detectable).ifPresent(tables::add);
+        tables.add(FieldTable.gaps(survey.summary()));
+        tables.add(FieldTable.losses(survey.summary()));
+        survey.warnings().map(WarningTable::lines).ifPresent(tables::add);
+        for (int i = 0; i < tables.size(); i++) {
+            if (i > 0) {
+                target.println();
+            }
+            tables.get(i).forEach(target::println);
+        }
+        if (!survey.isComplete()) {
+            spec.commandLine()
+                    .getErr()
+                    .printf(
+                            "interrupted: %d of %d heights are complete%n",
+                            survey.summary().heights().size(),
+                            survey.grid().heights().size());
+        }
     }
 }

@@ -2,22 +2,32 @@ package org.dronewatch.app;
 
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.Spelling;
 import picocli.CommandLine.Option;
 
 /** The options of {@code coverage} for several heights. */
@@ -26,8 +36,11 @@ final class FieldOptions {
     private static final String CELL = "--cell";
     private static final String HEADING = "--heading";
     private static final String COVERED = "--covered";
+    private static final String WITHIN = "--within";
+    private static final String AREA = "--area";
     private static final double DEFAULT_COVERED = 0.5;
     private static final double CELLS = 100.0;
+    private static final double DEFAULT_SIDE = 500.0;
 
     /** Which heading of the drone counts. */
     private enum Heading {
@@ -58,29 +71,101 @@ final class FieldOptions {
     @Option(
             names = COVERED,
             paramLabel = "P",
-            description = "The probability of one look with which a sensor covers a cell, above 0 and at most 1; 0.5 by"
-                    + " default.")
+            description =
+                    "The probability with which a sensor covers a cell, of one look or within a time (--within), above"
+                            + " 0 and at most 1; 0.5 by default.")
     private Double covered;
+
+    @Option(
+            names = WITHIN,
+            paramLabel = "S",
+            description = "Time in which a sensor has to detect the drone with that probability, as long as it stays"
+                    + " in its cell; one look by default.")
+    private String within;
+
+    @Option(
+            names = AREA,
+            paramLabel = "NAME",
+            description =
+                    "A protected zone of the scene, in place of --side: only cells with their middle in it count.")
+    private String area;
 
     /** The first of these options that was given; null if none was. */
     String given() {
-        return heights != null
-                ? HEIGHTS
-                : cell != null ? CELL : heading != null ? HEADING : covered != null ? COVERED : null;
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put(HEIGHTS, heights);
+        values.put(CELL, cell);
+        values.put(HEADING, heading);
+        values.put(COVERED, covered);
+        values.put(WITHIN, within);
+        values.put(AREA, area);
+        return values.entrySet().stream()
+                .filter(option -> option.getValue() != null)
+                .map(Map.Entry::getKey)
+                .findFirst()
+                .orElse(null);
     }
 
     /**
-     * The cells.
+     * The cells: of a protected area, or around the sensors.
      *
-     * @param side length of the area's side, m
+     * @param side length of the side around the sensors, m; empty if none was given
      */
-    FieldGrid grid(Position middle, double side) {
-        double edge = cell == null ? side / CELLS : length("cell", cell, FieldGrid.class, "cell");
+    FieldGrid grid(SceneSettings settings, OptionalDouble side) {
+        Position middle = InboundTarget.sensors(settings);
+        if (area != null && side.isPresent()) {
+            throw new InputException(AREA + " " + PlainText.value(area) + ": excludes --side");
+        }
         try {
-            return new FieldGrid(middle.x(), middle.y(), side, edge, heights());
+            return area == null
+                    ? square(middle, side.orElse(DEFAULT_SIDE))
+                    : over(AreaZone.inPlan(area, settings.alert()).orElseThrow(() -> noArea(settings)));
         } catch (IllegalArgumentException e) {
             throw new InputException((heights == null ? CELL : HEIGHTS) + ": " + e.getMessage(), e);
         }
+    }
+
+    private FieldGrid square(Position middle, double side) {
+        return new FieldGrid(middle.x(), middle.y(), side, edge(side), heights());
+    }
+
+    private FieldGrid over(AreaZone zone) {
+        double side = FieldGrid.over(zone, In.FARTHEST, heights()).side();
+        FieldGrid grid = FieldGrid.over(zone, edge(side), heights());
+        boolean isEmpty = IntStream.range(0, grid.cells())
+                .allMatch(at -> grid.isOutside(at % grid.columns(), at / grid.columns()));
+        if (isEmpty) {
+            throw new InputException(CELL + " " + grid.cell() + " m: must be smaller, since no cell has its middle in '"
+                    + zone.name() + "'");
+        }
+        return grid;
+    }
+
+    private double edge(double side) {
+        return cell == null ? side / CELLS : (double) value("cell", cell, FieldGrid.class, "cell");
+    }
+
+    private InputException noArea(SceneSettings settings) {
+        List<String> known = new ArrayList<>(settings.alert().zones().keySet());
+        settings.alert().protect().ifPresent(ball -> known.add(Protection.ZONE));
+        return new InputException(AREA + " " + PlainText.value(area) + ": no such zone; the scene protects "
+                + (known.isEmpty() ? "nothing" : String.join(", ", known)) + Spelling.didYouMean(area, known));
+    }
+
+    /** The name of the protected area; empty if none was given. */
+    Optional<String> area() {
+        return Optional.ofNullable(area);
+    }
+
+    /** On which terms the drone counts as detected. */
+    FieldTerms terms() {
+        return within == null
+                ? FieldTerms.ONE_LOOK
+                : new FieldTerms(optional(value("within", within, FieldTerms.class, "within")));
+    }
+
+    private static Optional<Double> optional(Object value) {
+        return ((Optional<?>) value).map(Double.class::cast);
     }
 
     private List<Double> heights() {
@@ -89,17 +174,17 @@ final class FieldOptions {
         }
         List<Double> parsed = new ArrayList<>();
         for (String one : heights.split(",", -1)) {
-            parsed.add(length("heights", one.strip(), CoverageGrid.class, "height"));
+            parsed.add((double) value("heights", one.strip(), CoverageGrid.class, "height"));
         }
         return parsed;
     }
 
-    private static double length(String option, String text, Class<? extends Record> type, String name) {
+    private static Object value(String option, String text, Class<? extends Record> type, String name) {
         RecordComponent part = SettingsForm.of(type).part(name).orElseThrow();
         try {
             Object value = SettingText.parse(part, text);
             Limits.check(part, value);
-            return (double) value;
+            return value;
         } catch (IllegalArgumentException e) {
             throw new InputException("--" + option + " " + PlainText.value(text) + ": " + e.getMessage(), e);
         }
@@ -132,9 +217,9 @@ final class FieldOptions {
     }
 
     /** The courses of a drone that have to be assessed. */
-    List<Course> courses(SceneSettings settings, Stage stage, String drone) {
+    List<Course> courses(SceneSettings settings, Stage stage, String drone, FieldGrid grid) {
         return kind() == Heading.INBOUND
-                ? List.of(Course.inbound(InboundTarget.of(settings, stage.protection())))
+                ? List.of(Course.inbound(InboundTarget.of(settings, stage.protection(), grid)))
                 : Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, drone));
     }
 

@@ -64,6 +64,19 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return new AreaZone(name, area, lowest + area.floor(), highest + area.height());
     }
 
+    /**
+     * A zone of settings in plan view, given by its name, with heights of 0: an area, or the sphere as a circle by the
+     * name {@link Protection#ZONE}; empty when there is none.
+     */
+    public static Optional<AreaZone> inPlan(String name, AlertSettings alert) {
+        Optional<ProtectedArea> area = Optional.ofNullable(alert.zones().get(name));
+        return area.or(() -> alert.protect()
+                        .filter(ball -> name.equals(Protection.ZONE))
+                        .map(ball -> ProtectedArea.circle(
+                                new GroundPoint(ball.centre().x(), ball.centre().y()), ball.radius(), ball.radius())))
+                .map(its -> new AreaZone(name, its, 0.0, 0.0));
+    }
+
     /** The corners of its outline; those of a circle lie on it. */
     public List<GroundPoint> outline() {
         if (!settings.area().isEmpty()) {
@@ -84,6 +97,11 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     public double distance(Position position) {
         double above = Math.max(0.0, Math.max(bottom - position.z(), position.z() - top));
         return Math.hypot(above, beside(position.x(), position.y()));
+    }
+
+    /** Whether it lies above or below a point in plan view. */
+    public boolean covers(double x, double y) {
+        return beside(x, y) == 0.0;
     }
 
     /** The distance in plan, 0 inside, m. */

@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -15,6 +16,8 @@ import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -57,8 +60,10 @@ class CoverageCommandTest {
                         "scene",
                         "drone",
                         "covered",
+                        "within_s",
                         "heading",
                         "pointing",
+                        "area",
                         "cell_m",
                         "cells_per_side",
                         "west_m",
@@ -73,6 +78,8 @@ class CoverageCommandTest {
         assertThat(json.get("cells_per_side").asInt()).isEqualTo(15);
         assertThat(json.get("west_m").asDouble()).isEqualTo(-150.0);
         assertThat(json.get("north_m").asDouble()).isEqualTo(152.5);
+        assertThat(json.get("within_s").isNull()).isTrue();
+        assertThat(json.get("area").isNull()).isTrue();
         assertThat(json.get("complete").asBoolean()).isTrue();
         JsonNode low = json.get("heights").get(0);
         assertThat(low.propertyNames())
@@ -168,6 +175,89 @@ class CoverageCommandTest {
         String page = Files.readString(report);
         assertThat(page).contains("<h2>Provenance</h2>", "--cell=20m", "SHA-256 of site.yaml");
         return page.substring(0, page.indexOf("<h2>Provenance</h2>"));
+    }
+
+    /** A radar that rarely detects the drone in one look, but often in a hundred; in a yard. */
+    @Test
+    void moreTimeCoversMore() throws IOException {
+        Path site = Files.createDirectories(directory.resolve("patient"));
+        FieldSite.in(
+                site,
+                """
+                  far: {kind: radar, position: [0, 0, 4], minRange: 1, maxRange: 400, elevationWidth: 90 deg, minSpeed: 0 m/s,
+                    rate: 2, budget: {range: 70, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                alert:
+                  zones:
+                    yard: {area: [[-90, -90], [90, -90], [90, 90]], height: 40}
+                """);
+        Outcome outcome = Program.run(
+                "coverage",
+                site.resolve("site.yaml").toString(),
+                "--heights=60",
+                "--cell=20",
+                "--within=50s",
+                "--area=yard",
+                "--out=" + site.resolve("yard"));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out())
+                .contains("known cells in 'yard' at each height, covered within 50 s, and causes of single looks:")
+                .contains("from a distance of 385 m");
+        JsonNode file = JsonMapper.builder()
+                .build()
+                .readTree(site.resolve("yard/coverage.json").toFile());
+        assertThat(file.get("area").asString()).isEqualTo("yard");
+        assertThat(file.get("within_s").asDouble()).isEqualTo(50.0);
+        JsonNode height = file.get("heights").get(0);
+        double known = height.get("known").asInt();
+        double covered = height.get("covered_share").asDouble();
+        assertThat(known).as("a triangle of 81 cells").isBetween(32.0, 46.0);
+        assertThat(height.get("unknown_share").asDouble()).isZero();
+        assertThat(covered)
+                .isGreaterThan(height.get("causes").path("detected").asDouble() + 0.1)
+                .isLessThan(0.95);
+        int blue = blue(ImageIO.read(site.resolve("yard/cause-60.png").toFile()));
+        assertThat(blue).as("pixels shown as detected").isCloseTo((int) (covered * known / 81 * 1e6), within(20_000));
+    }
+
+    private static int blue(BufferedImage map) {
+        int blue = 0;
+        for (int x = 0; x < 1000; x++) {
+            for (int y = 0; y < 1000; y++) {
+                blue += (map.getRGB(x, y) & 0xff) > (map.getRGB(x, y) >> 16 & 0xff) + 20 ? 1 : 0;
+            }
+        }
+        return blue;
+    }
+
+    /** One line for each wrong option. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--within=0 | --within 0: within 0 s must be above 0 and at most 86400",
+                "--within=soon | --within soon: 'soon'",
+                "--area=yard | --area yard: no such zone; the scene protects hook, protected",
+                "--area=protected --side=100 | --area protected: excludes --side",
+                "--area=hook --cell=90 | --cell 90.0 m: must be smaller, since no cell has its middle in 'hook'",
+                "--within=5 --out=plan.png | --within: has no effect on a plan",
+                "--area=protected --out=plan.png | --area: has no effect on a plan",
+            })
+    void wrongOptionsAreExplained(String options, String message) throws IOException {
+        Path scene = Files.createDirectories(directory.resolve("wrong"));
+        FieldSite.in(
+                scene,
+                FieldSite.ROUND
+                        + """
+                        alert:
+                          protect: {centre: [80, 0, 10], radius: 30}
+                          zones: {hook: {area: [[0, 0], [0, 50], [1, 50], [1, 1], [50, 1], [50, 0]], height: 9}}
+                        """);
+        List<String> command =
+                new ArrayList<>(List.of("coverage", scene.resolve("site.yaml").toString()));
+        command.addAll(List.of(options.split(" ")));
+        Outcome wrong = Program.run(command.toArray(String[]::new));
+        assertThat(wrong.code()).isEqualTo(2);
+        assertThat(wrong.complaints()).singleElement().asString().startsWith(message);
     }
 
     /** For each bearing and height; without a required response it cannot be in time or late. */

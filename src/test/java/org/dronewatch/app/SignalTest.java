@@ -150,7 +150,7 @@ class SignalTest {
             value = {
                 "bench packaged:cathedral.obj --passes 1000",
                 "costs --out costs",
-                "coverage multi-sensor --cells 2000 --out plan.png",
+                "coverage multi-sensor --cell 1 --out field",
                 "render multi-sensor --view orbit --size 2048x2048 --out site.png",
                 "check multi-sensor",
             })
@@ -168,6 +168,11 @@ class SignalTest {
                             .isLessThan(20);
                     assertThat(outcome.err()).doesNotContain("error").doesNotContain("Exception");
                     assertThat(left()).as(outcome.err()).noneMatch(name -> name.startsWith(".partial"));
+                    Path field = directory.resolve("field/coverage.json");
+                    if (Files.exists(field)) {
+                        assertThat(Files.readString(field)).contains("\"complete\" : false");
+                        assertThat(outcome.err()).contains("interrupted: ").contains(" heights are complete");
+                    }
                 }
             }
         }

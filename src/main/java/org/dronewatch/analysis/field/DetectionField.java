@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -17,9 +18,9 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
- * one look of each sensor detects it, and the cause where that is not sufficient. A sensor on a positioner has turned
- * to the drone. Everything is assessed once, as in a run; afterwards, any course can be queried without tracing another
- * ray.
+ * each sensor detects it, in one look or within a time, and the cause where one look is not sufficient. A sensor on a
+ * positioner has turned to the drone. Everything is assessed once, as in a run; afterwards, any course can be queried
+ * without tracing another ray.
  *
  * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
  */
@@ -59,9 +60,10 @@ public final class DetectionField {
      * @param stage its world and drones
      * @param drone name of the drone that is put into the cells
      * @param courses on which it flies, at least one
+     * @param terms on which it counts as detected
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @throws IllegalArgumentException when there is no such drone
-     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static DetectionField of(
             SceneSettings settings,
@@ -69,22 +71,73 @@ public final class DetectionField {
             String drone,
             FieldGrid grid,
             List<Course> courses,
+            FieldTerms terms,
             IntConsumer progress) {
+        DetectionField field = unassessed(settings, stage, drone, grid, courses, terms);
+        for (int height = 0; height < grid.heights().size(); height++) {
+            field.assess(height, progress);
+        }
+        return field;
+    }
+
+    /** The same in {@link FieldTerms#ONE_LOOK one look}. */
+    public static DetectionField of(
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            List<Course> courses,
+            IntConsumer progress) {
+        return of(settings, stage, drone, grid, courses, FieldTerms.ONE_LOOK, progress);
+    }
+
+    /**
+     * As {@link #of}, but if this thread is interrupted, with those heights alone for which all cells have been
+     * assessed: empty if there are none. Its interrupt status is kept.
+     */
+    public static Optional<DetectionField> untilInterrupted(FieldRequest asked, IntConsumer progress) {
+        int whole = 0;
+        DetectionField field = null;
+        try {
+            field = unassessed(
+                    asked.settings(), asked.stage(), asked.drone(), asked.grid(), asked.courses(), asked.terms());
+            for (; whole < asked.grid().heights().size(); whole++) {
+                field.assess(whole, progress);
+            }
+            return Optional.of(field);
+        } catch (CancellationException e) {
+            return whole == 0 ? Optional.empty() : Optional.of(field.upTo(whole));
+        }
+    }
+
+    private static DetectionField unassessed(
+            SceneSettings settings, Stage stage, String drone, FieldGrid grid, List<Course> courses, FieldTerms terms) {
         Drone sample = droneOf(stage, drone);
         FieldColumns columns = FieldColumns.of(stage.world(), grid);
         Map<String, FieldProbe> probes = new LinkedHashMap<>();
         List<SensorLayer> layers = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             FieldProbe probe = new FieldProbe(
-                    stage.world(), sample, id, sensor, settings.run().seed(), List.copyOf(courses));
+                    stage.world(), sample, id, sensor, settings.run().seed(), List.copyOf(courses), terms);
             probes.put(id, probe);
-            layers.add(SensorLayer.of(probe, columns, progress));
+            layers.add(SensorLayer.empty(columns));
         });
         int[] all = new int[courses.size()];
         for (int i = 0; i < all.length; i++) {
             all[i] = i;
         }
         return new DetectionField(grid, columns, courses, all, probes, layers);
+    }
+
+    private void assess(int height, IntConsumer progress) {
+        for (int sensor = 0; sensor < layers.size(); sensor++) {
+            layers.get(sensor).assess(probe(sensor), columns, height, height + 1, progress);
+        }
+    }
+
+    /** The lowest heights of this field. */
+    private DetectionField upTo(int heights) {
+        return new DetectionField(grid.lowest(heights), columns, courses, inLayers, probes, layers);
     }
 
     /**
@@ -142,13 +195,7 @@ public final class DetectionField {
         FieldColumns other = FieldColumns.at(all.get(0).world(), grid, above);
         List<SensorLayer> there = new ArrayList<>();
         all.forEach(probe -> there.add(SensorLayer.of(probe, other, progress)));
-        FieldGrid one = new FieldGrid(
-                grid.east(),
-                grid.north(),
-                grid.side(),
-                grid.cell(),
-                grid.heights().subList(0, 1));
-        return new DetectionField(one, other, courses, inLayers, probes, there);
+        return new DetectionField(grid.lowest(1), other, courses, inLayers, probes, there);
     }
 
     /** The number of columns with ground below them. */
@@ -186,6 +233,11 @@ public final class DetectionField {
         return columns.isOpen(height, column, row);
     }
 
+    /** Whether a cell is outside the area of the grid. */
+    public boolean isOutside(int height, int column, int row) {
+        return columns.isOutside(height, column, row);
+    }
+
     /** Whether a cell is inside something solid. */
     public boolean isInside(int height, int column, int row) {
         return columns.isInside(height, column, row);
@@ -204,8 +256,8 @@ public final class DetectionField {
     }
 
     /**
-     * The probability that one look of a sensor detects the drone, in steps of 1/250; 0 where the drone cannot be, and
-     * where the line of sight leaves the known ground.
+     * The probability that a sensor detects the drone on the terms of the field, in steps of 1/250; 0 where the drone
+     * cannot be, and where the line of sight leaves the known ground.
      *
      * @param sensor its number in {@link #sensors()}
      * @param height its number in the grid

@@ -17,6 +17,7 @@ final class FieldColumns {
     private static final byte OPEN = 0;
     private static final byte INSIDE = 1;
     private static final byte NOTHING = 2;
+    private static final byte OUTSIDE = 3;
 
     private final int columns;
     private final int rows;
@@ -35,6 +36,11 @@ final class FieldColumns {
 
         /** The height above the ground of one of its cells, from the lowest, m; NaN for none. */
         double above(int level, int column, int row);
+
+        /** Whether a column does not count, and is not looked at. */
+        default boolean isOutside(int column, int row) {
+            return false;
+        }
     }
 
     /** The columns of a grid, on the threads of the {@link Workers} that call. */
@@ -69,6 +75,11 @@ final class FieldColumns {
             public double above(int level, int column, int row) {
                 return heights.above(level, column, row);
             }
+
+            @Override
+            public boolean isOutside(int column, int row) {
+                return grid.isOutside(column, row);
+            }
         };
         return new FieldColumns(world, grid.columns(), grid.columns(), levels, square);
     }
@@ -83,9 +94,20 @@ final class FieldColumns {
         this.kinds = new byte[ground.length * levels];
         Workers.forEach(rows, row -> {
             for (int column = 0; column < columns; column++) {
-                set(column, row, SurfaceColumn.at(world, plan.x(column, row), plan.y(column, row)));
+                if (plan.isOutside(column, row)) {
+                    leaveOut(column, row);
+                } else {
+                    set(column, row, SurfaceColumn.at(world, plan.x(column, row), plan.y(column, row)));
+                }
             }
         });
+    }
+
+    private void leaveOut(int column, int row) {
+        ground[row * columns + column] = Double.NaN;
+        for (int level = 0; level < levels; level++) {
+            kinds[index(level, column, row)] = OUTSIDE;
+        }
     }
 
     private void set(int column, int row, SurfaceColumn surfaces) {
@@ -143,6 +165,11 @@ final class FieldColumns {
     /** The height of the ground, m; NaN where there is none. */
     double ground(int column, int row) {
         return ground[row * columns + column];
+    }
+
+    /** Whether a cell is outside the area that counts. */
+    boolean isOutside(int height, int column, int row) {
+        return kinds[index(height, column, row)] == OUTSIDE;
     }
 
     /** Whether a cell is inside something solid. */

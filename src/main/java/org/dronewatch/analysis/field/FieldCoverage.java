@@ -64,7 +64,7 @@ public final class FieldCoverage {
     private void evaluate(int height, int column, int row) {
         int cell = index(height, column, row);
         if (!field.isOpen(height, column, row)) {
-            unknown[cell] = !field.isInside(height, column, row);
+            unknown[cell] = !field.isInside(height, column, row) && !field.isOutside(height, column, row);
             return;
         }
         int course = course(height, column, row);
@@ -138,9 +138,11 @@ public final class FieldCoverage {
         return unknown[index(height, column, row)];
     }
 
-    /** Whether a cell counts: it is neither unknown nor inside something solid. */
+    /** Whether a cell counts: it is neither unknown nor inside something solid, nor outside the area of the grid. */
     public boolean isKnown(int height, int column, int row) {
-        return !isUnknown(height, column, row) && !field.isInside(height, column, row);
+        return !isUnknown(height, column, row)
+                && !field.isInside(height, column, row)
+                && !field.isOutside(height, column, row);
     }
 
     /** How many sensors cover a cell. */

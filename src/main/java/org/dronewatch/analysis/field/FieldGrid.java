@@ -1,6 +1,8 @@
 package org.dronewatch.analysis.field;
 
 import java.util.List;
+import java.util.Optional;
+import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
@@ -13,13 +15,15 @@ import org.dronewatch.setting.Quantity;
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 1 to 50 of them
+ * @param area only cells with their middle in this area count, in plan view; empty if all do
  */
 public record FieldGrid(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double north,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double side,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double cell,
-        List<Double> heights) {
+        List<Double> heights,
+        Optional<AreaZone> area) {
     /**
      * Heights that are commonly planned for: the EU's open category ends at 120 m, and manned flight usually begins at
      * 150 m.
@@ -41,13 +45,24 @@ public record FieldGrid(
      * @throws IllegalArgumentException if a value is out of range, or the heights are not in ascending order
      */
     public FieldGrid {
-        Limits.check(FieldGrid.class, east, north, side, cell, heights);
+        Limits.check(FieldGrid.class, east, north, side, cell, heights, area);
         heights = List.copyOf(heights);
         checkHeights(heights);
         if (Math.rint(side / cell) > MOST_CELLS) {
             throw new IllegalArgumentException("side " + side + " m with cells of " + cell + " m has "
                     + (long) Math.rint(side / cell) + " cells: must be at most " + MOST_CELLS);
         }
+    }
+
+    /** A grid all of whose cells count; parameters and limits as above. */
+    public FieldGrid(double east, double north, double side, double cell, List<Double> heights) {
+        this(east, north, side, cell, heights, Optional.empty());
+    }
+
+    /** The smallest square grid that holds all cells with their middle in an area; limits as above. */
+    public static FieldGrid over(AreaZone area, double cell, List<Double> heights) {
+        PlanBounds bounds = PlanBounds.of(area.outline());
+        return new FieldGrid(bounds.east(), bounds.north(), bounds.side(), cell, heights, Optional.of(area));
     }
 
     private static void checkHeights(List<Double> heights) {
@@ -72,6 +87,16 @@ public record FieldGrid(
     /** Number of cells at a height. */
     public int cells() {
         return columns() * columns();
+    }
+
+    /** The same grid with its lowest heights alone. */
+    FieldGrid lowest(int count) {
+        return new FieldGrid(east, north, side, cell, heights.subList(0, count), area);
+    }
+
+    /** Whether the middle of a column is outside the area that counts. */
+    public boolean isOutside(int column, int row) {
+        return area.isPresent() && !area.get().covers(x(column), y(row));
     }
 
     /** Area of a cell, m2. */

@@ -22,9 +22,16 @@ import org.dronewatch.world.World;
  * @param settings of the sensor
  * @param seed of the run, for sensors that trace random rays
  * @param courses of the drone
+ * @param terms on which it counts as detected
  */
 record FieldProbe(
-        World world, Drone drone, String sensor, SensorSettings<?> settings, long seed, List<Course> courses) {
+        World world,
+        Drone drone,
+        String sensor,
+        SensorSettings<?> settings,
+        long seed,
+        List<Course> courses,
+        FieldTerms terms) {
 
     /** An assessor for one thread. */
     Assessor newAssessor() {
@@ -46,10 +53,12 @@ record FieldProbe(
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
         return assessor.assessCoarsely(
-                there,
-                pointing,
-                Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS),
-                (SensorLayer.STEPS - 1.0) / SensorLayer.STEPS);
+                there, pointing, Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS), terms.high(settings));
+    }
+
+    /** The probability that the sensor detects the drone on the terms of the field. */
+    double probability(Assessment assessment) {
+        return terms.probability(assessment.probability(), settings);
     }
 
     /**

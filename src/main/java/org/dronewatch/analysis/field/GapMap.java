@@ -181,7 +181,10 @@ public final class GapMap {
     }
 
     private boolean isOnRim(int cell) {
-        int column = cell % side;
-        return column == 0 || column == side - 1 || cell < side || cell >= side * (side - 1);
+        return IntStream.range(0, 4).map(i -> neighbour(cell, i)).anyMatch(this::isOutside);
+    }
+
+    private boolean isOutside(int cell) {
+        return cell == NONE || coverage.field().isOutside(height, cell % side, cell / side);
     }
 }

@@ -10,7 +10,7 @@ import org.dronewatch.sensor.Cause;
  * The coverage at one height in numbers of cells.
  *
  * @param height above the ground, m
- * @param cells all of them
+ * @param cells all of them that are in the area of the grid
  * @param known those that are neither unknown nor inside something solid
  * @param inside those inside something solid
  * @param covered those known ones that a sensor covers
@@ -45,6 +45,7 @@ public record HeightSummary(
      */
     static HeightSummary of(FieldCoverage coverage, int height, Map<String, FieldCoverage> without) {
         FieldGrid grid = coverage.field().grid();
+        int cells = 0;
         int known = 0;
         int inside = 0;
         int covered = covered(coverage, height);
@@ -53,6 +54,7 @@ public record HeightSummary(
         for (int cell = 0; cell < grid.cells(); cell++) {
             int column = cell % grid.columns();
             int row = cell / grid.columns();
+            cells += coverage.field().isOutside(height, column, row) ? 0 : 1;
             inside += coverage.field().isInside(height, column, row) ? 1 : 0;
             if (coverage.isKnown(height, column, row)) {
                 known++;
@@ -65,7 +67,7 @@ public record HeightSummary(
         double volume = covered * grid.cellArea() * grid.depth(height);
         double above = grid.heights().get(height);
         Optional<Gap> gap = Gap.largest(coverage, height);
-        return new HeightSummary(above, grid.cells(), known, inside, covered, volume, causes, counts, lost, gap);
+        return new HeightSummary(above, cells, known, inside, covered, volume, causes, counts, lost, gap);
     }
 
     private static int covered(FieldCoverage coverage, int height) {

@@ -2,6 +2,7 @@ package org.dronewatch.analysis.field;
 
 import java.util.List;
 import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
@@ -25,6 +26,33 @@ public final class InboundTarget {
                 .findFirst()
                 .map(InboundTarget::middle)
                 .orElseGet(() -> sensors(settings));
+    }
+
+    /**
+     * The middle of the area of a grid, m; without an area, that of the protected zone or of the sensors.
+     *
+     * @throws InputException when there is neither of them
+     */
+    public static Position of(SceneSettings settings, Protection protection, FieldGrid grid) {
+        return grid.area().map(area -> of(protection, area.name())).orElseGet(() -> of(settings, protection));
+    }
+
+    /**
+     * The middle of one of the protected zones, m.
+     *
+     * @param name an area, or {@link Protection#ZONE} for the sphere
+     * @throws InputException when there is none of that name
+     */
+    private static Position of(Protection protection, String name) {
+        return protection.areas().stream()
+                .filter(area -> area.name().equals(name))
+                .findFirst()
+                .map(InboundTarget::middle)
+                .or(() -> protection
+                        .zone()
+                        .filter(ball -> name.equals(Protection.ZONE))
+                        .map(ProtectedZone::centre))
+                .orElseThrow(() -> new InputException("no protected zone '" + name + "'"));
     }
 
     private static Position middle(AreaZone area) {

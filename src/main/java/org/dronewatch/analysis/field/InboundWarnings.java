@@ -16,7 +16,8 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
  * the ground, to the middle of the protected zone or, without one, of the sensors, at its cruise speed. The drone is
- * detected where a sensor covers it; it is assessed once per cell of its path, but not inside something solid.
+ * detected where a sensor covers it; it is assessed once per cell of its path, but not inside something solid. Where a
+ * sensor has some time to detect it, it counts as detected that time after the first place at which a sensor covers it.
  * Immutable.
  *
  * @param target point towards which the drone flies, m
@@ -28,6 +29,9 @@ import org.dronewatch.sensor.SensorSettings;
 public record InboundWarnings(Position target, double reach, double response, boolean isZone, List<Warning> all) {
     /** The number of bearings. */
     public static final int BEARINGS = 36;
+
+    /** How far beyond the farthest corner of an area its flights begin, m: half the default side of a grid. */
+    private static final double BEYOND_AREA = 250.0;
 
     /** How accurately the entry into a zone is found, m. */
     private static final double ACCURACY = 1e-3;
@@ -42,44 +46,40 @@ public record InboundWarnings(Position target, double reach, double response, bo
 
     /**
      * The warnings of the enabled sensors of a scene, on the threads of the {@link Workers} that call; the same for any
-     * number of them. Flights begin half a side of the grid away from their target.
+     * number of them. Flights begin half a side of the grid away from their target; if the grid is that of an area,
+     * 250 m beyond its farthest corner.
      *
      * @param drone name of the drone
-     * @param covered the probability of one look with which a sensor detects it
+     * @param terms on which it counts as detected
+     * @param covered the probability with which a sensor has to detect it
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      */
     public static InboundWarnings of(
-            SceneSettings settings, Stage stage, String drone, FieldGrid grid, double covered, IntConsumer progress) {
-        Position target = InboundTarget.of(settings, stage.protection());
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            FieldTerms terms,
+            double covered,
+            IntConsumer progress) {
+        Position target = InboundTarget.of(settings, stage.protection(), grid);
         Drone sample = DetectionField.droneOf(stage, drone);
-        Flights flights = new Flights(target, 0.5 * grid.side(), grid.cell(), grid.heights());
-        FieldColumns paths = new FieldColumns(
-                stage.world(), flights.steps(), BEARINGS, grid.heights().size(), flights);
-        List<SensorLayer> layers = new ArrayList<>();
-        for (Map.Entry<String, SensorSettings<?>> sensor :
-                settings.enabledSensors().entrySet()) {
-            FieldProbe probe = new FieldProbe(
-                    stage.world(),
-                    sample,
-                    sensor.getKey(),
-                    sensor.getValue(),
-                    settings.run().seed(),
-                    List.of(Course.inbound(target)));
-            layers.add(SensorLayer.of(probe, paths, progress));
-        }
+        Flights flights = new Flights(target, reach(grid, target), grid.cell(), grid.heights());
+        List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, progress);
+        double delay = terms.within().orElse(0.0) * sample.settings().speed();
+        int needed = SensorLayer.stepsToCover(covered);
         List<Warning> all = new ArrayList<>();
         for (int height = 0; height < grid.heights().size(); height++) {
             for (int bearing = 0; bearing < BEARINGS; bearing++) {
                 double arrival = arrival(flights, bearing, stage.protection());
-                OptionalDouble range =
-                        firstDetection(layers, flights, height, bearing, arrival, SensorLayer.stepsToCover(covered));
+                OptionalDouble range = firstDetection(layers, flights, height, bearing, arrival + delay, needed);
                 all.add(new Warning(
                         angle(bearing),
                         grid.heights().get(height),
                         arrival,
-                        range,
+                        range.isPresent() ? OptionalDouble.of(range.getAsDouble() - delay) : range,
                         range.isPresent()
-                                ? OptionalDouble.of((range.getAsDouble() - arrival)
+                                ? OptionalDouble.of((range.getAsDouble() - delay - arrival)
                                         / sample.settings().speed())
                                 : OptionalDouble.empty()));
             }
@@ -92,9 +92,49 @@ public record InboundWarnings(Position target, double reach, double response, bo
                 all);
     }
 
-    /** How many cells a sensor looks at. */
-    public static long cells(FieldGrid grid) {
-        Flights flights = new Flights(new Position(0, 0, 0), 0.5 * grid.side(), grid.cell(), grid.heights());
+    private static List<SensorLayer> layers(
+            SceneSettings settings,
+            Stage stage,
+            Drone sample,
+            Flights flights,
+            FieldTerms terms,
+            IntConsumer progress) {
+        FieldColumns paths = new FieldColumns(
+                stage.world(), flights.steps(), BEARINGS, flights.heights().size(), flights);
+        List<SensorLayer> layers = new ArrayList<>();
+        for (Map.Entry<String, SensorSettings<?>> sensor :
+                settings.enabledSensors().entrySet()) {
+            FieldProbe probe = new FieldProbe(
+                    stage.world(),
+                    sample,
+                    sensor.getKey(),
+                    sensor.getValue(),
+                    settings.run().seed(),
+                    List.of(Course.inbound(flights.target())),
+                    terms);
+            layers.add(SensorLayer.of(probe, paths, progress));
+        }
+        return layers;
+    }
+
+    /** The distance at which flights begin, m. */
+    private static double reach(FieldGrid grid, Position target) {
+        return grid.area()
+                .map(area -> Math.ceil(BEYOND_AREA
+                        + area.outline().stream()
+                                .mapToDouble(corner -> Math.hypot(corner.x() - target.x(), corner.y() - target.y()))
+                                .max()
+                                .orElseThrow()))
+                .orElse(0.5 * grid.side());
+    }
+
+    /**
+     * How many cells a sensor looks at.
+     *
+     * @param target as in {@link #of}
+     */
+    static long cells(FieldGrid grid, Position target) {
+        Flights flights = new Flights(target, reach(grid, target), grid.cell(), grid.heights());
         return (long) flights.steps() * BEARINGS * grid.heights().size();
     }
 
@@ -103,8 +143,8 @@ public record InboundWarnings(Position target, double reach, double response, bo
     }
 
     private static OptionalDouble firstDetection(
-            List<SensorLayer> layers, Flights flights, int height, int bearing, double arrival, int needed) {
-        for (int step = 0; step < flights.steps() && flights.distance(step) > arrival; step++) {
+            List<SensorLayer> layers, Flights flights, int height, int bearing, double last, int needed) {
+        for (int step = 0; step < flights.steps() && flights.distance(step) > last; step++) {
             for (SensorLayer layer : layers) {
                 if (layer.steps(height, step, bearing, 0) >= needed) {
                     return OptionalDouble.of(flights.distance(step));

@@ -49,23 +49,39 @@ final class SensorLayer {
      * @param progress receives the number of cells done since the last call; from any thread
      */
     static SensorLayer of(FieldProbe probe, FieldColumns columns, IntConsumer progress) {
-        SensorLayer layer = new SensorLayer(columns.rows(), columns.levels());
-        Workers.forEach(layer.entries.length, probe::newAssessor, (assessor, index) -> {
-            Row row = new Row(columns.columns(), probe.courses().size());
-            int height = index / layer.rows;
-            for (int column = 0; column < columns.columns(); column++) {
-                if (columns.isOpen(height, column, index % layer.rows)) {
-                    row.set(column, probe, assessor, columns.middle(height, column, index % layer.rows));
-                }
-            }
-            layer.entries[index] = row.entries;
-            layer.byCourse[index] = Arrays.copyOf(row.pool, row.used);
-            progress.accept(columns.columns());
-        });
+        SensorLayer layer = empty(columns);
+        layer.assess(probe, columns, 0, columns.levels(), progress);
         return layer;
     }
 
-    /** The probability that a look detects the drone, in steps of 1/250; 0 in a cell in which it cannot be. */
+    /** A layer in which nothing has been assessed yet. */
+    static SensorLayer empty(FieldColumns columns) {
+        return new SensorLayer(columns.rows(), columns.levels());
+    }
+
+    /**
+     * Assesses the cells of some heights, in the same way; once for each height.
+     *
+     * @param from number of the first height
+     * @param to number of the height after the last one
+     */
+    void assess(FieldProbe probe, FieldColumns columns, int from, int to, IntConsumer progress) {
+        Workers.forEach((to - from) * rows, probe::newAssessor, (assessor, number) -> {
+            Row row = new Row(columns.columns(), probe.courses().size());
+            int height = from + number / rows;
+            int index = from * rows + number;
+            for (int column = 0; column < columns.columns(); column++) {
+                if (columns.isOpen(height, column, index % rows)) {
+                    row.set(column, probe, assessor, columns.middle(height, column, index % rows));
+                }
+            }
+            entries[index] = row.entries;
+            byCourse[index] = Arrays.copyOf(row.pool, row.used);
+            progress.accept(columns.columns());
+        });
+    }
+
+    /** The probability that the drone is detected, in steps of 1/250; 0 in a cell in which it cannot be. */
     int steps(int height, int column, int row, int course) {
         return at(height, column, row, course) & BYTE;
     }
@@ -102,11 +118,11 @@ final class SensorLayer {
         void set(int column, FieldProbe probe, Assessor assessor, Position at) {
             Optional<Pointing> pointing = probe.pointing(at);
             Drone first = probe.drone(at, 0);
-            codes[0] = code(probe.assessInSteps(assessor, first, pointing));
+            codes[0] = code(probe, probe.assessInSteps(assessor, first, pointing));
             boolean alike = true;
             if (courses > 1 && !assessor.isSameAtAllHeadings(first, pointing)) {
                 for (int course = 1; course < courses; course++) {
-                    codes[course] = code(probe.assessInSteps(assessor, probe.drone(at, course), pointing));
+                    codes[course] = code(probe, probe.assessInSteps(assessor, probe.drone(at, course), pointing));
                     alike &= codes[course] == codes[0];
                 }
             }
@@ -126,9 +142,9 @@ final class SensorLayer {
         }
 
         /** A sensor whose line of sight leaves the known ground is not counted on. */
-        private static int code(Assessment assessment) {
+        private static int code(FieldProbe probe, Assessment assessment) {
             Cause cause = assessment.cause();
-            int steps = cause == Cause.UNKNOWN ? 0 : steps(assessment.probability());
+            int steps = cause == Cause.UNKNOWN ? 0 : steps(probe.probability(assessment));
             return steps | cause.ordinal() << CAUSE_SHIFT;
         }
     }

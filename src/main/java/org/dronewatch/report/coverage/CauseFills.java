@@ -26,6 +26,12 @@ final class CauseFills {
     /** A cell inside something solid: its ground, darkened. */
     static final MapSheet.Fill INSIDE = (u, v, ground) -> MapSheet.mixed(ground, DARK, LINE_STRENGTH);
 
+    /** A cell outside the area that counts: its ground, paler. */
+    static final MapSheet.Fill OUTSIDE = (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.5);
+
+    /** A cell in which a sensor detects the drone, but not in the time that it has. */
+    static final MapSheet.Fill LATER = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);
+
     private CauseFills() {}
 
     static MapSheet.Fill of(Cause cause) {

@@ -2,6 +2,7 @@ package org.dronewatch.report.coverage;
 
 import java.util.Optional;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.report.Numbers;
 
 /**
  * The inputs of a coverage, as its files state them.
@@ -10,6 +11,26 @@ import org.dronewatch.geo.Origin;
  * @param drone name of the drone
  * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
  * @param covered the probability with which a sensor must detect the drone to cover a cell
+ * @param within the time in which it has to detect the drone, s; empty for one look
+ * @param area name of the protected area whose cells alone count; empty if all do
  * @param origin geographic position of the scene's origin, if it is known
  */
-public record CoverageInputs(String scene, String drone, String heading, double covered, Optional<Origin> origin) {}
+public record CoverageInputs(
+        String scene,
+        String drone,
+        String heading,
+        double covered,
+        Optional<Double> within,
+        Optional<String> area,
+        Optional<Origin> origin) {
+
+    /** {@code on the worst heading}, or {@code inbound}. */
+    String headingInWords() {
+        return heading.equals("inbound") ? heading : "on the " + heading + " heading";
+    }
+
+    /** The time in which a sensor has to detect the drone: {@code 10 s}; empty for one look. */
+    String timeInWords() {
+        return within.map(time -> Numbers.text(time) + " s").orElse("");
+    }
+}

@@ -12,7 +12,9 @@ import java.util.Map;
 import java.util.Set;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
@@ -28,16 +30,20 @@ final class CoverageReport {
     private final Losses losses;
     private final WarningWords warnings;
 
-    CoverageReport(CoverageFindings findings, CoverageInputs inputs, CoverageSite site) {
+    /**
+     * A report of a survey that is complete.
+     *
+     * @throws java.util.NoSuchElementException when it is not
+     */
+    CoverageReport(FieldSurvey survey, CoverageInputs inputs, CoverageSite site) {
+        InboundWarnings inbound = survey.warnings().orElseThrow();
         this.inputs = inputs;
         this.site = site;
-        this.summary = findings.summary();
+        this.summary = survey.summary();
         this.places = new WorstPlaces(
-                summary,
-                site,
-                ReferencePoint.of(findings.warnings(), site.stage().protection(), inputs.origin()));
+                summary, site, ReferencePoint.of(inbound, site.stage().protection(), inputs));
         this.losses = new Losses(summary);
-        this.warnings = new WarningWords(findings.warnings());
+        this.warnings = new WarningWords(inbound);
     }
 
     /**
@@ -84,7 +90,7 @@ final class CoverageReport {
             least = share(height) < share(least) ? height : least;
             most = share(height) > share(most) ? height : most;
         }
-        String subject = "The drone '" + inputs.drone() + "', " + heading() + ", is detected in ";
+        String subject = "The drone '" + inputs.drone() + "', " + heading() + ", is detected " + time() + "in ";
         String from = percent(least.covered(), least) + " % ";
         return least == most
                 ? subject + from + "of the area at " + number(least.height()) + " m above the ground."
@@ -98,6 +104,13 @@ final class CoverageReport {
             case "best" -> "on the heading on which it is most likely to be detected";
             default -> "on the heading on which it is least likely to be detected";
         };
+    }
+
+    /** In which time the drone has to be detected. */
+    private String time() {
+        return inputs.within()
+                .map(seconds -> "within " + number(seconds) + " s ")
+                .orElse("");
     }
 
     private static double share(HeightSummary height) {
@@ -126,16 +139,21 @@ final class CoverageReport {
         }
         return Html.plain(
                         "p",
-                        "In % of the known area at each height: where at least one sensor detects the drone in one look"
-                                + " with a probability of " + number(inputs.covered())
-                                + " or more, and the causes of all sensors' misses elsewhere.")
+                        "In % of the known area at each height: where at least one sensor detects the drone "
+                                + (inputs.within().isEmpty() ? "in one look " : time())
+                                + "with a probability of " + number(inputs.covered())
+                                + " or more, and the causes of all sensors' misses "
+                                + (inputs.within().isEmpty() ? "elsewhere." : "of single looks."))
                 + Html.table(head, rows);
     }
 
     private List<String> conditions(SensorTables sensors) {
         FieldGrid grid = summary.coverage().field().grid();
         List<String> items = new ArrayList<>();
-        items.add("An area of " + number(grid.side()) + " m by " + number(grid.side()) + " m in cells of "
+        items.add((inputs.area()
+                        .map(name -> "The protected zone '" + name + "', in an area of ")
+                        .orElse("An area of "))
+                + number(grid.side()) + " m by " + number(grid.side()) + " m in cells of "
                 + number(grid.cell()) + " m: what is smaller than a cell may be missed.");
         items.add(
                 "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"

@@ -4,8 +4,11 @@ import java.util.Locale;
 import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.Numbers;
@@ -21,54 +24,75 @@ final class FieldFile {
 
     private FieldFile() {}
 
-    static ObjectNode toJson(CoverageFindings findings, CoverageInputs inputs) {
-        FieldSummary summary = findings.summary();
-        FieldGrid grid = summary.coverage().field().grid();
+    static ObjectNode toJson(FieldSurvey survey, CoverageInputs inputs) {
+        FieldSummary summary = survey.summary();
+        FieldGrid grid = survey.grid();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);
         root.put("scene", inputs.scene());
         root.put("drone", inputs.drone());
         root.put("covered", Numbers.rounded(inputs.covered()));
+        if (inputs.within().isPresent()) {
+            root.put("within_s", Numbers.rounded(inputs.within().get()));
+        } else {
+            root.putNull("within_s");
+        }
         root.put("heading", inputs.heading());
         root.put("pointing", "cued");
+        root.put("area", inputs.area().orElse(null));
         root.put("cell_m", Numbers.rounded(grid.cell()));
         root.put("cells_per_side", grid.columns());
         root.put("west_m", Numbers.rounded(grid.x(0) - 0.5 * grid.cell()));
         root.put("north_m", Numbers.rounded(grid.y(0) + 0.5 * grid.cell()));
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode heights = root.putArray("heights");
-        summary.heights().forEach(height -> add(heights.addObject(), height, findings));
-        ArrayNode idle = root.putArray("idle_sensors");
-        summary.idleSensors().forEach(idle::add);
-        ObjectNode again = root.putObject("covered_again_gap");
-        DetectableHeights detectable = findings.detectable();
-        share(again, "share", detectable.coveredAgain(), detectable.columns());
-        again.put("largest_m", Numbers.rounded(detectable.largestGap()));
-        ArrayNode warnings = root.putArray("warning");
-        findings.warnings()
-                .all()
-                .forEach(one ->
-                        add(warnings.addObject(), one, findings.warnings().response()));
-        root.put("complete", true);
+        summary.heights().forEach(height -> add(heights.addObject(), height, survey));
+        if (survey.hasAllHeights()) {
+            ArrayNode idle = root.putArray("idle_sensors");
+            summary.idleSensors().forEach(idle::add);
+        } else {
+            root.putNull("idle_sensors");
+        }
+        if (survey.detectable().isPresent()) {
+            add(root.putObject("covered_again_gap"), survey.detectable().get());
+        } else {
+            root.putNull("covered_again_gap");
+        }
+        if (survey.warnings().isPresent()) {
+            InboundWarnings warnings = survey.warnings().get();
+            ArrayNode bearings = root.putArray("warning");
+            warnings.all().forEach(one -> add(bearings.addObject(), one, warnings.response()));
+        } else {
+            root.putNull("warning");
+        }
+        root.put("complete", survey.isComplete());
         return root;
     }
 
-    private static void add(ObjectNode node, HeightSummary height, CoverageFindings findings) {
+    private static void add(ObjectNode node, DetectableHeights detectable) {
+        share(node, "share", detectable.coveredAgain(), detectable.columns());
+        node.put("largest_m", Numbers.rounded(detectable.largestGap()));
+    }
+
+    private static void add(ObjectNode node, HeightSummary height, FieldSurvey survey) {
         node.put("height_m", Numbers.rounded(height.height()));
         node.put("known", height.known());
         share(node, "unknown_share", height.unknown(), height.cells());
         share(node, "inside_share", height.inside(), height.cells());
         share(node, "covered_share", height.covered(), height.known());
+        int visible = survey.visible().map(its -> its.count(height.height())).orElse(0);
         share(
                 node,
                 "visible_share",
-                findings.visible().count(height.height()),
-                findings.visible().columns());
+                visible,
+                survey.visible().map(VisibleHeights::columns).orElse(0));
+        int detectable =
+                survey.detectable().map(its -> its.count(height.height())).orElse(0);
         share(
                 node,
                 "detectable_share",
-                findings.detectable().count(height.height()),
-                findings.detectable().columns());
+                detectable,
+                survey.detectable().map(DetectableHeights::columns).orElse(0));
         node.put("volume_m3", Numbers.rounded(height.volume()));
         ObjectNode causes = node.putObject("causes");
         height.causes().forEach((cause, cells) -> share(causes, name(cause), cells, height.known()));

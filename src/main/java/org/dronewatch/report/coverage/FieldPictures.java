@@ -8,17 +8,16 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectableHeights;
-import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
-import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
-import org.dronewatch.sensor.Cause;
+import org.dronewatch.world.World;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
 final class FieldPictures {
@@ -38,6 +37,11 @@ final class FieldPictures {
 
     private static final Color HIGH_UP = new Color(0x0072b2);
 
+    private static final String DETECTABLE = "min-height.png";
+    private static final String VISIBLE = "visible-height.png";
+    private static final String WARNING = "warning.png";
+
+    private final World world;
     private final int[] ground;
     private final List<Position> sensors;
     private final Protection protection;
@@ -51,71 +55,46 @@ final class FieldPictures {
      * @param grid of the maps
      */
     FieldPictures(CoverageSite site, CoverageInputs inputs, FieldGrid grid) {
-        this.ground = MapSheet.ground(site.stage().world(), grid);
+        this.world = site.stage().world();
+        this.ground = MapSheet.ground(world, grid);
         this.sensors = site.sensors();
         this.protection = site.stage().protection();
         this.credits = site.stage().credits();
         this.inputs = inputs;
     }
 
-    /** All maps by the names of their files, in the order in which a reader needs them. */
-    Map<String, MapSheet> all(CoverageFindings findings) {
+    /** The maps of what was found, by the names of their files, in the order in which a reader needs them. */
+    Map<String, MapSheet> all(FieldSurvey survey) {
         Map<String, MapSheet> maps = new LinkedHashMap<>();
-        FieldSummary summary = findings.summary();
+        FieldSummary summary = survey.summary();
         for (int height = 0; height < summary.heights().size(); height++) {
-            String metres = Numbers.text(summary.heights().get(height).height());
-            maps.put("cause-" + metres + ".png", causes(summary, height));
+            maps.put(causeName(summary.heights().get(height).height()), causes(summary, height));
         }
-        maps.put("min-height.png", detectableHeights(findings.detectable()));
-        maps.put("visible-height.png", visibleHeights(findings.visible()));
-        maps.put("warning.png", warnings(findings.visible().grid(), findings.warnings()));
+        survey.detectable().ifPresent(found -> maps.put(DETECTABLE, detectableHeights(found)));
+        survey.visible().ifPresent(found -> maps.put(VISIBLE, visibleHeights(found)));
+        survey.warnings().ifPresent(found -> maps.put(WARNING, warnings(survey.grid(), found)));
         return maps;
     }
 
-    /** The dominant causes at a height, given by its number. */
-    MapSheet causes(FieldSummary summary, int height) {
-        FieldCoverage coverage = summary.coverage();
-        HeightSummary numbers = summary.heights().get(height);
-        MapSheet sheet = new MapSheet(coverage.field().grid());
-        sheet.drawMap(ground, (column, row) -> fill(coverage, height, column, row), sensors);
+    /** The names of the files of a complete survey. */
+    static List<String> names(FieldGrid grid) {
+        List<String> names = new ArrayList<>(List.of(DETECTABLE, VISIBLE, WARNING));
+        grid.heights().forEach(height -> names.add(causeName(height)));
+        return names;
+    }
+
+    private static String causeName(double height) {
+        return "cause-" + Numbers.text(height) + ".png";
+    }
+
+    private MapSheet causes(FieldSummary summary, int height) {
+        MapSheet sheet = new MapSheet(summary.coverage().field().grid());
+        CauseMap map = new CauseMap(summary, height, inputs);
+        sheet.drawMap(ground, map::fill, sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
-        sheet.line("drone '" + inputs.drone() + "' at " + metres(numbers.height()) + " above the ground,");
-        sheet.line(inputs.heading().equals("inbound") ? "inbound;" : "on the " + inputs.heading() + " heading;");
-        sheet.line("detection, or dominant cause of the miss:");
-        sheet.space();
-        entry(sheet, Cause.DETECTED, numbers);
-        for (Map.Entry<Cause, Integer> cause : numbers.causes().entrySet()) {
-            if (cause.getKey() != Cause.DETECTED) {
-                entry(sheet, cause.getKey(), numbers);
-            }
-        }
-        sheet.space();
-        sheet.line("percentages of the known area");
-        if (numbers.unknown() > 0) {
-            sheet.entry(CauseFills.of(Cause.UNKNOWN), "unknown");
-        }
-        if (numbers.inside() > 0) {
-            sheet.entry(CauseFills.INSIDE, "inside something solid");
-        }
-        sheet.line("cells of " + metres(coverage.field().grid().cell()));
-        sheet.caption("At " + metres(numbers.height())
-                + " above the ground: where the drone is detected, and the main reason elsewhere.");
+        map.writeLegend(sheet);
         return sheet;
-    }
-
-    private static MapSheet.Fill fill(FieldCoverage coverage, int height, int column, int row) {
-        if (coverage.field().isInside(height, column, row)) {
-            return CauseFills.INSIDE;
-        }
-        return CauseFills.of(
-                coverage.isUnknown(height, column, row) ? Cause.UNKNOWN : coverage.cause(height, column, row));
-    }
-
-    private static void entry(MapSheet sheet, Cause cause, HeightSummary numbers) {
-        int cells = numbers.causes().getOrDefault(cause, 0);
-        String share = numbers.known() == 0 ? "-" : CoverageTable.percent(cells, numbers.known());
-        sheet.entry(CauseFills.of(cause), CoverageTable.name(cause) + ": " + share + (cells == 0 ? "" : " %"));
     }
 
     /** The least height at which any sensor has a free line of sight. */
@@ -139,8 +118,10 @@ final class FieldPictures {
                 List.of(
                         "least height above the ground at which",
                         "a sensor detects the drone '" + inputs.drone() + "',",
-                        (inputs.heading().equals("inbound") ? "inbound" : "on the " + inputs.heading() + " heading")
-                                + ":"));
+                        inputs.headingInWords()
+                                + inputs.within()
+                                        .map(time -> ", within " + inputs.timeInWords())
+                                        .orElse("") + ":"));
     }
 
     /** A height for each column. */
@@ -150,7 +131,10 @@ final class FieldPictures {
 
     private MapSheet heights(FieldGrid grid, Heights least, String caption, List<String> words) {
         MapSheet sheet = new MapSheet(grid);
-        sheet.drawMap(ground, (column, row) -> fill(grid, least.at(column, row)), sensors);
+        sheet.drawMap(
+                ground,
+                (column, row) -> grid.isOutside(column, row) ? CauseFills.OUTSIDE : fill(grid, least.at(column, row)),
+                sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
         words.forEach(sheet::line);
@@ -172,13 +156,21 @@ final class FieldPictures {
      * response is to be in time.
      */
     MapSheet warnings(FieldGrid grid, InboundWarnings warnings) {
-        MapSheet sheet = new MapSheet(grid);
-        sheet.drawMap(ground, (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35), sensors);
+        FieldGrid shown = grid.area().isEmpty() ? grid : around(warnings);
+        MapSheet sheet = new MapSheet(shown);
+        sheet.drawMap(
+                shown.equals(grid) ? ground : MapSheet.ground(world, shown),
+                (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35),
+                sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
         sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
         sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
         sheet.line("is first detected, from up to " + metres(warnings.reach()) + ";");
+        if (inputs.within().isPresent()) {
+            sheet.line(inputs.timeInWords() + " after the first place where");
+            sheet.line("a sensor covers it within this time;");
+        }
         sheet.line("least warning until it arrives:");
         sheet.space();
         double[] heights = WarningTable.heights(warnings);
@@ -207,6 +199,13 @@ final class FieldPictures {
     /** The colour of a line for a height, given by its number. */
     static Color ofHeight(int number, int heights) {
         return MapSheet.mixed(NEAR_GROUND, HIGH_UP, heights == 1 ? 0.0 : (double) number / (heights - 1));
+    }
+
+    /** Flights to an area begin far outside it. */
+    private static FieldGrid around(InboundWarnings warnings) {
+        double side = 2.0 * warnings.reach();
+        Position middle = warnings.target();
+        return new FieldGrid(middle.x(), middle.y(), side, side, FieldGrid.HEIGHTS);
     }
 
     private static List<Position> outline(InboundWarnings warnings, List<Warning> bearings) {

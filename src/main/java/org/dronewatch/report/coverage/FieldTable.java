@@ -21,11 +21,15 @@ public final class FieldTable {
     private FieldTable() {}
 
     /** The fraction of the known cells at each height that is covered, and the dominant causes of all of them. */
-    public static List<String> causes(FieldSummary summary) {
+    public static List<String> causes(FieldSummary summary, CoverageInputs inputs) {
         Set<Cause> causes = EnumSet.noneOf(Cause.class);
         summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));
         List<String> lines = new ArrayList<>();
-        lines.add("in % of the known cells at each height:");
+        String terms = inputs.within()
+                .map(time -> ", covered within " + Numbers.text(time) + " s, and causes of single looks")
+                .orElse("");
+        String area = inputs.area().map(name -> " in '" + name + "'").orElse("");
+        lines.add("in % of the known cells" + area + " at each height" + terms + ":");
         StringBuilder header = new StringBuilder(text(HEIGHT, "height") + text("  %11s", "known cells") + "  covered");
         causes.forEach(cause -> header.append("  ").append(CoverageTable.name(cause)));
         lines.add(header.toString());
@@ -121,7 +125,12 @@ public final class FieldTable {
         String rim = gap.touchesRim() ? ", reaches the rim of the area" : "";
         return text(
                 "  %.2f ha, innermost at x %.1f m, y %.1f m, mainly %s%s",
-                1e-4 * gap.area(), gap.x() + 0.0, gap.y() + 0.0, CoverageTable.name(gap.cause()), rim);
+                1e-4 * gap.area(), gap.x() + 0.0, gap.y() + 0.0, cause(gap), rim);
+    }
+
+    /** A look may detect the drone, but with too low a probability, or too late. */
+    private static String cause(Gap gap) {
+        return gap.cause() == Cause.DETECTED ? "detected with too low a probability" : CoverageTable.name(gap.cause());
     }
 
     private static String metres(double height) {

@@ -5,11 +5,9 @@ import java.util.Optional;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.GapMap;
 import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
-import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -25,19 +23,26 @@ record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
     };
 
     /** The target of inbound flights. */
-    static ReferencePoint of(InboundWarnings warnings, Protection protection, Optional<Origin> origin) {
-        String name = protection.isEmpty()
-                ? "the middle of the sensors"
-                : "the middle of "
-                        + protection
-                                .zone()
-                                .map(ball -> "the protected zone")
-                                .orElseGet(() -> area(protection.areas().get(0)));
-        return new ReferencePoint(warnings.target(), name, origin.map(Geodesy::new));
+    static ReferencePoint of(InboundWarnings warnings, Protection protection, CoverageInputs inputs) {
+        String zone = inputs.area()
+                .filter(name -> !name.equals(Protection.ZONE))
+                .map(ReferencePoint::area)
+                .orElseGet(() -> zone(protection));
+        return new ReferencePoint(
+                warnings.target(), "the middle of " + zone, inputs.origin().map(Geodesy::new));
     }
 
-    private static String area(AreaZone area) {
-        return "the protected area '" + area.name() + "'";
+    private static String zone(Protection protection) {
+        return protection.isEmpty()
+                ? "the sensors"
+                : protection
+                        .zone()
+                        .map(ball -> "the protected zone")
+                        .orElseGet(() -> area(protection.areas().get(0).name()));
+    }
+
+    private static String area(String name) {
+        return "the protected area '" + name + "'";
     }
 
     /** {@code 210 m north-west of the middle of the sensors}. */

@@ -127,9 +127,14 @@ public record FieldSite(SceneSettings settings, Stage stage) {
 
     /** The field on all courses. */
     public DetectionField field(FieldGrid grid, int threads) {
+        return field(grid, FieldTerms.ONE_LOOK, threads);
+    }
+
+    /** The same on other terms. */
+    DetectionField field(FieldGrid grid, FieldTerms terms, int threads) {
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, DRONE));
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> DetectionField.of(settings, stage, DRONE, grid, courses, cells -> {}));
+            return workers.call(() -> DetectionField.of(settings, stage, DRONE, grid, courses, terms, cells -> {}));
         }
     }
 

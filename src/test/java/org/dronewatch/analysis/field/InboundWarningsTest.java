@@ -24,8 +24,8 @@ class InboundWarningsTest {
     private InboundWarnings warnings(String sensors, int threads) throws IOException {
         FieldSite site = FieldSite.in(directory, sensors);
         try (Workers workers = new Workers(threads)) {
-            return workers.call(
-                    () -> InboundWarnings.of(site.settings(), site.stage(), FieldSite.DRONE, GRID, 0.5, cells -> {}));
+            return workers.call(() -> InboundWarnings.of(
+                    site.settings(), site.stage(), FieldSite.DRONE, GRID, FieldTerms.ONE_LOOK, 0.5, cells -> {}));
         }
     }
 

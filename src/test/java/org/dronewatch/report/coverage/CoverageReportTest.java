@@ -18,6 +18,8 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.FieldSurvey;
+import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.analysis.field.GapMap;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.VisibleHeights;
@@ -43,7 +45,7 @@ class CoverageReportTest {
     private static Path directory;
 
     private static FieldSite site;
-    private static CoverageFindings found;
+    private static FieldSurvey found;
     private static Document page;
     private static String text;
 
@@ -56,29 +58,28 @@ class CoverageReportTest {
         text = page.getDocumentElement().getTextContent();
     }
 
-    private static CoverageFindings find(SceneSettings settings) {
+    private static FieldSurvey find(SceneSettings settings) {
         try (Workers workers = new Workers(2)) {
             return workers.call(() -> {
                 FieldSummary summary = FieldSummary.of(site.field(GRID, 2), FieldCoverage.Choice.BEST, 0.5);
-                return new CoverageFindings(
+                return new FieldSurvey(
+                        GRID,
                         summary,
-                        VisibleHeights.of(settings, site.stage(), GRID),
-                        DetectableHeights.of(summary.coverage(), cells -> {}),
-                        InboundWarnings.of(settings, site.stage(), FieldSite.DRONE, GRID, 0.5, cells -> {}));
+                        Optional.of(VisibleHeights.of(settings, site.stage(), GRID)),
+                        Optional.of(DetectableHeights.of(summary.coverage(), cells -> {})),
+                        Optional.of(InboundWarnings.of(
+                                settings, site.stage(), FieldSite.DRONE, GRID, FieldTerms.ONE_LOOK, 0.5, cells -> {})));
             });
         }
     }
 
-    private static String html(CoverageFindings findings, SceneSettings settings, Optional<Origin> origin)
-            throws IOException {
-        CoverageInputs inputs = new CoverageInputs("boxes <1>", FieldSite.DRONE, "best", 0.5, origin);
+    private static String html(FieldSurvey survey, SceneSettings settings, Optional<Origin> origin) throws IOException {
+        CoverageInputs inputs = new CoverageInputs(
+                "boxes <1>", FieldSite.DRONE, "best", 0.5, Optional.empty(), Optional.empty(), origin);
         CoverageSite there = new CoverageSite(settings, site.stage());
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        new CoverageReport(findings, inputs, there)
-                .write(
-                        bytes,
-                        new FieldPictures(there, inputs, GRID).all(findings).values(),
-                        Map.of("program", "<2>"));
+        new CoverageReport(survey, inputs, there)
+                .write(bytes, new FieldPictures(there, inputs, GRID).all(survey).values(), Map.of("program", "<2>"));
         return bytes.toString(StandardCharsets.UTF_8);
     }
 
@@ -145,7 +146,7 @@ class CoverageReportTest {
     void theRoseHasTheNeededResponseAsARing() throws IOException {
         assertThat(text).contains("requires no response time").doesNotContain("required response,");
         assertThat(page.getElementsByTagName("polygon").getLength()).isEqualTo(2);
-        InboundWarnings all = found.warnings();
+        InboundWarnings all = found.warnings().orElseThrow();
         InboundWarnings asked = new InboundWarnings(all.target(), all.reach(), 8.0, all.isZone(), all.all());
         String rose = new WarningRose(asked).svg();
         double longest = all.all().stream()
@@ -177,7 +178,7 @@ class CoverageReportTest {
                         .field(GRID, 2),
                 FieldCoverage.Choice.BEST,
                 0.5);
-        List<Warning> silent = found.warnings().all().stream()
+        List<Warning> silent = found.warnings().orElseThrow().all().stream()
                 .map(one -> new Warning(
                         one.bearing(),
                         one.height(),
@@ -185,7 +186,7 @@ class CoverageReportTest {
                         java.util.OptionalDouble.empty(),
                         java.util.OptionalDouble.empty()))
                 .toList();
-        InboundWarnings all = found.warnings();
+        InboundWarnings all = found.warnings().orElseThrow();
         InboundWarnings undetected = new InboundWarnings(all.target(), all.reach(), 8.0, all.isZone(), silent);
         String words = new Losses(none).html()
                 + new WarningWords(undetected).html()

@@ -1,0 +1,39 @@
+package org.dronewatch.analysis.field;
+
+import java.util.List;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * What is asked of a {@link FieldSurvey}.
+ *
+ * @param settings of one run
+ * @param stage its world and drones
+ * @param drone name of the drone that is put into the cells
+ * @param grid the cells
+ * @param courses on which the drone flies, at least one
+ * @param choice which of them counts
+ * @param terms on which the drone counts as detected
+ * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
+ */
+public record FieldRequest(
+        SceneSettings settings,
+        Stage stage,
+        String drone,
+        FieldGrid grid,
+        List<Course> courses,
+        FieldCoverage.Choice choice,
+        FieldTerms terms,
+        double covered) {
+    /** Copies the list: later changes by the caller have no effect. */
+    public FieldRequest {
+        courses = List.copyOf(courses);
+    }
+
+    /** How many cells the sensors look at, about, each sensor counted. */
+    public long looks() {
+        long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
+                + InboundWarnings.cells(grid, InboundTarget.of(settings, stage.protection(), grid));
+        return cells * settings.enabledSensors().size();
+    }
+}

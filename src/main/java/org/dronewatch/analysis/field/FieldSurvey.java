@@ -1,0 +1,81 @@
+package org.dronewatch.analysis.field;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import java.util.function.Supplier;
+import org.dronewatch.parallel.Workers;
+
+/**
+ * Where, how high and how early the sensors of a site detect a drone; or, after an interruption, as much of it as is
+ * whole.
+ *
+ * @param grid what was asked for
+ * @param summary the coverage, cell by cell and in numbers; after an interruption perhaps of the lowest heights alone
+ * @param visible the least visible heights
+ * @param detectable the least heights at which a sensor detects the drone
+ * @param warnings the warning of inbound flights
+ */
+public record FieldSurvey(
+        FieldGrid grid,
+        FieldSummary summary,
+        Optional<VisibleHeights> visible,
+        Optional<DetectableHeights> detectable,
+        Optional<InboundWarnings> warnings) {
+
+    /**
+     * Carries out a survey on the threads of the {@link Workers} that call; the same for any number of them.
+     *
+     * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
+     * @param stopped called if this thread has been interrupted and something is whole; should clear its interrupt
+     *     status, so that what is whole can be summarised
+     * @throws CancellationException when this thread is interrupted before anything is whole, or was not cleared
+     */
+    public static FieldSurvey of(FieldRequest request, IntConsumer progress, Runnable stopped) {
+        DetectionField field = DetectionField.untilInterrupted(request, progress)
+                .orElseThrow(() -> new CancellationException("interrupted"));
+        Supplier<FieldSummary> summing = () -> FieldSummary.of(field, request.choice(), request.covered());
+        boolean isWhole = field.grid().equals(request.grid());
+        Optional<FieldSummary> summary = isWhole ? unlessInterrupted(summing) : Optional.empty();
+        if (summary.isEmpty()) {
+            stopped.run();
+            return new FieldSurvey(request.grid(), summing.get(), Optional.empty(), Optional.empty(), Optional.empty());
+        }
+        FieldSurvey survey = new FieldSurvey(
+                request.grid(),
+                summary.get(),
+                unlessInterrupted(() -> VisibleHeights.of(request.settings(), request.stage(), request.grid())),
+                unlessInterrupted(() -> DetectableHeights.of(summary.get().coverage(), progress)),
+                unlessInterrupted(() -> InboundWarnings.of(
+                        request.settings(),
+                        request.stage(),
+                        request.drone(),
+                        request.grid(),
+                        request.terms(),
+                        request.covered(),
+                        progress)));
+        if (!survey.isComplete()) {
+            stopped.run();
+        }
+        return survey;
+    }
+
+    /** An interrupted thread stays interrupted: whatever it begins afterwards ends at once. */
+    private static <T> Optional<T> unlessInterrupted(Supplier<T> work) {
+        try {
+            return Optional.of(work.get());
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** Whether nothing is missing. */
+    public boolean isComplete() {
+        return hasAllHeights() && visible.isPresent() && detectable.isPresent() && warnings.isPresent();
+    }
+
+    /** Whether the coverage is that of all heights that were asked for. */
+    public boolean hasAllHeights() {
+        return summary.heights().size() == grid.heights().size();
+    }
+}
