@@ -98,11 +98,17 @@ public final class Visibility {
         return !tracer.isOccluded(fromX, fromY, fromZ, alongX, alongY, alongZ, room, end - room);
     }
 
-    /** The first obstacle from one point to another; empty if they are mutually visible. */
+    /**
+     * The first obstacle from one point to another, on the ground with the land cover there; empty if they are mutually
+     * visible.
+     */
     public Optional<Obstacle> obstacle(Position from, Position to) {
         Position along = to.minus(from);
-        boolean hidden = findFirstAlong(from.x(), from.y(), from.z(), along.x(), along.y(), along.z(), 1.0);
-        return hidden ? Optional.of(world.obstacle(tracer.triangle())) : Optional.empty();
+        if (!findFirstAlong(from.x(), from.y(), from.z(), along.x(), along.y(), along.z(), 1.0)) {
+            return Optional.empty();
+        }
+        Position at = from.plus(along.times(tracer.distance()));
+        return Optional.of(world.obstacle(tracer.triangle(), at.x(), at.y()));
     }
 
     /**

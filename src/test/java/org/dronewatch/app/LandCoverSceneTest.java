@@ -19,6 +19,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -90,6 +91,19 @@ class LandCoverSceneTest {
         assertThat(without.materialNames()).isEqualTo(without.mesh().materialNames());
         assertThat(without.surfaces()).hasSize(2);
         assertThat(without.mesh().triangleCount()).isEqualTo(world.mesh().triangleCount());
+    }
+
+    /** The line meets the ground 10 m before its end, on the road; the triangle there is the terrain's. */
+    @Test
+    void anObstacleIsNamedByWhatIsThere() {
+        Position sensor = new Position(-50, -3, 20);
+        Position drone = new Position(-50, 57, -10);
+        assertThat(new Visibility(covered.world()).obstacle(sensor, drone))
+                .hasValueSatisfying(obstacle -> assertThat(obstacle.material()).isEqualTo("asphalt:road"));
+        assertThat(new Visibility(plain.world()).obstacle(sensor, drone))
+                .hasValueSatisfying(obstacle -> assertThat(obstacle.material()).isEqualTo("pasture_uncompacted"));
+        assertThat(new Visibility(covered.world()).obstacle(new Position(15, 0, 2), new Position(40, 0, 2)))
+                .hasValueSatisfying(obstacle -> assertThat(obstacle.material()).isEqualTo("brick_rendered"));
     }
 
     /** Other conditions are still about the same ground. */
