@@ -41,6 +41,9 @@ final class DocPictures {
                     "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 100 --drone from-the-sea"
                             + " --set sensors.microphone.enabled=false --set sensors.thermal.enabled=false"
                             + " --set sensors.camera.enabled=false --out OUT"),
+            slow(tutorial("harbour", "render DIR/harbour.yaml --view orbit --time 30 --out OUT")),
+            slow(tutorial(
+                    "harbour-coverage", "coverage DIR/harbour.yaml --side 1500 --height 30 --cells 40 --out OUT")),
             map(
                     "coverage-causes",
                     "coverage multi-sensor --side 400m --cell 8m --heights 10m --out OUT",
@@ -124,6 +127,23 @@ final class DocPictures {
                 directory -> {
                     Path written = directory.resolve(name + ".png");
                     run(command, written);
+                    return read(written);
+                },
+                false);
+    }
+
+    /** A picture of the scene that the tutorial makes. */
+    private static DocPicture tutorial(String name, String command) {
+        return new DocPicture(
+                name,
+                directory -> {
+                    Path scene = directory.resolve("harbour");
+                    run(
+                            "new OUT --at 43.7314,7.4202 --radius 1500m --terrain sites/monaco-srtm.asc --crs EPSG:4326"
+                                    + " --buildings sites/monaco.osm.gz",
+                            scene);
+                    Path written = directory.resolve(name + ".png");
+                    run(command.replace("DIR", scene.toString()), written);
                     return read(written);
                 },
                 false);

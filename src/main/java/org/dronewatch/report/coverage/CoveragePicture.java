@@ -13,6 +13,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
@@ -184,8 +185,8 @@ public final class CoveragePicture {
         g.setFont(TEXT);
         for (String line : List.of(
                 "detection of a drone flying " + plain(grid.height()) + " m",
-                "above ground towards the sensor",
-                "with a probability of 0.5 or more;",
+                "above the highest surface towards the",
+                "sensor, with a probability of 0.5 or more;",
                 drone,
                 "cells of " + plain(grid.step()) + " m")) {
             y += LINE;
@@ -200,7 +201,7 @@ public final class CoveragePicture {
             g.setStroke(new BasicStroke(2f));
             g.drawRect(x, y - 14, 22, 16);
             g.setColor(Color.BLACK);
-            g.drawString(String.format(Locale.ROOT, "%s: %s", kind, hectares(coverage.areaOfKind(kind))), x + 34, y);
+            g.drawString(named(kind) + ": " + hectares(coverage.areaOfKind(kind)), x + 34, y);
         }
         double unknown = coverage.unknownArea();
         if (unknown > 0.0) {
@@ -215,6 +216,7 @@ public final class CoveragePicture {
         }
         y += LINE;
         List<String> ids = new ArrayList<>(coverage.sensors().keySet());
+        ids.removeIf(id -> idsOf(coverage.sensors().get(id).kind()).size() == 1);
         int room = (MAP - y - MARGIN - below) / LINE - 1;
         for (String id : ids.subList(0, Math.min(room, ids.size()))) {
             y += LINE;
@@ -226,6 +228,19 @@ public final class CoveragePicture {
         if (ids.size() > room) {
             g.drawString("and " + (ids.size() - room) + " more", x + 34, y + LINE);
         }
+    }
+
+    /** A kind; with the name of its sensor, if there is only one, whose area is that of the kind. */
+    private String named(String kind) {
+        List<String> ids = idsOf(kind);
+        return ids.size() > 1 || ids.get(0).equals(kind) ? kind : kind + ", " + shortened(ids.get(0));
+    }
+
+    private List<String> idsOf(String kind) {
+        return coverage.sensors().entrySet().stream()
+                .filter(sensor -> sensor.getValue().kind().equals(kind))
+                .map(Map.Entry::getKey)
+                .toList();
     }
 
     private static String shortened(String id) {

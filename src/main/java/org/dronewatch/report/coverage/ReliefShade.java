@@ -1,15 +1,25 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
+import org.dronewatch.buildings.land.LandClass;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
-/** The ground seen from directly above, lit from the north-west. */
+/**
+ * The ground seen from directly above, lit from the north-west. Water is darker and roads are lighter, if the site has
+ * the land cover of a map; both are nearly grey, so that they are not taken for the colours of sensors.
+ */
 final class ReliefShade {
     private static final Color NOTHING = new Color(0xeeeeee);
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};
+    private static final Color GROUND = new Color(236, 232, 222);
+    private static final Color WATER = new Color(158, 170, 180);
+    private static final Color ROAD = new Color(255, 255, 255);
+
+    /** Roads are light on slopes, too. */
+    private static final double LEAST_LIGHT_OF_ROADS = 0.95;
 
     private final World world;
     private final TriangleMesh mesh;
@@ -56,7 +66,18 @@ final class ReliefShade {
         double rise = (height - world.bounds().minZ())
                 / Math.max(1e-9, world.bounds().maxZ() - world.bounds().minZ());
         double light = Math.max(0.0, Math.min(1.0, 0.25 + 0.55 * Math.max(0.0, facing) + 0.2 * rise));
-        return new Color((int) (236 * light), (int) (232 * light), (int) (222 * light));
+        String material = world.materialNames().get(world.material(traversal.triangle(), x, y));
+        if (material.equals(LandClass.WATER.material())) {
+            return lit(WATER, light);
+        }
+        return material.equals(LandClass.ROAD.material())
+                ? lit(ROAD, Math.max(LEAST_LIGHT_OF_ROADS, light))
+                : lit(GROUND, light);
+    }
+
+    private static Color lit(Color colour, double light) {
+        return new Color(
+                (int) (colour.getRed() * light), (int) (colour.getGreen() * light), (int) (colour.getBlue() * light));
     }
 
     /** Unit normal, to the upper side. */

@@ -294,6 +294,20 @@ class CoverageTest {
         assertThat(picture.colour(1200, 900)).isEqualTo(Color.WHITE);
     }
 
+    /** The microphone is named in the line of its kind; only the two radars have lines of their own. */
+    @Test
+    void noFigureOfTheLegendIsGivenTwice() {
+        CoveragePicture picture = CoveragePicture.of("plain", coverage, stage.world(), "drone 'one'", List.of());
+        int x = 1000 + 24 + 11;
+        int kinds = 40 + 6 * 26;
+        for (int line = 1; line <= 6; line++) {
+            boolean isEmpty = line == 3 || line == 6;
+            assertThat(picture.colour(x, kinds + line * 26 - 5).equals(Color.WHITE))
+                    .as("line %d", line)
+                    .isEqualTo(isEmpty);
+        }
+    }
+
     /** At the bottom of the panel, in as many lines as it takes; without credits, nothing is there. */
     @Test
     void thePictureShowsTheCreditsOfItsData() {
