@@ -11,6 +11,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.buildings.io.MapFiles;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.MapPoint;
+import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
@@ -84,6 +88,28 @@ class MapCoordinatesTest {
         LoadedBuildings loaded = load(square(crs, EAST, NORTH, 20), Optional.empty());
         assertAtOrigin(loaded);
         assertThat(loaded.warnings()).isEmpty();
+    }
+
+    /**
+     * A house 5005.593 m north of an origin in Bohemia (PROJ 9.5.1, as in MapTransformTest), on a grid whose north is
+     * eight degrees off: subtracting coordinates would put it 682 m farther east.
+     */
+    @Test
+    void aGridsNorthIsNotTrueNorth() throws IOException {
+        Origin origin = Origin.at(Math.toRadians(50.08), Math.toRadians(14.42)).withHeight(250.0);
+        MapPoint corner = new MapTransform(CoordinateReferenceSystem.of("EPSG:5514"), origin)
+                .onMap(new GeoPoint(14.42, 50.125, 250.0));
+        String crs = String.format(NAMED, "urn:ogc:def:crs:EPSG::5514");
+        Files.writeString(directory.resolve("map"), square(crs, corner.x(), corner.y(), 20));
+        LoadedBuildings loaded = new BuildingLoader(directory)
+                .load(BuildingSettings.of("map").withRadius(6000), origin, Optional.empty());
+
+        double[] outer = loaded.outlines().get(0).outer();
+        assertThat(outer[0]).isCloseTo(0.0, within(1e-3));
+        assertThat(outer[1]).isCloseTo(5005.593, within(2e-3));
+        // True north is to the east of the grid's north, so that the grid's east is to the north of true east.
+        assertThat(Math.atan2(outer[3] - outer[1], outer[2] - outer[0]))
+                .isCloseTo(Math.asin(682.381 / 5005.593), within(1e-3));
     }
 
     @Test
