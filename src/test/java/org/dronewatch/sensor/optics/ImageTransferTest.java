@@ -17,7 +17,10 @@ class ImageTransferTest {
         return new Lens(OptionalDouble.of(aperture), GREEN);
     }
 
-    /** Goodman's closed form at a few fractions of the cutoff, computed independently; it is 0 from the cutoff on. */
+    /**
+     * Goodman's closed form (Introduction to Fourier Optics, section 6.3) at fractions x of the cutoff:
+     * {@code 2/pi (acos x - x sqrt(1 - x^2))}, at one half 2/3 - sqrt(3)/(2 pi) = 0.39100; 0 from the cutoff on.
+     */
     @ParameterizedTest
     @CsvSource({"0, 1", "0.25, 0.68504", "0.5, 0.39100", "0.75, 0.14429", "1, 0", "1.5, 0"})
     void diffractionTakesFineDetail(double ofCutoff, double left) {

@@ -11,9 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The radar equation against values computed independently, and its laws. */
+/** The radar equation (Skolnik, Radar Handbook) against values that follow by hand, and its laws. */
 class LinkBudgetTest {
-    /** 1 kW, 30 dBi, 1 us: a noise bandwidth of 1 MHz; at 10 GHz 0.01 m2 in 3 km give 11.45 dB. */
+    /**
+     * 1 kW, 30 dBi, 1 us: a noise bandwidth of 1 MHz; at 10 GHz 0.01 m2 in 3 km give 11.45 dB. In decibels: power 30,
+     * gains 60, wavelength squared -30.46, cross-section -20, (4 pi)^3 -32.98, r^4 -139.08, k T0 B 143.98.
+     */
     private static final Hardware TEXTBOOK = new Hardware(1000, 30, 1e-6, 10e6, 0, 0);
 
     @Test
