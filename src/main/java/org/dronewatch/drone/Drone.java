@@ -24,6 +24,7 @@ public final class Drone {
     private final String id;
     private final DroneSettings settings;
     private final KDTree tree;
+    private final Silhouettes silhouettes;
     private final Matrix4d modelMatrix;
     private final Matrix4d worldToModel;
     private final Vector3d velocity;
@@ -31,19 +32,21 @@ public final class Drone {
 
     /** A drone at the origin of the world, its nose to the north, at rest. */
     public Drone(String id, DroneSettings settings, KDTree tree) {
-        this(id, settings, tree, identity(), new Vector3d(), OptionalDouble.empty());
+        this(id, settings, tree, new Silhouettes(tree), identity(), new Vector3d(), OptionalDouble.empty());
     }
 
     private Drone(
             String id,
             DroneSettings settings,
             KDTree tree,
+            Silhouettes silhouettes,
             Matrix4d modelMatrix,
             Vector3d velocity,
             OptionalDouble gliding) {
         this.id = id;
         this.settings = settings;
         this.tree = tree;
+        this.silhouettes = silhouettes;
         this.modelMatrix = modelMatrix;
         this.velocity = velocity;
         this.gliding = gliding;
@@ -81,7 +84,7 @@ public final class Drone {
     private Drone turned(Matrix4d turn) {
         Matrix4d next = new Matrix4d();
         next.mul(modelMatrix, turn);
-        return new Drone(id, settings, tree, next, velocity, gliding);
+        return new Drone(id, settings, tree, silhouettes, next, velocity, gliding);
     }
 
     /** This drone displaced in the world, m; its velocity is unchanged. */
@@ -90,7 +93,7 @@ public final class Drone {
         next.m03 += displacement.x;
         next.m13 += displacement.y;
         next.m23 += displacement.z;
-        return new Drone(id, settings, tree, next, velocity, gliding);
+        return new Drone(id, settings, tree, silhouettes, next, velocity, gliding);
     }
 
     /** This drone in a given state of its flight: its model unscaled, rotated by the {@link Attitude}. */
@@ -106,7 +109,7 @@ public final class Drone {
             pose.mul(turn);
         }
         pose.setTranslation(state.position().toVector3d());
-        return new Drone(id, settings, tree, pose, state.velocity().toVector3d(), state.gliding());
+        return new Drone(id, settings, tree, silhouettes, pose, state.velocity().toVector3d(), state.gliding());
     }
 
     /**
@@ -115,7 +118,7 @@ public final class Drone {
      * @throws IllegalArgumentException when the matrix cannot be inverted
      */
     public Drone withModelMatrix(Matrix4d matrix) {
-        return new Drone(id, settings, tree, new Matrix4d(matrix), velocity, gliding);
+        return new Drone(id, settings, tree, silhouettes, new Matrix4d(matrix), velocity, gliding);
     }
 
     /** Its name in the scene. */
@@ -131,6 +134,11 @@ public final class Drone {
     /** The tree over its mesh, in model space. */
     public KDTree tree() {
         return tree;
+    }
+
+    /** The silhouettes of its model when it is level; computed when they are needed, and shared by its copies. */
+    public SilhouetteTable silhouettes() {
+        return silhouettes.table();
     }
 
     /** The box around its mesh, in model space, m. */
@@ -260,5 +268,26 @@ public final class Drone {
         Matrix4d identity = new Matrix4d();
         identity.setIdentity();
         return identity;
+    }
+
+    /** The silhouettes of a tree's mesh, once they are needed. */
+    private static final class Silhouettes {
+        private final KDTree tree;
+        private volatile SilhouetteTable table;
+
+        Silhouettes(KDTree tree) {
+            this.tree = tree;
+        }
+
+        SilhouetteTable table() {
+            if (table == null) {
+                synchronized (this) {
+                    if (table == null) {
+                        table = new SilhouetteTable(tree.mesh());
+                    }
+                }
+            }
+            return table;
+        }
     }
 }

@@ -3,8 +3,10 @@ package org.dronewatch.sensor;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleToIntFunction;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
@@ -53,6 +55,31 @@ public final class Assessor {
         }
         Assessment known = assessable.assessCoarsely(world, drone, pointing, rayRandom, high);
         return isKnown(drone) ? known : new Assessment(known.signal(), Explanation.of(Cause.UNKNOWN));
+    }
+
+    /**
+     * As {@link BoundingSensor#boundAtAllHeadings}, in this assessor's world; empty for sensors of other kinds. Where the
+     * ground below the line of sight is not known everywhere, the cause is {@link Cause#UNKNOWN}, with a probability of
+     * 0.
+     */
+    public Optional<AssessmentBounds> boundAtAllHeadings(Drone drone, Position at, Optional<Pointing> pointing) {
+        if (!(sensor instanceof BoundingSensor bounding)) {
+            return Optional.empty();
+        }
+        return world.isKnown(settings.position(), at)
+                ? bounding.boundAtAllHeadings(world, drone, at, pointing)
+                : Optional.of(new AssessmentBounds(0.0, 0.0, Cause.UNKNOWN));
+    }
+
+    /** As {@link BoundingSensor#bound}, in this assessor's world; otherwise as {@link #boundAtAllHeadings}. */
+    public Optional<AssessmentBounds> bound(
+            Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps) {
+        if (!(sensor instanceof BoundingSensor bounding)) {
+            return Optional.empty();
+        }
+        return world.isKnown(settings.position(), state.position())
+                ? bounding.bound(world, drone, state, pointing, steps)
+                : Optional.of(new AssessmentBounds(0.0, 0.0, Cause.UNKNOWN));
     }
 
     /** Whether the ground below the line of sight to a drone is known. */

@@ -31,7 +31,12 @@ public final class Cover {
 
     /** The obstacle between the sensor and the drone's origin. */
     public Optional<Obstacle> ofOrigin(Drone drone) {
-        return visibility.obstacle(sensor, drone.origin());
+        return ofPoint(drone.origin());
+    }
+
+    /** The obstacle between the sensor and a point, m. */
+    public Optional<Obstacle> ofPoint(Position point) {
+        return visibility.obstacle(sensor, point);
     }
 
     /** The obstacle that hides the drone's origin or, if none does, the first hidden vertex of its mesh. */

@@ -3,6 +3,7 @@ package org.dronewatch.analysis.field;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Assessment;
@@ -40,7 +41,12 @@ record FieldProbe(
 
     /** The drone at a place, m, on a course given by its number. */
     Drone drone(Position at, int course) {
-        return drone.at(courses.get(course).at(at, drone.settings().speed()));
+        return drone.at(state(at, course));
+    }
+
+    /** The state of the drone at a place, m, on a course given by its number. */
+    FlightState state(Position at, int course) {
+        return courses.get(course).at(at, drone.settings().speed());
     }
 
     /** Where the sensor's positioner points once it has turned to a place, m; empty on a fixed mount. */
@@ -56,9 +62,14 @@ record FieldProbe(
                 there, pointing, Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS), terms.high(settings));
     }
 
-    /** The probability that the sensor detects the drone on the terms of the field. */
-    double probability(Assessment assessment) {
-        return terms.probability(assessment.probability(), settings);
+    /**
+     * The probability that the sensor detects the drone on the terms of the field, in the steps of a
+     * {@link SensorLayer}.
+     *
+     * @param ofALook the probability of a look, 0 to 1
+     */
+    int steps(double ofALook) {
+        return SensorLayer.steps(terms.probability(ofALook, settings));
     }
 
     /**

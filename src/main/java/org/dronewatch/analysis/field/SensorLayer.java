@@ -2,12 +2,14 @@ package org.dronewatch.analysis.field;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.IntConsumer;
-import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.AssessmentBounds;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 
@@ -117,16 +119,42 @@ final class SensorLayer {
 
         void set(int column, FieldProbe probe, Assessor assessor, Position at) {
             Optional<Pointing> pointing = probe.pointing(at);
-            Drone first = probe.drone(at, 0);
-            codes[0] = code(probe, probe.assessInSteps(assessor, first, pointing));
+            OptionalInt certain = code(probe, assessor.boundAtAllHeadings(probe.drone(), at, pointing));
+            if (certain.isPresent()) {
+                entries[column] = certain.getAsInt();
+                return;
+            }
+            codes[0] = code(probe, assessor, at, 0, pointing);
             boolean alike = true;
-            if (courses > 1 && !assessor.isSameAtAllHeadings(first, pointing)) {
+            if (courses > 1 && !assessor.isSameAtAllHeadings(probe.drone(at, 0), pointing)) {
                 for (int course = 1; course < courses; course++) {
-                    codes[course] = code(probe, probe.assessInSteps(assessor, probe.drone(at, course), pointing));
+                    codes[course] = code(probe, assessor, at, course, pointing);
                     alike &= codes[course] == codes[0];
                 }
             }
             entries[column] = alike ? codes[0] : -1 - keep();
+        }
+
+        /** Where bounds are too far apart, the drone is assessed. */
+        private static int code(
+                FieldProbe probe, Assessor assessor, Position at, int course, Optional<Pointing> pointing) {
+            FlightState state = probe.state(at, course);
+            OptionalInt certain = code(probe, assessor.bound(probe.drone(), state, pointing, probe::steps));
+            return certain.isPresent()
+                    ? certain.getAsInt()
+                    : code(probe, probe.assessInSteps(assessor, probe.drone().at(state), pointing));
+        }
+
+        /** Empty where bounds are more than a step apart. */
+        private static OptionalInt code(FieldProbe probe, Optional<AssessmentBounds> found) {
+            if (found.isEmpty()) {
+                return OptionalInt.empty();
+            }
+            AssessmentBounds bounds = found.get();
+            int steps = probe.steps(bounds.least());
+            return steps == probe.steps(bounds.greatest())
+                    ? OptionalInt.of(steps | bounds.cause().ordinal() << CAUSE_SHIFT)
+                    : OptionalInt.empty();
         }
 
         private int keep() {
@@ -144,7 +172,7 @@ final class SensorLayer {
         /** A sensor whose line of sight leaves the known ground is not counted on. */
         private static int code(FieldProbe probe, Assessment assessment) {
             Cause cause = assessment.cause();
-            int steps = cause == Cause.UNKNOWN ? 0 : steps(probe.probability(assessment));
+            int steps = cause == Cause.UNKNOWN ? 0 : probe.steps(assessment.probability());
             return steps | cause.ordinal() << CAUSE_SHIFT;
         }
     }

@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.camera;
 
 import java.util.Optional;
-import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.Visibility;
@@ -38,13 +37,13 @@ final class Beyond {
     }
 
     /**
-     * How far behind a drone's origin the line of sight meets the ground or a building; beyond the edge of the site
+     * How far behind a drone the line of sight meets the ground or a building; beyond the edge of the site
      * there is level ground at the height of its lowest point.
      *
+     * @param at origin of the drone, m
      * @return 0 or more, m; infinite for the sky
      */
-    double background(Drone drone) {
-        Position at = drone.origin();
+    double background(Position at) {
         Position vector = at.minus(camera);
         if (visibility.findFirstAlong(
                 at.x(), at.y(), at.z(), vector.x(), vector.y(), vector.z(), Double.POSITIVE_INFINITY)) {

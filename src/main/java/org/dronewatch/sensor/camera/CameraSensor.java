@@ -6,14 +6,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleToIntFunction;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
-import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.AssessmentBounds;
+import org.dronewatch.sensor.BoundingSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Cover;
@@ -27,12 +30,10 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
-import org.dronewatch.sensor.optics.ImageSpeed;
-import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
 /** A camera for visible light. Keeps its last image, and scratch memory for drones: one thread at a time. */
-public final class CameraSensor implements AssessableSensor {
+public final class CameraSensor implements BoundingSensor {
     /** Fewer pixels are counted at once. */
     private static final int FEW_PIXELS = 256;
 
@@ -43,13 +44,8 @@ public final class CameraSensor implements AssessableSensor {
     private Optional<Pointing> pointing = Optional.empty();
     private World world;
     private Cover cover;
-    private Beyond beyond;
-
-    /** The light by which it sees, dimmed by rain. */
-    private Light light;
-
-    /** The vector to the sun, as long as the camera sees it. */
-    private Optional<Position> sun = Optional.empty();
+    private CameraSignal signals;
+    private CameraBounds bounds;
 
     /** A camera with the given settings. */
     public CameraSensor(CameraSettings settings) {
@@ -74,9 +70,8 @@ public final class CameraSensor implements AssessableSensor {
         if (site != world) {
             world = site;
             cover = new Cover(site, settings.position());
-            beyond = new Beyond(site, settings.position());
-            sun = beyond.sun();
-            light = site.light().inRain(site.rain());
+            signals = new CameraSignal(settings, site);
+            bounds = new CameraBounds(site, signals, cover);
         }
         if (!pointing.equals(where)) {
             pointing = where;
@@ -129,6 +124,22 @@ public final class CameraSensor implements AssessableSensor {
                 : Explanation.of(Cause.OUT_OF_VIEW);
     }
 
+    @Override
+    public Optional<AssessmentBounds> boundAtAllHeadings(
+            World site, Drone drone, Position at, Optional<Pointing> where) {
+        turn(site, where);
+        return bounds.atAllHeadings(picture, drone, at);
+    }
+
+    @Override
+    public Optional<AssessmentBounds> bound(
+            World site, Drone drone, FlightState state, Optional<Pointing> where, DoubleToIntFunction steps) {
+        turn(site, where);
+        return settings.detection().growsWithPixels()
+                ? bounds.of(picture, drone, state, pointing, steps)
+                : Optional.empty();
+    }
+
     /** A drone that is outside the image however it turns has no pixels; the cause depends on its position alone. */
     @Override
     public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> where) {
@@ -157,11 +168,7 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     private Signal signal(DroneView view) {
-        DetectionFunction detection = settings.detection();
-        double value = detection.value(view);
-        return detection.byChance()
-                ? Signal.of(detection.probability(view).orElseThrow(), value, detection.unit(), detection.threshold())
-                : Signal.certain(value, detection.unit(), detection.threshold());
+        return signals.of(view);
     }
 
     private Observation observe(Drone drone, int pixels, Look look) {
@@ -202,16 +209,12 @@ public final class CameraSensor implements AssessableSensor {
     }
 
     private DroneView view(Drone drone, int pixels) {
-        double range = drone.distance(settings.position());
-        double focalLength = picture.camera().focalLength();
-        if (pixels == 0) {
-            return new DroneView(0, range, focalLength, 0.0, light, Double.POSITIVE_INFINITY);
-        }
-        Position vector = drone.origin().minus(settings.position());
-        double crossing = ImageSpeed.turning(settings.position(), drone, pointing) * focalLength;
-        double sunAngle = sun.map(vector::angle).orElse(Double.POSITIVE_INFINITY);
-        return new DroneView(
-                pixels, range, focalLength, crossing, light, sunAngle, settings.lens(), beyond.background(drone));
+        return signals.view(
+                drone.origin(),
+                Position.of(drone.velocity()),
+                pixels,
+                pointing,
+                picture.camera().focalLength());
     }
 
     /**

@@ -2,8 +2,12 @@ package org.dronewatch.sensor.optics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
@@ -19,6 +23,11 @@ public final class DronePicture {
 
     /** For drones without the world. */
     private DynamicView openView;
+
+    private PixelBounds bounds;
+    private SilhouetteTable boundSilhouettes;
+    private Position boundPlace;
+    private boolean isBound;
 
     /** The pictures of a camera. */
     public DronePicture(CameraObject camera) {
@@ -52,8 +61,39 @@ public final class DronePicture {
         return dynamicView.mostPixels(drone);
     }
 
+    /**
+     * Bounds on the number of pixels that show a level drone at a place.
+     *
+     * @param silhouettes of the drone
+     * @param at its origin, m
+     * @return empty where none are known: close to the camera, and at the planes of its projection
+     */
+    public Optional<PixelBounds> bounds(World world, SilhouetteTable silhouettes, Position at) {
+        setWorld(world);
+        if (bounds == null) {
+            bounds = new PixelBounds(camera);
+        }
+        if (silhouettes != boundSilhouettes || !at.equals(boundPlace)) {
+            boundSilhouettes = silhouettes;
+            boundPlace = at;
+            isBound = bounds.set(staticView, silhouettes, at);
+        }
+        return isBound ? Optional.of(bounds) : Optional.empty();
+    }
+
+    /**
+     * Traces pixels of the drone, as it was counted last, until its bounds suffice or are exact.
+     *
+     * @param isSufficient whether the bounds suffice as they are
+     * @return false where a picture of the drone is drawn faster
+     */
+    public boolean refine(PixelBounds there, Drone drone, BooleanSupplier isSufficient) {
+        return there.refine(staticView, dynamicView, drone, isSufficient);
+    }
+
     private void setWorld(World world) {
         if (staticView == null || !staticView.shows(world)) {
+            boundPlace = null;
             staticView = new StaticView(camera, world);
             dynamicView = new DynamicView(camera, world::newTileTracer);
         }

@@ -28,8 +28,11 @@ final class DynamicView {
     private final Matrix4d toModel = new Matrix4d();
     private final ModelGrid grid;
 
-    /** Of a drone that is not drawn. */
+    /** Of a drone that is not drawn, or of which only some pixels are traced. */
     private final PixelRectangle around = new PixelRectangle();
+
+    /** Of the drone whose pixels are traced one by one. */
+    private TileTracer singly;
 
     private final Function<KDTree, TileTracer> tracers;
     private final Map<KDTree, TileTracer> traversals = new IdentityHashMap<>();
@@ -97,11 +100,9 @@ final class DynamicView {
 
     private void draw(Background background, Drone drone, int number, IntPredicate enough) {
         PixelRectangle rectangle = silhouettes[number].rectangle();
-        TileTracer traversal = traversals.computeIfAbsent(drone.tree(), tracers);
-        drone.worldToModel(toModel);
-        grid.setPicture(traversal, toModel);
+        TileTracer traversal = aim(drone);
         int asked = 1;
-        boolean coarse = drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
+        boolean coarse = isCoarse(drone, rectangle);
         for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTracer.HEIGHT) {
             int rows = Math.min(TileTracer.HEIGHT, rectangle.bottom() + 1 - top);
             for (int left = rectangle.left(); left <= rectangle.right(); left += TileTracer.WIDTH) {
@@ -121,6 +122,43 @@ final class DynamicView {
                 }
             }
         }
+    }
+
+    private TileTracer aim(Drone drone) {
+        TileTracer traversal = traversals.computeIfAbsent(drone.tree(), tracers);
+        drone.worldToModel(toModel);
+        grid.setPicture(traversal, toModel);
+        return traversal;
+    }
+
+    /** Whether tiles are faster than rays. */
+    private static boolean isCoarse(Drone drone, PixelRectangle rectangle) {
+        return drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
+    }
+
+    /**
+     * Prepares for tracing some pixels of a drone; what was drawn before is kept.
+     *
+     * @return false if the drone would be drawn by tiles
+     */
+    boolean beginSingly(Drone drone) {
+        significantPixels.find(drone, around);
+        if (isCoarse(drone, around)) {
+            return false;
+        }
+        singly = around.isEmpty() ? null : aim(drone);
+        return true;
+    }
+
+    /** Distance of that drone along the ray of a pixel, as if it were drawn, m; infinity where it is not. */
+    float distanceSingly(int column, int row) {
+        if (!around.contains(column, row)) {
+            return Float.POSITIVE_INFINITY;
+        }
+        singly.traceSingly(column, row, 1, 1);
+        return singly.hits(0, 0)
+                ? (float) (singly.parameter(0, 0) * camera.obliqueness(column, row))
+                : Float.POSITIVE_INFINITY;
     }
 
     private void claimTile(

@@ -18,9 +18,15 @@ public final class ImageSpeed {
      * @param pointing pointing and rates of its positioner; empty for a fixed mount
      */
     public static double turning(Position camera, Drone drone, Optional<Pointing> pointing) {
-        Position velocity = Position.of(drone.velocity());
+        return turning(camera, drone.origin(), Position.of(drone.velocity()), pointing);
+    }
+
+    /**
+     * The same for a drone at a position, m, with a velocity, m/s.
+     */
+    public static double turning(Position camera, Position drone, Position velocity, Optional<Pointing> pointing) {
         double range = drone.distance(camera);
-        Direction to = Direction.of(drone.origin().minus(camera));
+        Direction to = Direction.of(drone.minus(camera));
         double sin = Math.sin(to.azimuth());
         double cos = Math.cos(to.azimuth());
         double level = range * Math.cos(to.elevation());

@@ -1,0 +1,68 @@
+package org.dronewatch.drone;
+
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import org.dronewatch.geometry.TriangleMesh;
+
+/**
+ * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
+ * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made once its
+ * directions have been requested several times: a few pictures of a drone cost less than a mask. Thread-safe.
+ */
+public final class SilhouetteTable {
+    private static final int AZIMUTHS = 120;
+    private static final int ELEVATIONS = 60;
+    private static final double AZIMUTH_STEP = 2.0 * Math.PI / AZIMUTHS;
+    private static final double ELEVATION_STEP = Math.PI / ELEVATIONS;
+
+    /** A mask takes as long as about so many pictures of a small drone. */
+    private static final int REQUESTS = 16;
+
+    private final SilhouetteRaster raster;
+    private final AtomicReferenceArray<SilhouetteMask> masks = new AtomicReferenceArray<>(AZIMUTHS * ELEVATIONS);
+    private final AtomicIntegerArray requests = new AtomicIntegerArray(AZIMUTHS * ELEVATIONS);
+
+    /** The silhouettes of a mesh in model space: x to the right, y ahead, z up, m. */
+    public SilhouetteTable(TriangleMesh mesh) {
+        this.raster = new SilhouetteRaster(mesh);
+    }
+
+    /** The largest distance of the mesh from its origin, m. */
+    public double radius() {
+        return raster.radius();
+    }
+
+    /** Half the side of a mask, m. */
+    public double halfWidth() {
+        return raster.halfWidth();
+    }
+
+    /** The least distance of the camera from the drone's origin for which the masks hold, m. */
+    public double minRange() {
+        return raster.minRange();
+    }
+
+    /**
+     * The mask for a direction.
+     *
+     * @param azimuth of the line of sight, from the camera to the drone, relative to the drone's nose, clockwise, rad
+     * @param elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
+     * @return null until the mask's directions have been requested several times
+     */
+    public SilhouetteMask mask(double azimuth, double elevation) {
+        int column = Math.floorMod((int) Math.floor(azimuth / AZIMUTH_STEP), AZIMUTHS);
+        int row = (int)
+                Math.max(0.0, Math.min(ELEVATIONS - 1.0, Math.floor((elevation + 0.5 * Math.PI) / ELEVATION_STEP)));
+        int index = row * AZIMUTHS + column;
+        SilhouetteMask mask = masks.get(index);
+        if (mask == null && requests.incrementAndGet(index) >= REQUESTS) {
+            mask = raster.mask(
+                    (column + 0.5) * AZIMUTH_STEP,
+                    (row + 0.5) * ELEVATION_STEP - 0.5 * Math.PI,
+                    0.5 * AZIMUTH_STEP,
+                    0.5 * ELEVATION_STEP);
+            masks.set(index, mask);
+        }
+        return mask;
+    }
+}

@@ -1,0 +1,178 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.Optional;
+import java.util.function.DoubleToIntFunction;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.AssessmentBounds;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Cover;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.optics.DronePicture;
+import org.dronewatch.sensor.optics.PixelBounds;
+import org.dronewatch.world.Obstacle;
+import org.dronewatch.world.World;
+
+/**
+ * Bounds on the assessments of a camera whose signal grows with the number of pixels, from bounds on that number. The
+ * cause follows the rules for an exact look ({@link Cover#explain}); a ray is traced for it only where it matters. One
+ * thread at a time.
+ */
+final class CameraBounds {
+    private static final Position AT_REST = new Position(0, 0, 0);
+
+    private final World world;
+    private final CameraSignal signals;
+    private final Cover cover;
+
+    // The obstacle before a place was last asked for here.
+    private Position asked;
+    private Optional<Obstacle> obstacle = Optional.empty();
+
+    CameraBounds(World world, CameraSignal signals, Cover cover) {
+        this.world = world;
+        this.signals = signals;
+        this.cover = cover;
+    }
+
+    /**
+     * Bounds for all headings and speeds: those of a drone that is outside the image, or that the site hides.
+     *
+     * @param picture of the camera as it is pointed
+     */
+    Optional<AssessmentBounds> atAllHeadings(DronePicture picture, Drone drone, Position at) {
+        double radius = drone.silhouettes().radius();
+        if (picture.camera().isOutside(at.x(), at.y(), at.z(), radius)) {
+            return unseen(picture, at, Cause.OUT_OF_VIEW);
+        }
+        boolean isInvisible = picture.bounds(world, drone.silhouettes(), at)
+                .filter(PixelBounds::isInvisible)
+                .isPresent();
+        return isInvisible && isInOutline(picture, at)
+                ? obstacle(at)
+                        .flatMap(before -> unseen(
+                                picture, at, Cause.hiddenBy(before.model().role())))
+                : Optional.empty();
+    }
+
+    /** Without a pixel, neither heading nor speed matter. */
+    private Optional<AssessmentBounds> unseen(DronePicture picture, Position at, Cause cause) {
+        Signal nothing = signals.of(
+                signals.view(at, AT_REST, 0, Optional.empty(), picture.camera().focalLength()));
+        double probability = nothing.probability();
+        return Optional.of(
+                new AssessmentBounds(probability, probability, nothing.isDetected() ? Cause.DETECTED : cause));
+    }
+
+    private static boolean isInOutline(DronePicture picture, Position at) {
+        return picture.camera().outline().contains(at.minus(picture.camera().position()));
+    }
+
+    private Optional<Obstacle> obstacle(Position at) {
+        if (!at.equals(asked)) {
+            asked = at;
+            obstacle = cover.ofPoint(at);
+        }
+        return obstacle;
+    }
+
+    /**
+     * Bounds for a level state.
+     *
+     * @param steps probabilities with the same step need not be told apart
+     * @return empty where it is faster to draw the drone
+     */
+    Optional<AssessmentBounds> of(
+            DronePicture picture,
+            Drone drone,
+            FlightState state,
+            Optional<Pointing> pointing,
+            DoubleToIntFunction steps) {
+        Optional<PixelBounds> found = picture.bounds(world, drone.silhouettes(), state.position());
+        if (found.isEmpty()) {
+            return Optional.empty();
+        }
+        PixelBounds pixels = found.get();
+        State there = new State(picture, state, pointing);
+        pixels.count(state.heading(), number -> there.signal(number).probability() == 1.0);
+        Optional<AssessmentBounds> bounds = there.bounds(pixels, steps);
+        return bounds.isEmpty()
+                        && picture.refine(pixels, drone.at(state), () -> there.bounds(pixels, steps)
+                                .isPresent())
+                ? there.bounds(pixels, steps)
+                : bounds;
+    }
+
+    /** A state in which the drone may be. */
+    private final class State {
+        private final DronePicture picture;
+        private final FlightState state;
+        private final Optional<Pointing> pointing;
+
+        State(DronePicture picture, FlightState state, Optional<Pointing> pointing) {
+            this.picture = picture;
+            this.state = state;
+            this.pointing = pointing;
+        }
+
+        /** Empty where the bounds are too far apart, or the cause is not certain. */
+        Optional<AssessmentBounds> bounds(PixelBounds pixels, DoubleToIntFunction steps) {
+            Range seen = range(pixels.least(), pixels.most());
+            return steps.applyAsInt(seen.least) == steps.applyAsInt(seen.greatest)
+                    ? cause(pixels, seen).map(cause -> new AssessmentBounds(seen.least, seen.greatest, cause))
+                    : Optional.empty();
+        }
+
+        private Optional<Cause> cause(PixelBounds pixels, Range seen) {
+            if (seen.isDetected) {
+                return Optional.of(Cause.DETECTED);
+            }
+            if (!seen.isMissed) {
+                return Optional.empty();
+            }
+            if (!isInOutline(picture, state.position())) {
+                return Optional.of(Cause.OUT_OF_VIEW);
+            }
+            Range inTheOpen = range(pixels.leastInTheOpen(), pixels.mostInTheOpen());
+            if (inTheOpen.isMissed && pixels.least() > 0) {
+                return Optional.of(Cause.TOO_WEAK);
+            }
+            Optional<Obstacle> before = obstacle(state.position());
+            if (before.isEmpty()) {
+                return inTheOpen.isMissed ? Optional.of(Cause.TOO_WEAK) : Optional.empty();
+            }
+            return pixels.most() == 0 || inTheOpen.isDetected
+                    ? before.map(one -> Cause.hiddenBy(one.model().role()))
+                    : Optional.empty();
+        }
+
+        /** Between two numbers of pixels. All else is equal for one pixel and more, but not for none. */
+        private Range range(int least, int most) {
+            Signal low = signal(least);
+            Signal high = signal(most);
+            if (least > 0 || most == 0) {
+                return new Range(low.probability(), high.probability(), low.isDetected(), !high.isDetected());
+            }
+            Signal one = signal(1);
+            return new Range(
+                    Math.min(low.probability(), one.probability()),
+                    Math.max(low.probability(), high.probability()),
+                    low.isDetected() && one.isDetected(),
+                    !low.isDetected() && !high.isDetected());
+        }
+
+        private Signal signal(int pixels) {
+            return signals.of(signals.view(
+                    state.position(),
+                    state.velocity(),
+                    pixels,
+                    pointing,
+                    picture.camera().focalLength()));
+        }
+    }
+
+    /** The probabilities between two numbers of pixels, and whether the drone is certainly detected, or missed. */
+    private record Range(double least, double greatest, boolean isDetected, boolean isMissed) {}
+}

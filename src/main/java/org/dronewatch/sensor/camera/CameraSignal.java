@@ -1,0 +1,69 @@
+package org.dronewatch.sensor.camera;
+
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.optics.ImageSpeed;
+import org.dronewatch.world.Light;
+import org.dronewatch.world.World;
+
+/** The signal of a camera in a world, from the number of pixels that show a drone. One thread at a time. */
+final class CameraSignal {
+    private final CameraSettings settings;
+    private final Beyond beyond;
+
+    /** The light by which it sees, dimmed by rain. */
+    private final Light light;
+
+    /** The vector to the sun, as long as the camera sees it. */
+    private final Optional<Position> sun;
+
+    // What is behind a drone was last asked for here.
+    private Position before;
+    private double background;
+
+    CameraSignal(CameraSettings settings, World world) {
+        this.settings = settings;
+        this.beyond = new Beyond(world, settings.position());
+        this.light = world.light().inRain(world.rain());
+        this.sun = beyond.sun();
+    }
+
+    /**
+     * The view of a drone.
+     *
+     * @param at its origin, m
+     * @param velocity its velocity, m/s
+     * @param pixels that show it
+     * @param pointing where a positioner points the camera
+     * @param focalLength of the camera as it is pointed, pixels
+     */
+    DroneView view(Position at, Position velocity, int pixels, Optional<Pointing> pointing, double focalLength) {
+        double range = at.distance(settings.position());
+        if (pixels == 0) {
+            return new DroneView(0, range, focalLength, 0.0, light, Double.POSITIVE_INFINITY);
+        }
+        Position vector = at.minus(settings.position());
+        double crossing = ImageSpeed.turning(settings.position(), at, velocity, pointing) * focalLength;
+        double sunAngle = sun.map(vector::angle).orElse(Double.POSITIVE_INFINITY);
+        return new DroneView(pixels, range, focalLength, crossing, light, sunAngle, settings.lens(), background(at));
+    }
+
+    private double background(Position at) {
+        if (!at.equals(before)) {
+            before = at;
+            background = beyond.background(at);
+        }
+        return background;
+    }
+
+    /** The signal of a view. */
+    Signal of(DroneView view) {
+        DetectionFunction detection = settings.detection();
+        double value = detection.value(view);
+        return detection.byChance()
+                ? Signal.of(detection.probability(view).orElseThrow(), value, detection.unit(), detection.threshold())
+                : Signal.certain(value, detection.unit(), detection.threshold());
+    }
+}
