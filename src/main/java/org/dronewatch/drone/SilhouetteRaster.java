@@ -11,8 +11,8 @@ import org.dronewatch.geometry.TriangleMesh;
  * <p>A point farther than that from all that is covered remains uncovered. A covered point may be uncovered, although
  * everything around it is covered: between two parts of a drone, one behind the other, a gap may open. Therefore each
  * connected part is considered alone. Its triangles, each oriented so that it faces the camera, form a surface; how
- * often this covers a point is the winding number of its outline about the point, and remains the same as long as the
- * outline does not pass over the point. The outline consists of the edges at which the triangles do not cancel:
+ * often this covers a point is the winding number of its outline about the point, and remains the same as long as
+ * the outline does not pass over the point. The outline consists of the edges at which the triangles do not cancel:
  * those where the surface turns away, and those with a triangle on one side only. So a covered point that is farther
  * than the bound from the outline of a part remains covered by it. This holds for any mesh, closed or not.
  *
@@ -21,7 +21,7 @@ import org.dronewatch.geometry.TriangleMesh;
 final class SilhouetteRaster {
     private static final int TEXELS = SilhouetteMask.TEXELS;
 
-    /** The least distance of the camera in radii of the drone: perspective displaces points by less than 1/126 of it. */
+    /** The least distance of the camera in radii: perspective displaces points by at most 1/126 radius. */
     private static final double MIN_RANGE = 64.0;
 
     /** Rounding, as a fraction of the radius. */

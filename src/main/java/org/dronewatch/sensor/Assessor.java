@@ -58,9 +58,9 @@ public final class Assessor {
     }
 
     /**
-     * As {@link BoundingSensor#boundAtAllHeadings}, in this assessor's world; empty for sensors of other kinds. Where the
-     * ground below the line of sight is not known everywhere, the cause is {@link Cause#UNKNOWN}, with a probability of
-     * 0.
+     * As {@link BoundingSensor#boundAtAllHeadings}, in this assessor's world; empty for sensors of other kinds. Where
+     * the ground below the line of sight is not known everywhere, the cause is {@link Cause#UNKNOWN}, with a
+     * probability of 0.
      */
     public Optional<AssessmentBounds> boundAtAllHeadings(Drone drone, Position at, Optional<Pointing> pointing) {
         if (!(sensor instanceof BoundingSensor bounding)) {

@@ -10,7 +10,8 @@ import org.dronewatch.geometry.Position;
 /**
  * Bounds on the number of pixels that show a level drone at a place, on any heading: the rays of the pixels around it
  * are looked up in masks of its silhouette, and in the image of the site; only those for which neither is certain are
- * traced to the drone, and only on request. Reused for many places; allocates only if it needs more memory than before. One per thread.
+ * traced to the drone, and only on request. Reused for many places; allocates only if it needs more memory than before.
+ * One per thread.
  */
 public final class PixelBounds {
     /** More pixels around a drone than this are not examined. */

@@ -27,8 +27,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Bounds against exact assessments, which draw the drone: at random places before, beside and behind the edge of a wall,
- * at the rims of the image, at the planes of its projection, and around the camera itself.
+ * Bounds against exact assessments, which draw the drone: at random places before, beside and behind the edge of a
+ * wall, at the rims of the image, at the planes of its projection, and around the camera itself.
  */
 class CameraBoundsTest {
     private static final int PLACES = 250;
