@@ -72,7 +72,7 @@ final class FieldOptions {
             names = COVERED,
             paramLabel = "P",
             description =
-                    "The probability with which a sensor covers a cell, of one look or within a time (--within), above"
+                    "The probability with which a sensor covers a cell, in one look or within a time (--within), above"
                             + " 0 and at most 1; 0.5 by default.")
     private Double covered;
 
