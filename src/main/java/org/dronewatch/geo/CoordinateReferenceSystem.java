@@ -22,6 +22,10 @@ public final class CoordinateReferenceSystem {
     private static final Pattern CODE = Pattern.compile(
             "(?:EPSG:|URN:OGC:DEF:CRS:EPSG:[^:]*:|HTTPS?://WWW\\.OPENGIS\\.NET/DEF/CRS/EPSG/[^/]*/)" + "(\\d{4,6})");
 
+    /** Longitude and latitude by the name that OGC gives them. */
+    private static final Pattern CRS84 =
+            Pattern.compile("(?:OGC:|URN:OGC:DEF:CRS:OGC:[^:]*:|HTTPS?://WWW\\.OPENGIS\\.NET/DEF/CRS/OGC/[^/]*/)CRS84");
+
     private static final String EXAMPLE = "must be an EPSG code, as in EPSG:25832";
 
     /** Looking one up takes milliseconds. */
@@ -41,13 +45,15 @@ public final class CoordinateReferenceSystem {
     /**
      * A system by its code.
      *
-     * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or address in a file
+     * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or address in a file; longitude and
+     *     latitude may also be named {@code OGC:CRS84}
      * @throws InputException when it is not a code, is not in PROJ4J's register, or is neither a grid nor longitude and
      *     latitude
      */
     public static CoordinateReferenceSystem of(String code) {
         String shown = PlainText.value(code);
-        Matcher matcher = CODE.matcher(code.strip().toUpperCase(Locale.ROOT));
+        String upper = code.strip().toUpperCase(Locale.ROOT);
+        Matcher matcher = CODE.matcher(CRS84.matcher(upper).matches() ? "EPSG:4326" : upper);
         if (!matcher.matches()) {
             throw new InputException("coordinate reference system '" + shown + "' " + EXAMPLE);
         }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geo.MapExtent;
+import org.dronewatch.geo.features.GeoJsonSystem;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.FileHash;
@@ -60,22 +61,9 @@ final class GeoJsonFile {
         }
         reader.object(root, "geometry", Map.of(), 0);
         MapSystem system = new MapSystem(
-                MapSystem.Rule.DEGREES, stated(root.path("crs")), "crs", reader.extent.extent(), reader.foreign);
+                MapSystem.Rule.DEGREES, GeoJsonSystem.stated(root), "crs", reader.extent.extent(), reader.foreign);
         return new MapFeatures(
                 reader.features, Optional.empty(), new MapLand(reader.shapes), reader.leftOut, "GeoJSON", system, hash);
-    }
-
-    /** The name in the member {@code crs} of the format of 2008, or its number in the one before that. */
-    private static Optional<String> stated(JsonNode crs) {
-        JsonNode properties = crs.path("properties");
-        String text =
-                switch (crs.path("type").asString("")) {
-                    case "name" -> properties.path("name").asString("");
-                    case "EPSG" -> "EPSG:" + properties.path("code").asString("");
-                    case "link" -> properties.path("href").asString("");
-                    default -> "";
-                };
-        return Optional.of(text).filter(any -> !text.isBlank());
     }
 
     private void object(JsonNode node, String id, Map<String, String> tags, int depth) {

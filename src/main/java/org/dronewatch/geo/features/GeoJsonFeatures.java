@@ -2,16 +2,38 @@ package org.dronewatch.geo.features;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.geo.EarthPoint;
+import org.dronewatch.geo.GeoPoint;
+import org.dronewatch.geo.MapTransform;
+import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.file.JsonText;
 import tools.jackson.databind.JsonNode;
 
 /** Reads the features of GeoJSON (RFC 7946) that have a {@code name} among their properties. */
-record GeoJsonFeatures(String file, Features.Found found) {
+final class GeoJsonFeatures {
+    /** Any: only longitudes and latitudes are needed. */
+    private static final Origin ANYWHERE = Origin.at(0.0, 0.0);
+
+    private final String file;
+    private final Features.Found found;
+
+    /** From coordinates of a grid, if the file states one. */
+    private Optional<MapTransform> grid = Optional.empty();
+
+    GeoJsonFeatures(String file, Features.Found found) {
+        this.file = file;
+        this.found = found;
+    }
 
     void read(byte[] bytes) {
         JsonNode root = JsonText.read(file, bytes);
+        grid = GeoJsonSystem.stated(root)
+                .map(this::system)
+                .filter(crs -> !crs.equals(CoordinateReferenceSystem.WGS_84))
+                .map(crs -> new MapTransform(crs, ANYWHERE));
         String type = root.path("type").asString("");
         if (type.equals("Feature")) {
             feature(root, 0);
@@ -23,6 +45,14 @@ record GeoJsonFeatures(String file, Features.Found found) {
         } else {
             throw new InputException(
                     file + ": 'type' is '" + PlainText.value(type) + "', must be FeatureCollection or Feature");
+        }
+    }
+
+    private CoordinateReferenceSystem system(String stated) {
+        try {
+            return CoordinateReferenceSystem.of(stated);
+        } catch (InputException e) {
+            throw new InputException(file + ": crs: " + e.getMessage(), e);
         }
     }
 
@@ -60,10 +90,26 @@ record GeoJsonFeatures(String file, Features.Found found) {
         return new Feature(
                 where,
                 "Point",
-                Optional.of(found.point(
+                Optional.of(onEarth(
                         coordinates.get(0).doubleValue(), coordinates.get(1).doubleValue(), where)),
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
                 height == 0.0 ? OptionalDouble.empty() : OptionalDouble.of(height));
+    }
+
+    private EarthPoint onEarth(double x, double y, String where) {
+        try {
+            GeoPoint point = grid.map(map -> map.onEarth(x, y, 0.0)).orElse(new GeoPoint(x, y, 0.0));
+            return found.point(point.longitude(), point.latitude(), where);
+        } catch (InputException e) {
+            if (grid.isPresent()) {
+                throw new InputException(file + ":" + where + ": " + e.getMessage(), e);
+            }
+            throw new InputException(
+                    e.getMessage()
+                            + "; 'ogr2ogr -t_srs EPSG:4326 new.geojson old.geojson' converts coordinates of a grid"
+                            + " that the file states",
+                    e);
+        }
     }
 }

@@ -13,6 +13,7 @@ import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class FeaturesTest {
     private static final String KML =
@@ -118,6 +119,39 @@ class FeaturesTest {
             })
     void wrongGeoJsonIsRefusedInALine(String old, String wrong, String message) {
         assertRefused(GEOJSON, old, wrong, message);
+    }
+
+    /** The place of MapTransformTest's table that EPSG:32632 has at 373139.3367, 4844024.1247 (PROJ 9.5.1). */
+    @ParameterizedTest
+    @ValueSource(strings = {"urn:ogc:def:crs:EPSG::32632", "EPSG:32632"})
+    void aGridThatTheFileStatesIsTransformed(String crs) {
+        String text =
+                "{\"type\": \"FeatureCollection\", \"crs\": {\"type\": \"name\", \"properties\": {\"name\": \"" + crs
+                        + "\"}}, \"features\": [{\"type\": \"Feature\", \"properties\": {\"name\": \"gate\"}, \"geometry\":"
+                        + " {\"type\": \"Point\", \"coordinates\": [373139.3367, 4844024.1247]}}]}";
+        EarthPlace gate = place(text, "gate");
+        assertThat(Math.toDegrees(gate.latitude())).isEqualTo(43.7384, within(2e-8));
+        assertThat(Math.toDegrees(gate.longitude())).isEqualTo(7.4246, within(2e-8));
+
+        assertRefused(
+                text,
+                "4844024.1247",
+                "4844024.1e9",
+                "map:features.0: point (373139.336700, 4844024100000000.000000) lies where EPSG:32632 has no coordinates");
+        assertRefused(text, crs, "EPSG:1111", "map: crs: coordinate reference system 'EPSG:1111' is not known");
+        // Without the statement, they are no degrees.
+        assertRefused(
+                text,
+                "\"crs\"",
+                "\"was\"",
+                "map:features.0: latitude 4844024.1247 must be -90.0 to 90.0; 'ogr2ogr -t_srs EPSG:4326");
+        assertThat(place(
+                        GEOJSON.replaceFirst(
+                                "\\{",
+                                "{\"crs\": {\"type\": \"name\", \"properties\": {\"name\":"
+                                        + " \"urn:ogc:def:crs:OGC:1.3:CRS84\"}}, "),
+                        "north gate"))
+                .isEqualTo(place(GEOJSON, "north gate"));
     }
 
     private static void assertRefused(String text, String old, String wrong, String message) {

@@ -1,0 +1,31 @@
+package org.dronewatch.geo.features;
+
+import java.util.Optional;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * What a GeoJSON file states about its coordinates. The format of today (RFC 7946) allows longitude and latitude only;
+ * that of 2008 and the one before had a member {@code crs}, which most programs still write for coordinates of a grid.
+ */
+public final class GeoJsonSystem {
+    private GeoJsonSystem() {}
+
+    /**
+     * The name of the coordinate reference system in a file: a code, a URN or an address, as it is written.
+     *
+     * @param root the whole file
+     * @return empty if the file states none
+     */
+    public static Optional<String> stated(JsonNode root) {
+        JsonNode crs = root.path("crs");
+        JsonNode properties = crs.path("properties");
+        String text =
+                switch (crs.path("type").asString("")) {
+                    case "name" -> properties.path("name").asString("");
+                    case "EPSG" -> "EPSG:" + properties.path("code").asString("");
+                    case "link" -> properties.path("href").asString("");
+                    default -> "";
+                };
+        return Optional.of(text).filter(any -> !text.isBlank());
+    }
+}
