@@ -39,6 +39,7 @@ import picocli.CommandLine.Spec;
             SchemaCommand.class,
             RenderCommand.class,
             CoverageCommand.class,
+            CampaignCommand.class,
             AlarmsCommand.class,
             CalibrateCommand.class,
             BenchCommand.class,

@@ -118,6 +118,11 @@ final class ConfiguredScene {
                 .orElse(settings);
     }
 
+    /** The settings with another value, as a sweep writes it. */
+    SceneSettings write(SceneSettings settings, String path, String value) {
+        return writer().write(settings, path, value);
+    }
+
     /** A line for each former name of a setting found by {@link #settings()}, keyed by the renamed setting. */
     Map<FormerNames.Renamed, String> formerNames() {
         FormerNames all = new FormerNames();

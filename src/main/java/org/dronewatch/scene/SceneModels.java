@@ -27,6 +27,12 @@ final class SceneModels {
         this.models = scene.models(notes);
     }
 
+    /** Models that others may have read already. */
+    SceneModels(ConfiguredScene scene, ModelCache models) {
+        this.scene = scene;
+        this.models = models;
+    }
+
     /** Warns of weather and light that change nothing that is detected, and of odd settings of sensors. */
     void adviseOnConditions() {
         ConditionAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);

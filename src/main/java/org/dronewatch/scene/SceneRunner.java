@@ -215,6 +215,40 @@ public final class SceneRunner {
         return known.withModels(models().cache().files());
     }
 
+    /**
+     * The settings with another value, as a sweep writes it: a sensor may be replaced by its name in the catalogue, but
+     * not by a system of sensors.
+     *
+     * @param settings those of the scene, or of one of its runs
+     * @throws InputException when the path leads nowhere or the value does not fit
+     */
+    public SceneSettings write(SceneSettings settings, String path, String value) {
+        return configured.write(settings, path, value);
+    }
+
+    /**
+     * Shares the models of another runner of a scene in the same directory: what that one has loaded is not loaded
+     * again. Its receiver of notes is told of what is.
+     */
+    public SceneRunner share(ModelCache loaded) {
+        models = new SceneModels(configured, loaded);
+        return this;
+    }
+
+    /**
+     * Loads the models of one of the scene's runs, for runs by {@link org.dronewatch.run.RunSession}.
+     *
+     * @return all models loaded so far; for any number of threads
+     * @throws CancellationException when the thread is interrupted; its interrupt status is kept
+     * @throws InputException when a model is wrong
+     */
+    public ModelCache load(SceneSettings settings) {
+        return Interrupts.surfacing(() -> {
+            models().load(settings);
+            return models().cache();
+        });
+    }
+
     private SceneModels models() {
         if (models == null) {
             models = new SceneModels(configured, notes);

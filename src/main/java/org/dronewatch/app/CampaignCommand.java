@@ -1,0 +1,178 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignSettings;
+import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.CaseRun;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.report.campaign.CampaignFiles;
+import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.SettingsFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+
+/** Runs a scene many times with values drawn by chance. */
+@Command(
+        name = "campaign",
+        mixinStandardHelpOptions = true,
+        description =
+                "Runs a scene many times with settings that vary by chance, each case with all variants; prints and"
+                        + " writes how often the drone is detected and an alert comes in time, with 95 % intervals, and"
+                        + " compares the variants case by case.",
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch campaign scenes/two-vendors.campaign.yaml --out vendors",
+            "  dronewatch campaign scenes/two-vendors.campaign.yaml --out vendors --resume",
+            "  dronewatch campaign scenes/two-vendors.campaign.yaml --case 17"
+        })
+final class CampaignCommand implements Callable<Integer> {
+    @Parameters(index = "0", paramLabel = "FILE.yaml", description = "What is run, and what varies.")
+    private String file;
+
+    @Option(names = "--runs", paramLabel = "N", description = "Number of cases instead of that in the file.")
+    private Integer runs;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "New directory for results; target/campaigns/NAME by default.")
+    private String out;
+
+    @Option(
+            names = "--resume",
+            description = "Completes what an interrupted run of the same campaign left in the directory.")
+    private boolean resume;
+
+    @Option(
+            names = "--case",
+            paramLabel = "K",
+            description = "Runs a single case, counted from 0, and prints its results; nothing is written.")
+    private Integer only;
+
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
+
+    @ParentCommand
+    private Main main;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        Path given = path("campaign file", file);
+        CampaignSettings settings = settings(given);
+        PrintWriter err = spec.commandLine().getErr();
+        Loaded loaded = new Loaded(err);
+        Path directory = given.toAbsolutePath().normalize().getParent();
+        CampaignPlan plan = new CampaignPlan(settings, directory, loaded::note);
+        loaded.done();
+        try (Workers workers = new Workers(threads.number())) {
+            if (only != null) {
+                runOne(plan, workers);
+            } else {
+                runAll(plan, name(given), workers);
+            }
+        }
+        return 0;
+    }
+
+    private CampaignSettings settings(Path given) {
+        CampaignSettings settings = SettingsFile.read(given, CampaignSettings.class, Kinds.FOUND, new FormerNames());
+        if (runs == null) {
+            return settings;
+        }
+        try {
+            return new SettingsPath("runs").write(settings, Integer.toString(runs));
+        } catch (InputException e) {
+            throw new InputException("--" + e.getMessage(), e);
+        }
+    }
+
+    private static Path path(String option, String name) {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException e) {
+            throw new InputException(option + " " + PlainText.value(name) + ": not a path: " + e.getReason(), e);
+        }
+    }
+
+    private static String name(Path given) {
+        return String.valueOf(given.getFileName()).replaceFirst("(?i)(\\.campaign)?\\.ya?ml$", "");
+    }
+
+    private void runOne(CampaignPlan plan, Workers workers) {
+        if (only < 0 || only >= plan.settings().runs()) {
+            throw new InputException(
+                    "--case " + only + ": must be 0 to " + (plan.settings().runs() - 1));
+        }
+        PrintWriter target = spec.commandLine().getOut();
+        CampaignLines.printValues(plan, only, target);
+        for (String variant : plan.variants()) {
+            CaseResult result = workers.call(() -> CaseRun.of(plan, only, variant));
+            CampaignLines.print(result, target);
+        }
+    }
+
+    private void runAll(CampaignPlan plan, String name, Workers workers) {
+        PrintWriter err = spec.commandLine().getErr();
+        Path directory = out == null ? Path.of("target", "campaigns", name) : path("--out", out);
+        Interruption interruption = main.interruption();
+        try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
+            boolean whole = true;
+            try (CaseProgress progress = new CaseProgress(name, plan.settings().runs(), err)) {
+                workers.call(() -> {
+                    new CampaignRun(plan).run(files, progress::add);
+                    return null;
+                });
+            } catch (CancellationException e) {
+                if (!interruption.happened()) {
+                    throw e;
+                }
+                whole = false;
+            }
+            interruption.letFinish();
+            CampaignLines.print(files.finish(), spec.commandLine().getOut());
+            if (!whole) {
+                err.println("interrupted: --resume runs the cases that are missing");
+            }
+            err.println("results in " + directory);
+        }
+    }
+
+    /** Notes while scenes are loaded; what the runs of the cases note is about values drawn by chance. */
+    private static final class Loaded {
+        private final PrintWriter err;
+        private volatile boolean isDone;
+
+        Loaded(PrintWriter err) {
+            this.err = err;
+        }
+
+        void note(String line) {
+            if (!isDone) {
+                err.println(line);
+            }
+        }
+
+        void done() {
+            isDone = true;
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.Measures;
+import org.dronewatch.campaign.Outcome;
+import org.dronewatch.campaign.PairedDifference;
+import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.VariantComparison;
+
+/** What the command {@code campaign} prints. */
+final class CampaignLines {
+    private static final double CONFIDENCE = 0.95;
+    private static final double PERCENT = 100.0;
+
+    private CampaignLines() {}
+
+    /** What came of all cases. */
+    static void print(CampaignSummary summary, PrintWriter out) {
+        int width =
+                summary.variants().keySet().stream().mapToInt(String::length).reduce("variant".length(), Math::max);
+        out.println("in % of the cases, with 95 % intervals:");
+        out.printf(
+                "%-" + width + "s %8s %7s %22s %22s %22s%n",
+                "variant",
+                "cases",
+                "failed",
+                "detected",
+                "alerted",
+                "in time");
+        summary.variants()
+                .forEach((name, one) -> out.printf(
+                        "%-" + width + "s %,8d %,7d %22s %22s %22s%n",
+                        name,
+                        one.cases(),
+                        one.failed(),
+                        share(one.proportion(Outcome.DETECTED)),
+                        share(one.proportion(Outcome.ALERTED)),
+                        share(one.proportion(Outcome.IN_TIME))));
+        out.printf("%nvalue that 95 %%, half and 5 %% of the cases reach (- where they miss the drone):%n");
+        out.printf("%-" + width + "s %31s %31s%n", "variant", "range of first detection [m]", "warning [s]");
+        summary.variants()
+                .forEach((name, one) -> out.printf(
+                        "%-" + width + "s %31s %31s%n", name, quantiles(one.ranges()), quantiles(one.warnings())));
+        printPairs(summary.comparisons(), out);
+    }
+
+    private static void printPairs(List<VariantComparison> pairs, PrintWriter out) {
+        if (pairs.isEmpty()) {
+            return;
+        }
+        out.printf("%nthe same cases compared:%n");
+        for (VariantComparison pair : pairs) {
+            PairedDifference difference = pair.difference();
+            Proportion.Interval interval = difference.interval(CONFIDENCE);
+            out.printf(
+                    Locale.ROOT,
+                    "%s: %s - %s = %+.1f %% (%+.1f to %+.1f), only %s in %,d, only %s in %,d of %,d cases, p = %s%s%n",
+                    word(pair.outcome()),
+                    pair.a(),
+                    pair.b(),
+                    PERCENT * difference.difference(),
+                    PERCENT * interval.low(),
+                    PERCENT * interval.high(),
+                    pair.a(),
+                    difference.onlyA(),
+                    pair.b(),
+                    difference.onlyB(),
+                    difference.of(),
+                    String.format(Locale.ROOT, "%.3g", difference.pValue()),
+                    pair.deciding().isEmpty()
+                            ? ""
+                            : "; the first is case " + pair.deciding().get(0));
+        }
+    }
+
+    private static String word(Outcome outcome) {
+        return outcome.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+
+    private static String share(Optional<Proportion> proportion) {
+        if (proportion.isEmpty()) {
+            return "-";
+        }
+        Proportion.Interval interval = proportion.get().wilson(CONFIDENCE);
+        return String.format(
+                Locale.ROOT,
+                "%.1f (%.1f to %.1f)",
+                PERCENT * proportion.get().share(),
+                PERCENT * interval.low(),
+                PERCENT * interval.high());
+    }
+
+    private static String quantiles(Measures measures) {
+        return text(measures.quantile(0.05)) + ", " + text(measures.quantile(0.5)) + ", "
+                + text(measures.quantile(0.95));
+    }
+
+    private static String text(OptionalDouble value) {
+        return value.isPresent() ? String.format(Locale.ROOT, "%.1f", value.getAsDouble()) : "-";
+    }
+
+    /** The seed and the values of a case. */
+    static void printValues(CampaignPlan plan, int number, PrintWriter out) {
+        out.println("case " + number + ", seed " + plan.seed(number));
+        List<String> values = plan.values(number);
+        int i = 0;
+        for (String path : plan.settings().vary().keySet()) {
+            out.println("  " + path + "=" + values.get(i++));
+        }
+    }
+
+    /** What came of one case. */
+    static void print(CaseResult result, PrintWriter out) {
+        if (result.isFailed()) {
+            out.println(result.variant() + ": failed: " + result.error().orElseThrow());
+            return;
+        }
+        String detected = result.firstSensor().isEmpty()
+                ? "never detected"
+                : "first detected after " + text(result.firstDetected()) + " s by "
+                        + result.firstSensor().get() + " at " + text(result.range()) + " m";
+        String alerted = result.alert().isEmpty()
+                ? "no alert"
+                : "alert after " + text(result.alert()) + " s, warning " + text(result.warning()) + " s"
+                        + result.inTime()
+                                .map(yes -> yes ? ", in time" : ", too late")
+                                .orElse("");
+        out.println(result.variant() + ": " + detected + "; " + alerted);
+    }
+}

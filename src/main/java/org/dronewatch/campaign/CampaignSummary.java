@@ -1,0 +1,53 @@
+package org.dronewatch.campaign;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What came of a campaign: of each variant, and of each pair of them. Cases are added in any order; for one thread. */
+public final class CampaignSummary {
+    private final Map<String, VariantSummary> variants = new LinkedHashMap<>();
+    private final List<VariantComparison> comparisons = new ArrayList<>();
+
+    /**
+     * Nothing has been run.
+     *
+     * @param names of the variants, in their order
+     */
+    public CampaignSummary(List<String> names) {
+        names.forEach(name -> variants.put(name, new VariantSummary()));
+        for (int a = 0; a < names.size(); a++) {
+            for (int b = a + 1; b < names.size(); b++) {
+                for (Outcome outcome : Outcome.values()) {
+                    comparisons.add(new VariantComparison(names.get(a), names.get(b), outcome));
+                }
+            }
+        }
+    }
+
+    /**
+     * Adds a case.
+     *
+     * @param results one for each variant
+     */
+    public void add(List<CaseResult> results) {
+        Map<String, CaseResult> byVariant = new LinkedHashMap<>();
+        for (CaseResult result : results) {
+            byVariant.put(result.variant(), result);
+            variants.get(result.variant()).add(result);
+        }
+        comparisons.forEach(pair -> pair.add(byVariant.get(pair.a()), byVariant.get(pair.b())));
+    }
+
+    /** The variants by their names, in their order. */
+    public Map<String, VariantSummary> variants() {
+        return Collections.unmodifiableMap(variants);
+    }
+
+    /** All pairs of variants, by each outcome that makes sense for both. */
+    public List<VariantComparison> comparisons() {
+        return comparisons.stream().filter(VariantComparison::isKnown).toList();
+    }
+}

@@ -1,0 +1,76 @@
+package org.dronewatch.campaign;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.LinkOut;
+
+/**
+ * A variant of a campaign, ready to be run: its scene with its own settings and models.
+ *
+ * @param name its name
+ * @param scene name of its scene
+ * @param settings those that all cases share
+ * @param runner of the scene
+ * @param models of the scene, loaded; for all threads
+ */
+record CampaignVariant(String name, String scene, SceneSettings settings, SceneRunner runner, ModelCache models) {
+    /**
+     * Reads a variant's scene and loads its models.
+     *
+     * @param directory of the campaign file
+     * @param scene name of the campaign's scene
+     * @param changes the variant's settings by their paths
+     * @param first the first variant, if this is another: with the same scene, they share their models
+     * @param notes receives a line for each file read, and each warning
+     * @throws InputException when the scene, a setting or a model is wrong
+     */
+    static CampaignVariant of(
+            String name,
+            Path directory,
+            String scene,
+            Map<String, String> changes,
+            Optional<CampaignVariant> first,
+            Consumer<String> notes) {
+        String named = changes.getOrDefault(CampaignSettings.SCENE, scene);
+        SceneRunner runner = new SceneRunner(scene(directory, named)).notes(notes);
+        first.filter(other -> other.scene().equals(named)).ifPresent(other -> runner.share(other.models()));
+        changes.forEach((path, value) -> {
+            if (!path.equals(CampaignSettings.SCENE)) {
+                runner.set(path, value);
+            }
+        });
+        SceneSettings settings = runner.settings().withoutSweep();
+        runner.checkPilot(settings);
+        return new CampaignVariant(name, named, settings, runner, runner.load(settings));
+    }
+
+    /** Not a class by its name: no code is loaded from data. */
+    private static Scene scene(Path directory, String name) {
+        if (SceneFile.isFileName(name)) {
+            Path file = directory.resolve(name);
+            LinkOut.refuse(directory, file, "scene");
+            return new SceneFile(file);
+        }
+        return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseThrow(() -> {
+            var known = PackagedScene.all().stream().map(PackagedScene::name).toList();
+            return new InputException("scene '" + PlainText.value(name) + "': neither packaged ("
+                    + String.join(", ", known) + ") nor a .yaml file" + Spelling.didYouMean(name, known));
+        });
+    }
+
+    /** The settings with another value, as a sweep writes it. */
+    SceneSettings with(SceneSettings before, String path, String value) {
+        return runner.write(before, path, value);
+    }
+}

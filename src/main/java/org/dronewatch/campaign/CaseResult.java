@@ -1,0 +1,63 @@
+package org.dronewatch.campaign;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What came of one case with one variant.
+ *
+ * @param number of the case, from 0
+ * @param variant name of the variant
+ * @param seed of the run
+ * @param values of the settings that vary, as texts, in the order of the campaign
+ * @param error why there is no result, in one line; empty where there is one
+ * @param bearing from the middle of what is protected, or of the sensors, to the first attacking drone at the start,
+ *     clockwise from north, rad; empty in a case that failed or has no drone
+ * @param firstDetected when the first attacking drone was first detected, s; empty for never
+ * @param firstSensor the sensor that did; empty for never
+ * @param range its distance from that sensor then, m; empty for never
+ * @param alert when the first alert was raised for an attacking drone, s; empty for never
+ * @param warning the warning time of that alert, s; empty without alert or zone
+ * @param inTime whether it came in time; empty where nothing is protected or no response time is required
+ */
+public record CaseResult(
+        int number,
+        String variant,
+        long seed,
+        List<String> values,
+        Optional<String> error,
+        OptionalDouble bearing,
+        OptionalDouble firstDetected,
+        Optional<String> firstSensor,
+        OptionalDouble range,
+        OptionalDouble alert,
+        OptionalDouble warning,
+        Optional<Boolean> inTime) {
+    /** Copies the list. */
+    public CaseResult {
+        values = List.copyOf(values);
+    }
+
+    /** A case that could not be run. */
+    static CaseResult failed(int number, String variant, long seed, List<String> values, String error) {
+        return new CaseResult(
+                number,
+                variant,
+                seed,
+                values,
+                Optional.of(error),
+                OptionalDouble.empty(),
+                OptionalDouble.empty(),
+                Optional.empty(),
+                OptionalDouble.empty(),
+                OptionalDouble.empty(),
+                OptionalDouble.empty(),
+                Optional.empty());
+    }
+
+    /** Whether it has no result. */
+    public boolean isFailed() {
+        return error.isPresent();
+    }
+}

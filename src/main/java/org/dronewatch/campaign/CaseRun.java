@@ -1,0 +1,86 @@
+package org.dronewatch.campaign;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.AlertResult;
+import org.dronewatch.run.PairResult;
+import org.dronewatch.run.RunResult;
+import org.dronewatch.run.RunSession;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/** Runs one case of a campaign with one variant; the result is the same whatever else is run, in whatever order. */
+public final class CaseRun {
+    private static final double TURN = 2.0 * Math.PI;
+
+    private CaseRun() {}
+
+    /**
+     * Runs a case on the calling thread.
+     *
+     * @return its result; a case whose settings do not fit, or whose run fails, is one that failed
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted
+     */
+    public static CaseResult of(CampaignPlan plan, int number, String variant) {
+        List<String> values = plan.values(number);
+        long seed = plan.seed(number);
+        try {
+            SceneSettings settings = plan.settings(number, variant);
+            try (RunSession session =
+                    new RunSession(settings, seed, plan.variant(variant).models())) {
+                while (session.nextTime().isPresent()) {
+                    session.advance();
+                }
+                return result(number, variant, values, session.stage(), session.result());
+            }
+        } catch (InputException | IllegalArgumentException | IllegalStateException e) {
+            Workers.checkInterrupted();
+            return CaseResult.failed(number, variant, seed, values, PlainText.line(String.valueOf(e.getMessage())));
+        }
+    }
+
+    private static CaseResult result(int number, String variant, List<String> values, Stage stage, RunResult run) {
+        List<String> attackers =
+                run.attackAlerts().stream().map(AlertResult::drone).toList();
+        Optional<PairResult> first = run.pairs().stream()
+                .filter(pair -> attackers.contains(pair.drone()))
+                .filter(pair -> pair.firstDetected().isPresent())
+                .min(Comparator.comparingDouble(pair -> pair.firstDetected().getAsDouble()));
+        Optional<AlertResult> alert = run.attackAlerts().stream()
+                .filter(one -> one.time().isPresent())
+                .min(Comparator.comparingDouble(one -> one.time().getAsDouble()));
+        Optional<Boolean> inTime = alert.isPresent()
+                ? alert.get().inTime()
+                : run.attackAlerts().stream().findFirst().flatMap(AlertResult::inTime);
+        return new CaseResult(
+                number,
+                variant,
+                run.settings().run().seed(),
+                values,
+                Optional.empty(),
+                attackers.isEmpty() ? OptionalDouble.empty() : bearing(run.settings(), stage, attackers.get(0)),
+                first.map(PairResult::firstDetected).orElse(OptionalDouble.empty()),
+                first.map(PairResult::sensor),
+                first.map(PairResult::range).orElse(OptionalDouble.empty()),
+                alert.map(AlertResult::time).orElse(OptionalDouble.empty()),
+                alert.map(AlertResult::warning).orElse(OptionalDouble.empty()),
+                inTime);
+    }
+
+    private static OptionalDouble bearing(SceneSettings settings, Stage stage, String drone) {
+        if (stage.protection().isEmpty() && settings.enabledSensors().isEmpty()) {
+            return OptionalDouble.empty();
+        }
+        Position middle = InboundTarget.of(settings, stage.protection());
+        Position start = stage.positionOf(drone, 0.0);
+        double angle = StrictMath.atan2(start.x() - middle.x(), start.y() - middle.y());
+        return OptionalDouble.of(angle < 0.0 ? angle + TURN : angle);
+    }
+}

@@ -1,0 +1,31 @@
+package org.dronewatch.campaign;
+
+import java.util.function.Predicate;
+
+/** What a case has or lacks, and what variants are compared by. */
+public enum Outcome {
+    /** Some sensor detects an attacking drone. */
+    DETECTED(one -> true, one -> one.firstDetected().isPresent()),
+    /** An alert is raised for an attacking drone. */
+    ALERTED(one -> true, one -> one.alert().isPresent()),
+    /** The alert leaves the time that the response requires. */
+    IN_TIME(one -> one.inTime().isPresent(), one -> one.inTime().orElse(false));
+
+    private final Predicate<CaseResult> known;
+    private final Predicate<CaseResult> had;
+
+    Outcome(Predicate<CaseResult> known, Predicate<CaseResult> had) {
+        this.known = known;
+        this.had = had;
+    }
+
+    /** Whether the question makes sense for a case: a case that failed has no outcome. */
+    public boolean isKnown(CaseResult result) {
+        return !result.isFailed() && known.test(result);
+    }
+
+    /** Whether a case has it. */
+    public boolean isHad(CaseResult result) {
+        return isKnown(result) && had.test(result);
+    }
+}

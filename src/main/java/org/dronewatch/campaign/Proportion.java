@@ -1,0 +1,62 @@
+package org.dronewatch.campaign;
+
+import org.apache.commons.numbers.gamma.InverseErfc;
+
+/**
+ * How many of a number of independent cases had an outcome, and what that says of its probability.
+ *
+ * @param count cases with the outcome, 0 to {@code of}
+ * @param of all cases, 0 or more
+ */
+public record Proportion(int count, int of) {
+    /** Checks the limits. */
+    public Proportion {
+        if (of < 0 || count < 0 || count > of) {
+            throw new IllegalArgumentException(count + " of " + of + " cases: must be 0 to " + of);
+        }
+    }
+
+    /** The share of the cases with the outcome; NaN without cases. */
+    public double share() {
+        return (double) count / of;
+    }
+
+    /**
+     * Wilson's score interval of the probability (Wilson, Journal of the American Statistical Association 22, 1927):
+     * over many campaigns it contains the probability in a share of about {@code confidence}, also where the
+     * probability is close to 0 or 1.
+     *
+     * @param confidence such as 0.95, above 0 and below 1
+     * @return from 0 to 1 without cases
+     */
+    public Interval wilson(double confidence) {
+        if (of == 0) {
+            return new Interval(0.0, 1.0);
+        }
+        double z = normal(confidence);
+        double weight = of + z * z;
+        double middle = (count + 0.5 * z * z) / weight;
+        double half = z * Math.sqrt((double) count * (of - count) / of + 0.25 * z * z) / weight;
+        // Rounding must not carry a bound past the end: 0 of n cases begins at 0 exactly.
+        return new Interval(
+                count == 0 ? 0.0 : Math.max(0.0, middle - half), count == of ? 1.0 : Math.min(1.0, middle + half));
+    }
+
+    /** The number of standard deviations within which a normally distributed value lies with some confidence. */
+    static double normal(double confidence) {
+        return Math.sqrt(2.0) * InverseErfc.value(1.0 - confidence);
+    }
+
+    /**
+     * A closed interval.
+     *
+     * @param low its lower bound
+     * @param high its upper bound
+     */
+    public record Interval(double low, double high) {
+        /** Whether a value lies in it. */
+        public boolean contains(double value) {
+            return low <= value && value <= high;
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronewatch.campaign;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** Two variants compared case by case, by one outcome. Cases are added one by one; for one thread. */
+public final class VariantComparison {
+    private static final int MOST_CASES = 20;
+
+    private final String a;
+    private final String b;
+    private final Outcome outcome;
+    private final List<Integer> deciding = new ArrayList<>();
+    private int onlyA;
+    private int onlyB;
+    private int both;
+
+    VariantComparison(String a, String b, Outcome outcome) {
+        this.a = a;
+        this.b = b;
+        this.outcome = outcome;
+    }
+
+    void add(CaseResult ofA, CaseResult ofB) {
+        if (!outcome.isKnown(ofA) || !outcome.isKnown(ofB)) {
+            return;
+        }
+        both++;
+        if (outcome.isHad(ofA) == outcome.isHad(ofB)) {
+            return;
+        }
+        onlyA += outcome.isHad(ofA) ? 1 : 0;
+        onlyB += outcome.isHad(ofB) ? 1 : 0;
+        if (deciding.size() < MOST_CASES) {
+            deciding.add(ofA.number());
+        }
+    }
+
+    /** The first variant. */
+    public String a() {
+        return a;
+    }
+
+    /** The second variant. */
+    public String b() {
+        return b;
+    }
+
+    /** What they are compared by. */
+    public Outcome outcome() {
+        return outcome;
+    }
+
+    /** Whether there are cases in which the outcome makes sense for both. */
+    public boolean isKnown() {
+        return both > 0;
+    }
+
+    /** The result. */
+    public PairedDifference difference() {
+        return new PairedDifference(onlyA, onlyB, both);
+    }
+
+    /** The first 20 cases in which the variants differ. */
+    public List<Integer> deciding() {
+        return Collections.unmodifiableList(deciding);
+    }
+}

@@ -1,0 +1,100 @@
+package org.dronewatch.campaign;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/** What came of all cases of one variant. Results are added one by one; for one thread. */
+public final class VariantSummary {
+    /** The sectors of the bearings, the first centred on north. */
+    public static final int SECTORS = 8;
+
+    private static final double TURN = 2.0 * Math.PI;
+
+    private final Map<Outcome, int[]> outcomes = new EnumMap<>(Outcome.class);
+    private final List<Map<Outcome, int[]>> sectors = new ArrayList<>();
+    private final Map<String, Integer> firstSensors = new TreeMap<>();
+    private final Measures ranges = new Measures();
+    private final Measures warnings = new Measures();
+    private int cases;
+    private int failed;
+
+    VariantSummary() {
+        for (int i = 0; i < SECTORS; i++) {
+            sectors.add(new EnumMap<>(Outcome.class));
+        }
+    }
+
+    void add(CaseResult result) {
+        cases++;
+        if (result.isFailed()) {
+            failed++;
+            return;
+        }
+        count(outcomes, result);
+        if (result.bearing().isPresent()) {
+            count(sectors.get(sector(result.bearing().getAsDouble())), result);
+        }
+        result.firstSensor().ifPresent(sensor -> firstSensors.merge(sensor, 1, Integer::sum));
+        ranges.add(result.range());
+        warnings.add(result.warning());
+    }
+
+    private static void count(Map<Outcome, int[]> counts, CaseResult result) {
+        for (Outcome outcome : Outcome.values()) {
+            if (outcome.isKnown(result)) {
+                int[] count = counts.computeIfAbsent(outcome, unseen -> new int[2]);
+                count[0] += outcome.isHad(result) ? 1 : 0;
+                count[1]++;
+            }
+        }
+    }
+
+    /** The sector of a bearing, rad clockwise from north; the first reaches from north-north-west to north-north-east. */
+    public static int sector(double bearing) {
+        return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
+    }
+
+    /** All cases, with those that failed. */
+    public int cases() {
+        return cases;
+    }
+
+    /** The cases that could not be run: they count in nothing else. */
+    public int failed() {
+        return failed;
+    }
+
+    /** How many cases have an outcome; empty where it makes no sense in any. */
+    public Optional<Proportion> proportion(Outcome outcome) {
+        return proportion(outcomes, outcome);
+    }
+
+    /** The same for the attacks that begin in a sector; empty, too, without such an attack. */
+    public Optional<Proportion> proportion(Outcome outcome, int sector) {
+        return proportion(sectors.get(sector), outcome);
+    }
+
+    private static Optional<Proportion> proportion(Map<Outcome, int[]> counts, Outcome outcome) {
+        return Optional.ofNullable(counts.get(outcome)).map(count -> new Proportion(count[0], count[1]));
+    }
+
+    /** In how many cases each sensor was the first to detect, by its name; in the order of the names. */
+    public Map<String, Integer> firstSensors() {
+        return Collections.unmodifiableMap(firstSensors);
+    }
+
+    /** The distances from that sensor at that time, m. */
+    public Measures ranges() {
+        return ranges;
+    }
+
+    /** The warning times, s. */
+    public Measures warnings() {
+        return warnings;
+    }
+}

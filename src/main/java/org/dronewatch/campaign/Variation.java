@@ -1,0 +1,107 @@
+package org.dronewatch.campaign;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Stream;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * How a setting varies from case to case: by exactly one of these. Values are written as in a scene file, with a unit
+ * or without.
+ *
+ * @param values one of these, each with the same probability; 1 to 10,000
+ * @param uniform any value in a range, all equally likely
+ * @param normal normally distributed, within a range
+ * @param triangular likeliest at a mode, and less likely in proportion to the distance from it
+ */
+public record Variation(
+        Optional<List<String>> values,
+        Optional<Uniform> uniform,
+        Optional<Normal> normal,
+        Optional<Triangular> triangular) {
+    /** Nothing is stated yet. */
+    @Defaults
+    static final Variation NONE = new Variation(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
+
+    private static final int MOST_VALUES = 10_000;
+    private static final MathContext WRITTEN = new MathContext(10);
+
+    /** Copies the list. */
+    public Variation {
+        values = Check.present("values", values).map(List::copyOf);
+        Check.present("uniform", uniform);
+        Check.present("normal", normal);
+        Check.present("triangular", triangular);
+    }
+
+    /**
+     * Checks that there is exactly one distribution.
+     *
+     * @throws IllegalArgumentException when there is none, or several
+     */
+    void check() {
+        long given = Stream.of(values, uniform, normal, triangular)
+                .filter(Optional::isPresent)
+                .count();
+        if (given != 1) {
+            throw new IllegalArgumentException(
+                    "needs exactly one of values, uniform, normal and triangular; it has " + given);
+        }
+        int listed = values.map(List::size).orElse(1);
+        if (listed < 1 || listed > MOST_VALUES) {
+            throw new IllegalArgumentException("values has " + listed + " entries, must have 1 to 10,000");
+        }
+    }
+
+    /**
+     * The value of the setting that a random number stands for, as text for a setting of a quantity.
+     *
+     * @param quantity what the setting is measured in
+     * @param u random number from 0, below 1
+     * @throws IllegalArgumentException when a parameter is no value of the quantity, or does not fit the others
+     */
+    String value(Quantity quantity, double u) {
+        return values.map(all -> all.get((int) (u * all.size())))
+                .orElseGet(() -> written(quantity, distribution(quantity).applyAsDouble(u)));
+    }
+
+    /** The texts of the least and greatest values, which show whether all fit the setting. */
+    List<String> extremes(Quantity quantity) {
+        return values.orElseGet(() -> List.of(value(quantity, 0.0), value(quantity, Math.nextDown(1.0))));
+    }
+
+    /** The inverse of the cumulative distribution. */
+    private DoubleUnaryOperator distribution(Quantity quantity) {
+        return uniform.map(one -> one.inverse(quantity))
+                .or(() -> normal.map(one -> one.inverse(quantity)))
+                .or(() -> triangular.map(one -> one.inverse(quantity)))
+                .orElseThrow();
+    }
+
+    /** With its unit, and as many digits as anybody needs to repeat a case by hand. */
+    private static String written(Quantity quantity, double value) {
+        // Angles are the only ones shown in another unit than they are kept in.
+        double shown = quantity.unit().equals(quantity.displayUnit()) ? value : Math.toDegrees(value);
+        BigDecimal rounded = new BigDecimal(shown).round(WRITTEN).stripTrailingZeros();
+        return (rounded.toPlainString() + " " + quantity.displayUnit()).strip();
+    }
+
+    static double parsed(String name, Quantity quantity, String text) {
+        try {
+            return quantity.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(name + ": " + e.getMessage(), e);
+        }
+    }
+
+    static void requireOrder(String low, double lower, String high, double upper) {
+        if (!(lower < upper)) {
+            throw new IllegalArgumentException(low + " " + lower + " must be below " + high + " " + upper);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package org.dronewatch.report.campaign;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.Measures;
+import org.dronewatch.campaign.Outcome;
+import org.dronewatch.campaign.PairedDifference;
+import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.VariantComparison;
+import org.dronewatch.campaign.VariantSummary;
+import org.dronewatch.report.Numbers;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The contents of {@code campaign.json}. */
+final class CampaignFile {
+    /** The confidence of all intervals. */
+    static final double CONFIDENCE = 0.95;
+
+    private static final int FORMAT = 1;
+    private static final double SECTOR_DEG = 360.0 / VariantSummary.SECTORS;
+
+    private final CampaignPlan plan;
+    private final CampaignSummary summary;
+    private final boolean complete;
+
+    CampaignFile(CampaignPlan plan, CampaignSummary summary, boolean complete) {
+        this.plan = plan;
+        this.summary = summary;
+        this.complete = complete;
+    }
+
+    ObjectNode toJson() {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("format", FORMAT);
+        root.put("scene", plan.settings().scene());
+        root.put("seed", plan.settings().seed());
+        root.put("runs", plan.settings().runs());
+        root.put("confidence", CONFIDENCE);
+        ObjectNode variants = root.putObject("variants");
+        summary.variants().forEach((name, variant) -> add(variants.putObject(name), variant));
+        ArrayNode pairs = root.putArray("pairs");
+        summary.comparisons().forEach(pair -> add(pairs.addObject(), pair));
+        root.put("complete", complete);
+        return root;
+    }
+
+    private static void add(ObjectNode node, VariantSummary variant) {
+        node.put("n", variant.cases());
+        node.put("failed", variant.failed());
+        for (Outcome outcome : Outcome.values()) {
+            put(node, key(outcome), variant.proportion(outcome));
+        }
+        put(node.putObject("range_m"), variant.ranges());
+        put(node.putObject("warning_s"), variant.warnings());
+        ArrayNode bearings = node.putArray("by_bearing");
+        for (int sector = 0; sector < VariantSummary.SECTORS; sector++) {
+            ObjectNode one = bearings.addObject();
+            one.put("bearing_deg", Numbers.rounded(sector * SECTOR_DEG));
+            for (Outcome outcome : Outcome.values()) {
+                put(one, key(outcome), variant.proportion(outcome, sector));
+            }
+        }
+        ObjectNode sensors = node.putObject("by_sensor");
+        variant.firstSensors().forEach(sensors::put);
+    }
+
+    private static void add(ObjectNode node, VariantComparison pair) {
+        PairedDifference difference = pair.difference();
+        Proportion.Interval interval = difference.interval(CONFIDENCE);
+        node.put("a", pair.a());
+        node.put("b", pair.b());
+        node.put("of", key(pair.outcome()));
+        node.put("n", difference.of());
+        node.put("only_a", difference.onlyA());
+        node.put("only_b", difference.onlyB());
+        node.put("difference", Numbers.rounded(difference.difference()));
+        node.put("low", Numbers.rounded(interval.low()));
+        node.put("high", Numbers.rounded(interval.high()));
+        node.put("p", Numbers.rounded(difference.pValue()));
+        ArrayNode cases = node.putArray("cases");
+        pair.deciding().forEach(cases::add);
+    }
+
+    private static void put(ObjectNode node, String key, Optional<Proportion> proportion) {
+        if (proportion.isEmpty()) {
+            node.putNull(key);
+            return;
+        }
+        ObjectNode one = node.putObject(key);
+        Proportion.Interval interval = proportion.get().wilson(CONFIDENCE);
+        one.put("k", proportion.get().count());
+        one.put("n", proportion.get().of());
+        one.put("share", Numbers.rounded(proportion.get().share()));
+        one.put("low", Numbers.rounded(interval.low()));
+        one.put("high", Numbers.rounded(interval.high()));
+    }
+
+    private static void put(ObjectNode node, Measures measures) {
+        put(node, "p5", measures.quantile(0.05));
+        put(node, "p50", measures.quantile(0.5));
+        put(node, "p95", measures.quantile(0.95));
+    }
+
+    private static void put(ObjectNode node, String key, OptionalDouble value) {
+        if (value.isPresent()) {
+            node.put(key, Numbers.rounded(value.getAsDouble()));
+        } else {
+            node.putNull(key);
+        }
+    }
+
+    private static String key(Outcome outcome) {
+        return outcome.name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,218 @@
+package org.dronewatch.report.campaign;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.report.JsonFile;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * The directory of a campaign. Chunks of cases are written as they are done, each whole; what they hold can be resumed
+ * by the same campaign only. One process at a time may write into it. For one thread.
+ */
+public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
+    private static final String PLAN = "plan.json";
+    private static final String CHUNKS = "chunks";
+    private static final String LOCK = ".lock";
+    private static final String UNFINISHED = ".partial-*";
+
+    private final CampaignPlan plan;
+    private final Path directory;
+    private final CaseTable table;
+    private final FileChannel lockFile;
+
+    /**
+     * Opens the directory, and writes the plan into a new one.
+     *
+     * @param resume whether results of the same campaign may be there, and are to be completed
+     * @throws InputException when it cannot be written, is in use, or holds anything but what may be resumed
+     */
+    public CampaignFiles(CampaignPlan plan, Path directory, boolean resume) {
+        this.plan = plan;
+        this.directory = directory.toAbsolutePath().normalize();
+        this.table = new CaseTable(List.copyOf(plan.settings().vary().keySet()));
+        PlanFile file = new PlanFile(plan);
+        try {
+            checkFresh(file, resume);
+            Files.createDirectories(this.directory.resolve(CHUNKS));
+            this.lockFile = lock();
+            removeUnfinished(this.directory);
+            removeUnfinished(this.directory.resolve(CHUNKS));
+        } catch (IOException e) {
+            throw new InputException(asked() + " cannot be written: " + e.getMessage(), e);
+        }
+        if (!Files.exists(this.directory.resolve(PLAN))) {
+            writeJson(PLAN, file.toJson());
+        }
+    }
+
+    private String asked() {
+        return "--out " + PlainText.value(directory);
+    }
+
+    private void checkFresh(PlanFile file, boolean resume) throws IOException {
+        Path known = directory.resolve(PLAN);
+        if (Files.exists(directory) && !Files.isDirectory(directory)) {
+            throw new InputException(asked() + " is a file");
+        }
+        if (Files.exists(known)) {
+            if (!file.isSameAs(known)) {
+                throw new InputException(asked() + " holds another campaign: name another directory");
+            }
+            if (!resume) {
+                throw new InputException(asked()
+                        + " holds this campaign already: add --resume to complete it, or name another directory");
+            }
+        } else if (Files.isDirectory(directory) && !isEmpty()) {
+            throw new InputException(asked() + " holds other files: name a new directory");
+        }
+    }
+
+    private boolean isEmpty() throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(directory)) {
+            for (Path file : files) {
+                // What a process that was killed at once may leave.
+                String name = String.valueOf(file.getFileName());
+                if (!name.equals(LOCK) && !name.equals(CHUNKS) && !name.startsWith(".partial-")) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private FileChannel lock() throws IOException {
+        FileChannel channel =
+                FileChannel.open(directory.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        try {
+            FileLock held = channel.tryLock();
+            if (held != null) {
+                return channel;
+            }
+        } catch (OverlappingFileLockException e) {
+            channel.close();
+            throw new InputException(asked() + " is in use by another run", e);
+        }
+        channel.close();
+        throw new InputException(asked() + " is in use by another run: wait until it finishes");
+    }
+
+    private static void removeUnfinished(Path where) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(where, UNFINISHED)) {
+            for (Path file : files) {
+                Files.delete(file);
+            }
+        }
+    }
+
+    private Path chunk(int number) {
+        return directory.resolve(CHUNKS).resolve(String.format(Locale.ROOT, "%06d.csv", number));
+    }
+
+    /** A file that is damaged is no chunk: its cases are run again. */
+    @Override
+    public boolean has(int number) {
+        if (!Files.isRegularFile(chunk(number))) {
+            return false;
+        }
+        try {
+            return isWhole(number, table.read(chunk(number)));
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    private boolean isWhole(int number, List<CaseResult> results) {
+        int first = number * CampaignRun.CHUNK;
+        int cases = Math.min(CampaignRun.CHUNK, plan.settings().runs() - first);
+        List<String> variants = plan.variants();
+        if (results.size() != cases * variants.size()) {
+            return false;
+        }
+        for (int i = 0; i < results.size(); i++) {
+            CaseResult result = results.get(i);
+            int one = first + i / variants.size();
+            if (result.number() != one
+                    || !result.variant().equals(variants.get(i % variants.size()))
+                    || result.seed() != plan.seed(one)
+                    || !result.values().equals(plan.values(one))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public void put(int number, List<CaseResult> results) {
+        new WholeFile("--out", chunk(number).toString()).write(stream -> table.write(stream, results));
+    }
+
+    /**
+     * Writes {@code runs.csv} and {@code campaign.json} from the chunks that are there.
+     *
+     * @return what came of the campaign so far
+     */
+    public CampaignSummary finish() {
+        CampaignSummary summary = new CampaignSummary(plan.variants());
+        List<Integer> there = new ArrayList<>();
+        int chunks = new CampaignRun(plan).chunks();
+        for (int number = 0; number < chunks; number++) {
+            if (has(number)) {
+                there.add(number);
+            }
+        }
+        new WholeFile("--out", directory.resolve("runs.csv").toString())
+                .write(stream -> copyAll(there, stream, summary));
+        writeJson("campaign.json", new CampaignFile(plan, summary, there.size() == chunks).toJson());
+        return summary;
+    }
+
+    private void copyAll(List<Integer> there, OutputStream stream, CampaignSummary summary) throws IOException {
+        int variants = plan.variants().size();
+        String header = null;
+        for (int number : there) {
+            List<CaseResult> results = table.read(chunk(number));
+            for (int i = 0; i < results.size(); i += variants) {
+                summary.add(results.subList(i, i + variants));
+            }
+            String text = Files.readString(chunk(number), StandardCharsets.UTF_8);
+            int end = text.indexOf('\n') + 1;
+            stream.write(text.substring(header == null ? 0 : end).getBytes(StandardCharsets.UTF_8));
+            header = text.substring(0, end);
+        }
+    }
+
+    private void writeJson(String name, ObjectNode content) {
+        new WholeFile("--out", directory.resolve(name).toString())
+                .writeFile(partial -> JsonFile.write(partial, content));
+    }
+
+    /** Lets other processes write into the directory. */
+    @Override
+    public void close() {
+        try {
+            Files.deleteIfExists(directory.resolve(LOCK));
+            lockFile.close();
+        } catch (IOException e) {
+            // The lock ends with the process.
+            return;
+        }
+    }
+}

@@ -1,0 +1,78 @@
+package org.dronewatch.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.dronewatch.campaign.Proportion.Interval;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ProportionTest {
+    /** By the closed form (k + z^2/2 -+ z sqrt(k (n - k)/n + z^2/4)) / (n + z^2), z = 1.959963985. */
+    @ParameterizedTest
+    @CsvSource({
+        "0, 10, 0, .277533",
+        "1, 10, .017876, .404150",
+        "5, 10, .236593, .763407",
+        "95, 100, .888250, .978456",
+        "29, 30, .833296, .994091",
+        "0, 300, 0, .012643",
+        "10, 10, .722467, 1"
+    })
+    void wilsonsInterval(int count, int of, double low, double high) {
+        Interval interval = new Proportion(count, of).wilson(0.95);
+
+        assertThat(interval.low()).isCloseTo(low, within(5e-7));
+        assertThat(interval.high()).isCloseTo(high, within(5e-7));
+    }
+
+    @Test
+    void withoutCasesNothingIsKnown() {
+        assertThat(new Proportion(0, 0).wilson(0.95)).isEqualTo(new Interval(0.0, 1.0));
+        assertThat(new Proportion(0, 0).share()).isNaN();
+    }
+
+    @Test
+    void thereAreNotMoreCasesWithAnOutcomeThanCases() {
+        assertThatThrownBy(() -> new Proportion(3, 2)).hasMessage("3 of 2 cases: must be 0 to 2");
+        assertThatThrownBy(() -> new Proportion(-1, 2)).hasMessageContaining("-1 of 2");
+    }
+
+    /** Exactly: the probabilities of all counts whose interval contains p, for p over (0, 1). */
+    @Test
+    void theIntervalContainsTheProbabilityAsOftenAsItSays() {
+        double sum = 0.0;
+        int steps = 198;
+        for (int i = 1; i <= steps; i++) {
+            double p = i / (steps + 1.0);
+            double held = 0.0;
+            double chance = Math.pow(1.0 - p, 200);
+            for (int k = 0; k <= 200; k++) {
+                held += new Proportion(k, 200).wilson(0.95).contains(p) ? chance : 0.0;
+                chance *= (200.0 - k) / (k + 1.0) * p / (1.0 - p);
+            }
+            assertThat(held).as("p = %s", p).isBetween(0.83, 0.99);
+            sum += held;
+        }
+        assertThat(sum / steps).isBetween(0.945, 0.955);
+    }
+
+    @Test
+    void overAThousandCampaigns95PercentIntervalsHold() {
+        long seed = 20260701;
+        SplittableRandom random = new SplittableRandom(seed);
+        int held = 0;
+        for (int campaign = 0; campaign < 1000; campaign++) {
+            double p = random.nextDouble(0.05, 0.95);
+            int count = 0;
+            for (int i = 0; i < 300; i++) {
+                count += random.nextDouble() < p ? 1 : 0;
+            }
+            held += new Proportion(count, 300).wilson(0.95).contains(p) ? 1 : 0;
+        }
+        assertThat(held).as("seed %d", seed).isBetween(930, 970);
+    }
+}
