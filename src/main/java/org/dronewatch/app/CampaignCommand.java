@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Runs a scene many times with settings that vary by chance, each case with all variants; prints and"
-                        + " writes how often the drone is detected and an alert comes in time, with 95 % intervals, and"
+                        + " writes how often the drone is detected and an alert comes in time, with 95 %% intervals, and"
                         + " compares the variants case by case.",
         footer = {
             "",

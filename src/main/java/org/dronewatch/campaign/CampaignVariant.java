@@ -58,7 +58,11 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
     /** Not a class by its name: no code is loaded from data. */
     private static Scene scene(Path directory, String name) {
         if (SceneFile.isFileName(name)) {
-            Path file = directory.resolve(name);
+            Path file = directory.resolve(name).normalize();
+            if (!file.startsWith(directory.normalize())) {
+                throw new InputException("scene '" + PlainText.value(name)
+                        + "': a scene file must lie beside the campaign file or below it");
+            }
             LinkOut.refuse(directory, file, "scene");
             return new SceneFile(file);
         }

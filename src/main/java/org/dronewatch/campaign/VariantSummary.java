@@ -54,7 +54,7 @@ public final class VariantSummary {
         }
     }
 
-    /** The sector of a bearing, rad clockwise from north; the first reaches from north-north-west to north-north-east. */
+    /** The sector of a bearing, rad clockwise from north; the first is centred on north. */
     public static int sector(double bearing) {
         return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
     }

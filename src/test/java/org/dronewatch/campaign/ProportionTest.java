@@ -49,10 +49,10 @@ class ProportionTest {
         for (int i = 1; i <= steps; i++) {
             double p = i / (steps + 1.0);
             double held = 0.0;
-            double chance = Math.pow(1.0 - p, 200);
-            for (int k = 0; k <= 200; k++) {
-                held += new Proportion(k, 200).wilson(0.95).contains(p) ? chance : 0.0;
-                chance *= (200.0 - k) / (k + 1.0) * p / (1.0 - p);
+            double chance = Math.pow(1.0 - p, 100);
+            for (int k = 0; k <= 100; k++) {
+                held += new Proportion(k, 100).wilson(0.95).contains(p) ? chance : 0.0;
+                chance *= (100.0 - k) / (k + 1.0) * p / (1.0 - p);
             }
             assertThat(held).as("p = %s", p).isBetween(0.83, 0.99);
             sum += held;

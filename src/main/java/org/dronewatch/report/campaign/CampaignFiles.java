@@ -48,7 +48,7 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
         this.plan = plan;
         this.directory = directory.toAbsolutePath().normalize();
         this.table = new CaseTable(List.copyOf(plan.settings().vary().keySet()));
-        PlanFile file = new PlanFile(plan);
+        CampaignPlanFile file = new CampaignPlanFile(plan);
         try {
             checkFresh(file, resume);
             Files.createDirectories(this.directory.resolve(CHUNKS));
@@ -67,7 +67,7 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
         return "--out " + PlainText.value(directory);
     }
 
-    private void checkFresh(PlanFile file, boolean resume) throws IOException {
+    private void checkFresh(CampaignPlanFile file, boolean resume) throws IOException {
         Path known = directory.resolve(PLAN);
         if (Files.exists(directory) && !Files.isDirectory(directory)) {
             throw new InputException(asked() + " is a file");

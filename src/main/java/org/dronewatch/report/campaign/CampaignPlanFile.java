@@ -16,14 +16,14 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code plan.json}: what is run, with the hash of all that it depends on. */
-final class PlanFile {
+final class CampaignPlanFile {
     private static final int FORMAT = 1;
     private static final String HASH = "hash";
     private static final long LONGEST = 1 << 20;
 
     private final CampaignPlan plan;
 
-    PlanFile(CampaignPlan plan) {
+    CampaignPlanFile(CampaignPlan plan) {
         this.plan = plan;
     }
 

@@ -1,0 +1,156 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.campaign.CampaignSite;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A campaign as the command prints and writes it, and completes it after an interruption. */
+class CampaignCommandTest {
+    @TempDir
+    private static Path directory;
+
+    private static Outcome outcome;
+
+    @BeforeAll
+    static void run() throws IOException {
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+        outcome = campaign("whole");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+    }
+
+    private static Outcome campaign(String out, String... more) {
+        List<String> arguments = Stream.concat(
+                        Stream.of(
+                                "campaign",
+                                directory.resolve("attacks.campaign.yaml").toString(),
+                                "--out=" + directory.resolve(out)),
+                        Stream.of(more))
+                .toList();
+        return Program.run(arguments.toArray(String[]::new));
+    }
+
+    private static JsonNode json(String file) throws IOException {
+        return JsonMapper.builder().build().readTree(directory.resolve(file).toFile());
+    }
+
+    private static List<String> bytes(String out) throws IOException {
+        return List.of(
+                Files.readString(directory.resolve(out).resolve("runs.csv")),
+                Files.readString(directory.resolve(out).resolve("campaign.json")),
+                Files.readString(directory.resolve(out).resolve("plan.json")));
+    }
+
+    @Test
+    void theFilesStateWhatCameOfIt() throws IOException {
+        JsonNode file = json("whole/campaign.json");
+        JsonNode far = file.get("variants").get("far");
+        JsonNode inTime = file.get("pairs").get(2);
+
+        assertThat(file.propertyNames())
+                .containsExactly("format", "scene", "seed", "runs", "confidence", "variants", "pairs", "complete");
+        assertThat(far.propertyNames())
+                .containsExactly(
+                        "n",
+                        "failed",
+                        "detected",
+                        "alerted",
+                        "in_time",
+                        "range_m",
+                        "warning_s",
+                        "by_bearing",
+                        "by_sensor");
+        assertThat(file.get("complete").asBoolean()).isTrue();
+        assertThat(inTime.get("of").asString()).isEqualTo("in_time");
+        assertThat(inTime.get("only_a").asInt()).isZero();
+        assertThat(far.get("in_time").get("k").asInt()
+                        - file.get("variants")
+                                .get("near")
+                                .get("in_time")
+                                .get("k")
+                                .asInt())
+                .isEqualTo(inTime.get("only_b").asInt());
+        assertThat(far.get("by_sensor").get("radar").asInt())
+                .isEqualTo(far.get("detected").get("k").asInt());
+        assertThat(Files.readAllLines(directory.resolve("whole/runs.csv")))
+                .hasSize(121)
+                .first()
+                .asString()
+                .startsWith("case,variant,seed,drones.intruder.flight.bearing,");
+    }
+
+    @Test
+    void itPrintsSharesWithIntervalsAndTheVariantsCompared() {
+        assertThat(outcome.out())
+                .containsPattern("near +60 +0 +\\d+\\.\\d \\(\\d+\\.\\d to \\d+\\.\\d\\)")
+                .containsPattern(
+                        "in time: near - far = -\\d+\\.\\d % .*only near in 0, only far in \\d+ of 60 cases, p = ");
+    }
+
+    @Test
+    void theFilesAreTheSameForAnyNumberOfThreadsAndAfterAnInterruption() throws IOException {
+        assertThat(campaign("again", "--threads=4").code()).isZero();
+        assertThat(bytes("again")).isEqualTo(bytes("whole"));
+
+        // As a process that was killed leaves it: a chunk that is missing, one that ends early, one half-written.
+        Path chunks = directory.resolve("again/chunks");
+        Files.delete(chunks.resolve("000001.csv"));
+        String first = Files.readString(chunks.resolve("000000.csv"));
+        Files.writeString(chunks.resolve("000000.csv"), first.substring(0, first.length() / 2));
+        Files.writeString(chunks.resolve(".partial-1"), "case,var");
+        Files.delete(directory.resolve("again/runs.csv"));
+        assertThat(campaign("again", "--resume").code()).isZero();
+        assertThat(bytes("again")).isEqualTo(bytes("whole"));
+        assertThat(Files.list(chunks)).hasSize(2);
+    }
+
+    @Test
+    void aCaseAloneIsThatOfTheCampaign() throws IOException {
+        Outcome alone = campaign("none", "--case", "7");
+        String row = Files.readAllLines(directory.resolve("whole/runs.csv")).get(16);
+
+        assertThat(alone.code()).isZero();
+        assertThat(row).startsWith("7,far,");
+        assertThat(alone.out()).contains("case 7, seed " + row.split(",")[2], row.split(",")[3]);
+        assertThat(directory.resolve("none")).doesNotExist();
+    }
+
+    @Test
+    void whatIsThereIsNotOverwritten() throws IOException {
+        assertThat(campaign("whole").code()).isEqualTo(2);
+        assertThat(campaign("whole").err()).contains("holds this campaign already: add --resume");
+        assertThat(campaign("whole", "--runs=61", "--resume").err()).contains("holds another campaign");
+        assertThat(campaign("").err()).contains("holds other files");
+        assertThat(campaign("site.yaml").err()).contains("is a file");
+    }
+
+    @Test
+    void wrongInputIsOneLineAndLeavesNothing() throws IOException {
+        refused(campaign("new", "--case=60"), "--case 60: must be 0 to 59");
+        refused(campaign("new", "--runs=0"), "--runs=0: runs 0 must be 1 to 1e6");
+        Path file = Files.writeString(
+                directory.resolve("bad.yaml"), "scene: site.yaml\nvary: {a.b: {values: [1]}}\nruns: 5\n");
+        refused(Program.run("campaign", file.toString(), "--out=" + directory.resolve("new")), "vary.a.b: ");
+        Files.writeString(file, "scene: site.yaml\nvary: {}\nruns: many\n");
+        refused(Program.run("campaign", file.toString(), "--out=" + directory.resolve("new")), "bad.yaml:3:7: runs");
+        refused(Program.run("campaign", "nowhere.yaml"), "nowhere.yaml");
+    }
+
+    private static void refused(Outcome wrong, String message) {
+        assertThat(wrong.code()).as(wrong.err()).isEqualTo(2);
+        assertThat(wrong.err().lines().filter(line -> line.contains(message)))
+                .as(wrong.err())
+                .hasSize(1);
+        assertThat(directory.resolve("new")).doesNotExist();
+    }
+}

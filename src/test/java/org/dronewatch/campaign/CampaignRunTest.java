@@ -1,0 +1,187 @@
+package org.dronewatch.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.setting.InputException;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CampaignRunTest {
+    @TempDir
+    private static Path directory;
+
+    private static CampaignPlan plan;
+    private static List<CaseResult> results;
+
+    @BeforeAll
+    static void run() throws IOException {
+        plan = CampaignSite.plan(directory, CampaignSite.TWO_RANGES);
+        results = results(plan, 2);
+    }
+
+    private static List<CaseResult> results(CampaignPlan campaign, int threads) {
+        Map<Integer, List<CaseResult>> chunks = new TreeMap<>();
+        CampaignRun.Chunks kept = new CampaignRun.Chunks() {
+            @Override
+            public boolean has(int chunk) {
+                return false;
+            }
+
+            @Override
+            public void put(int chunk, List<CaseResult> made) {
+                chunks.put(chunk, made);
+            }
+        };
+        try (Workers workers = new Workers(threads)) {
+            workers.call(() -> {
+                new CampaignRun(campaign).run(kept, cases -> {});
+                return null;
+            });
+        }
+        List<CaseResult> all = new ArrayList<>();
+        chunks.values().forEach(all::addAll);
+        return all;
+    }
+
+    @Test
+    void everyCaseIsRunWithEveryVariant() {
+        assertThat(results).hasSize(120).noneMatch(CaseResult::isFailed);
+        for (int i = 0; i < results.size(); i++) {
+            assertThat(results.get(i).number()).isEqualTo(i / 2);
+            assertThat(results.get(i).variant()).isEqualTo(i % 2 == 0 ? "near" : "far");
+            assertThat(results.get(i).values()).isEqualTo(results.get(i / 2 * 2).values());
+            assertThat(results.get(i).seed()).isEqualTo(results.get(i / 2 * 2).seed());
+        }
+        assertThat(results.stream().map(CaseResult::seed).distinct()).hasSize(60);
+        assertThat(plan.seed(0)).isEqualTo(1L);
+    }
+
+    @Test
+    void aCaseAloneIsThatOfTheCampaignForAnyNumberOfThreads() {
+        assertThat(results(plan, 1)).isEqualTo(results);
+        assertThat(CaseRun.of(plan, 57, "near")).isEqualTo(results.get(114));
+    }
+
+    @Test
+    void aCaseDependsNeitherOnTheirNumberNorOnWhatElseVaries() throws IOException {
+        CampaignPlan other = CampaignSite.plan(
+                directory,
+                """
+                scene: site.yaml
+                vary:
+                  drones.intruder.speed: {values: [10 m/s, 20 m/s]}
+                  run.duration: {uniform: {from: 10 s, to: 20 s}}
+                runs: 3
+                """);
+
+        assertThat(other.variants()).containsExactly("scene");
+        for (int number = 0; number < 100; number++) {
+            assertThat(other.values(number).get(0))
+                    .isEqualTo(plan.values(number).get(2));
+            assertThat(other.seed(number)).isEqualTo(plan.seed(number));
+        }
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    @Test
+    void theVariantThatSeesFartherIsNeverWorse() {
+        CampaignSummary summary = new CampaignSummary(plan.variants());
+        for (int i = 0; i < results.size(); i += 2) {
+            summary.add(results.subList(i, i + 2));
+        }
+        VariantComparison inTime = summary.comparisons().stream()
+                .filter(pair -> pair.outcome() == Outcome.IN_TIME)
+                .findFirst()
+                .orElseThrow();
+
+        assertThat(inTime.difference().onlyA()).isZero();
+        assertThat(inTime.difference().onlyB()).isPositive().isLessThan(60);
+        assertThat(inTime.deciding()).isSorted().hasSizeBetween(1, 20);
+        VariantSummary near = summary.variants().get("near");
+        assertThat(near.cases()).isEqualTo(60);
+        assertThat(near.ranges().quantile(1.0).orElseThrow()).isLessThanOrEqualTo(350.0);
+        // Sectors of 45 deg: bearings of -60 to 60 deg begin in the three about north.
+        assertThat(near.proportion(Outcome.DETECTED, 4)).isEmpty();
+        assertThat(near.proportion(Outcome.DETECTED, 0).orElseThrow().of()
+                        + near.proportion(Outcome.DETECTED, 1).orElseThrow().of()
+                        + near.proportion(Outcome.DETECTED, 7).orElseThrow().of())
+                .isEqualTo(60);
+    }
+
+    @Test
+    void identicalVariantsDoNotDifferInAnyCase() throws IOException {
+        CampaignPlan same = CampaignSite.plan(
+                directory,
+                """
+                scene: site.yaml
+                vary:
+                  drones.intruder.flight.distance: {uniform: {from: 300 m, to: 400 m}}
+                variants:
+                  one: {}
+                  other: {alert.response: 12 s}
+                runs: 30
+                """);
+        List<CaseResult> both = results(same, 2);
+        CampaignSummary summary = new CampaignSummary(same.variants());
+        for (int i = 0; i < both.size(); i += 2) {
+            summary.add(both.subList(i, i + 2));
+        }
+
+        assertThat(summary.comparisons()).hasSize(3).allSatisfy(pair -> {
+            assertThat(pair.difference()).isEqualTo(new PairedDifference(0, 0, 30));
+            assertThat(pair.deciding()).isEmpty();
+        });
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    @Test
+    void aCaseThatCannotBeRunHasItsRow() throws IOException {
+        CampaignPlan odd = CampaignSite.plan(
+                directory,
+                """
+                scene: site.yaml
+                vary:
+                  drones.intruder.flight.distance: {values: [300 m, 500 m]}
+                  drones.intruder.flight.standoff: {values: [0 m, 400 m]}
+                runs: 20
+                """);
+        List<CaseResult> some = results(odd, 1);
+
+        assertThat(some).filteredOn(CaseResult::isFailed).isNotEmpty().allSatisfy(failed -> {
+            assertThat(failed.values()).containsExactly("300 m", "400 m");
+            assertThat(failed.error().orElseThrow()).contains("standoff").doesNotContain("\n");
+        });
+        assertThat(some).filteredOn(one -> !one.isFailed()).isNotEmpty();
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    @Test
+    void whatCannotBeRunIsRefusedBeforeTheFirstCase() {
+        refused("vary: {drones.intruder.sped: {values: [1 m/s]}}", "vary.drones.intruder.sped: ");
+        refused("vary: {drones.intruder.speed: {uniform: {from: 5 m/s, to: 900 m/s}}}", "vary.drones.intruder.speed: ");
+        refused("vary: {drones.intruder.speed: {}}", "needs exactly one of values, uniform, normal and triangular");
+        refused("vary: {drones.intruder.speed: {values: [5], uniform: {from: 5, to: 6}}}", "it has 2");
+        refused(
+                "vary: {drones.intruder.speed: {values: [5]}}\nvariants: {a: {drones.intruder.speed: 5}}",
+                "'drones.intruder.speed' would decide over 'drones.intruder.speed', which varies from case to case");
+        refused("vary: {}\nvariants: {a: {sensors.radar: nothing}}", "nothing");
+        refused("vary: {}\nvariants: {a: {scene: ../else.yaml}}", "must lie beside the campaign file or below it");
+        refused("vary: {}\nvariants: {a: {scene: org.dronewatch.scenes.MultiSensor}}", "neither packaged");
+        refused("vary: {}\nvariants: {'../a': {}}", "a name must have 1 to 64 letters");
+    }
+
+    private static void refused(String campaign, String message) {
+        assertThatThrownBy(() -> CampaignSite.plan(directory, "scene: site.yaml\nruns: 2\n" + campaign))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(message);
+    }
+}

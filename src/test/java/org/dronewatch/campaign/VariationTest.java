@@ -1,0 +1,98 @@
+package org.dronewatch.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.setting.Quantity;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class VariationTest {
+    private static final double TINY = 1e-8;
+
+    private static Variation uniform(String from, String to) {
+        return new Variation(Optional.empty(), Optional.of(new Uniform(from, to)), Optional.empty(), Optional.empty());
+    }
+
+    private static Variation normal(Normal normal) {
+        return new Variation(Optional.empty(), Optional.empty(), Optional.of(normal), Optional.empty());
+    }
+
+    private static Variation triangular(String from, String mode, String to) {
+        return new Variation(
+                Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(new Triangular(from, mode, to)));
+    }
+
+    private static double metres(Variation variation, double u) {
+        return Quantity.LENGTH.parse(variation.value(Quantity.LENGTH, u));
+    }
+
+    @Test
+    void uniformValuesAreInTheRange() {
+        assertThat(metres(uniform("10 m", "0.03 km"), 0.25)).isEqualTo(15.0);
+        assertThat(uniform("0 deg", "360 deg").value(Quantity.ANGLE, 0.5)).isEqualTo("180 deg");
+        assertThat(uniform("5", "6").value(Quantity.NUMBER, 0.125)).isEqualTo("5.125");
+    }
+
+    /** Its cumulative distribution is (x - a)^2 / ((b - a)(m - a)) up to the mode m. */
+    @Test
+    void triangularValuesFollowTheirDistribution() {
+        Variation variation = triangular("0", "3", "10");
+        for (double u = 0.01; u < 1.0; u += 0.01) {
+            double x = metres(variation, u);
+            double cumulative = x <= 3.0 ? x * x / 30.0 : 1.0 - (10.0 - x) * (10.0 - x) / 70.0;
+            assertThat(cumulative).as("u = %s", u).isCloseTo(u, within(TINY));
+        }
+        assertThat(metres(triangular("0", "0", "10"), 0.75)).isCloseTo(5.0, within(TINY));
+        assertThat(metres(triangular("0", "10", "10"), 0.25)).isCloseTo(5.0, within(TINY));
+    }
+
+    /** Quantiles of the standard normal distribution from tables: 1.2815515655 at .9, 1.9599639845 at .975. */
+    @ParameterizedTest
+    @CsvSource({".5, 100", ".9, 112.815515655", ".975, 119.599639845", ".025, 80.400360155"})
+    void normalValuesFollowTheirDistribution(double u, double x) {
+        assertThat(metres(normal(Normal.of("100 m", "10 m")), u)).isCloseTo(x, within(1e-4));
+    }
+
+    @Test
+    void normalValuesKeepTheirLimits() {
+        Variation above = normal(new Normal("100", "10", Optional.of("100"), Optional.empty()));
+
+        assertThat(metres(above, 0.0)).isEqualTo(100.0);
+        // Half of what is left lies within .6744897502 standard deviations: P(Z < .6745) = .75.
+        assertThat(metres(above, 0.5)).isCloseTo(106.744897502, within(1e-4));
+        assertThat(metres(above, Math.nextDown(1.0))).isLessThanOrEqualTo(150.0);
+        assertThatThrownBy(() -> metres(normal(new Normal("0", "1", Optional.of("40"), Optional.of("50"))), 0.5))
+                .hasMessage("from 40.0 and to 50.0 leave out all of a normal distribution about 0.0 with the"
+                        + " deviation 1.0");
+    }
+
+    @Test
+    void listedValuesAreEquallyLikely() {
+        Variation variation = new Variation(
+                Optional.of(List.of("a", "b", "c")), Optional.empty(), Optional.empty(), Optional.empty());
+
+        assertThat(variation.value(Quantity.NUMBER, 0.0)).isEqualTo("a");
+        assertThat(variation.value(Quantity.NUMBER, 0.34)).isEqualTo("b");
+        assertThat(variation.value(Quantity.NUMBER, Math.nextDown(1.0))).isEqualTo("c");
+        assertThat(variation.extremes(Quantity.NUMBER)).containsExactly("a", "b", "c");
+    }
+
+    @Test
+    void parametersMustFitEachOther() {
+        assertThatThrownBy(() -> uniform("5 m", "5 m").value(Quantity.LENGTH, 0.5))
+                .hasMessage("from 5.0 must be below to 5.0");
+        assertThatThrownBy(() -> triangular("0", "11", "10").value(Quantity.LENGTH, 0.5))
+                .hasMessage("mode 11.0 must be 0.0 to 10.0");
+        assertThatThrownBy(() -> normal(Normal.of("1", "0")).value(Quantity.LENGTH, 0.5))
+                .hasMessage("deviation 0.0 must be above 0");
+        assertThatThrownBy(() -> uniform("5 kg", "6 m").value(Quantity.LENGTH, 0.5))
+                .hasMessageContaining("from: ");
+        assertThatThrownBy(Variation.NONE::check)
+                .hasMessage("needs exactly one of values, uniform, normal and triangular; it has 0");
+    }
+}
