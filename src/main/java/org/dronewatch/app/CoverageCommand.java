@@ -4,16 +4,11 @@ import java.io.PrintWriter;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.Function;
-import java.util.function.IntConsumer;
-import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.FieldGrid;
@@ -27,8 +22,7 @@ import org.dronewatch.report.coverage.CoverageInputs;
 import org.dronewatch.report.coverage.CoveragePicture;
 import org.dronewatch.report.coverage.CoverageSite;
 import org.dronewatch.report.coverage.CoverageTable;
-import org.dronewatch.report.coverage.FieldTable;
-import org.dronewatch.report.coverage.WarningTable;
+import org.dronewatch.report.coverage.SurveyTables;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -144,7 +138,8 @@ final class CoverageCommand implements Callable<Integer> {
         return threads.call(() -> {
             runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
-            Coverage coverage = withProgress(
+            Coverage coverage = Progress.during(
+                    "coverage",
                     (long) grid.cells()
                             * grid.cells()
                             * settings.enabledSensors().size(),
@@ -186,9 +181,16 @@ final class CoverageCommand implements Callable<Integer> {
                         field.choice(),
                         field.terms(),
                         field.covered());
-                FieldSurvey survey = withProgress(
-                        request.looks(), progress -> FieldSurvey.of(request, progress, main.interruption()::letFinish));
+                FieldSurvey survey = Progress.during(
+                        "coverage",
+                        request.looks(),
+                        progress -> FieldSurvey.of(request, progress, main.interruption()::letFinish));
                 if (target != null) {
+                    if (inputs.origin().isEmpty()) {
+                        spec.commandLine()
+                                .getErr()
+                                .println("the scene has no world.origin: no GeoTIFF, GeoJSON or KML files are written");
+                    }
                     target.write(survey, inputs, new CoverageSite(settings, stage), provenance(runner, settings));
                 }
                 print(survey, inputs);
@@ -201,23 +203,6 @@ final class CoverageCommand implements Callable<Integer> {
         List<String> command = spec.root().commandLine().getParseResult().originalArgs();
         return new Provenance(started, command, runner.inputs())
                 .inWords(settings.run().seed(), threads.number());
-    }
-
-    private static <T> T withProgress(long looks, Function<IntConsumer, T> work) {
-        ProgressBar bar = Progress.barOf("coverage", looks);
-        AtomicLong done = new AtomicLong();
-        try {
-            return work.apply(points -> {
-                long now = done.addAndGet(points);
-                if (bar != null) {
-                    bar.stepTo(now);
-                }
-            });
-        } finally {
-            if (bar != null) {
-                bar.close();
-            }
-        }
     }
 
     /** The first drone, or the first bird of a scene that has nothing else. */
@@ -271,20 +256,7 @@ final class CoverageCommand implements Callable<Integer> {
     }
 
     private void print(FieldSurvey survey, CoverageInputs inputs) {
-        PrintWriter target = spec.commandLine().getOut();
-        List<List<String>> tables = new ArrayList<>();
-        tables.add(FieldTable.causes(survey.summary(), inputs));
-        survey.visible().map(FieldTable::visible).ifPresent(tables::add);
-        survey.detectable().map(FieldTable::detectable).ifPresent(tables::add);
-        tables.add(FieldTable.gaps(survey.summary()));
-        tables.add(FieldTable.losses(survey.summary()));
-        survey.warnings().map(WarningTable::lines).ifPresent(tables::add);
-        for (int i = 0; i < tables.size(); i++) {
-            if (i > 0) {
-                target.println();
-            }
-            tables.get(i).forEach(target::println);
-        }
+        SurveyTables.lines(survey, inputs).forEach(spec.commandLine().getOut()::println);
         if (!survey.isComplete()) {
             spec.commandLine()
                     .getErr()

@@ -129,6 +129,24 @@ public final class OutputDirectory implements AutoCloseable {
     }
 
     /**
+     * The files of certain names that former results left in the target.
+     *
+     * @param sign a file that shows that they are there; without it, no file is taken for a former result
+     * @param names of the files
+     */
+    public List<String> former(String sign, Pattern names) throws IOException {
+        if (!Files.isRegularFile(target.resolve(sign))) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(target)) {
+            return files.map(file -> String.valueOf(file.getFileName()))
+                    .filter(name -> names.matcher(name).matches())
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    /**
      * Moves all written files into place; if one cannot be moved, none is.
      *
      * @param obsolete files of an earlier run that must not stay if they were not written anew, nor the folders that

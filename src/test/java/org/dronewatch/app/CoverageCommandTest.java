@@ -337,6 +337,63 @@ class CoverageCommandTest {
         }
     }
 
+    /** Files for maps need a place on earth; those of former heights, or of a former origin, do not stay. */
+    @Test
+    void filesForMapsAreWrittenWhereTheOriginIsKnown() throws IOException {
+        Path site = directory.resolve("field.yaml");
+        String text = Files.readString(directory.resolve("site.yaml"));
+        Path out = directory.resolve("gis");
+        Files.writeString(site, text.replace("world:\n", "world:\n  origin: {latitude: 50 deg, longitude: 15 deg}\n"));
+        assertThat(coverage(site, "10", out).err()).doesNotContain("world.origin");
+        assertThat(names(out))
+                .contains(
+                        "cause-10.tif",
+                        "cause-10.tif.aux.xml",
+                        "count-10.tif",
+                        "min-height.tif",
+                        "visible-height.tif",
+                        "coverage.geojson",
+                        "coverage.kml");
+        Files.writeString(out.resolve("notes.tif"), "of the user");
+        Files.writeString(site, text);
+        assertThat(coverage(site, "20", out).err())
+                .contains("the scene has no world.origin: no GeoTIFF, GeoJSON or KML files are written");
+        assertThat(names(out))
+                .containsExactly(
+                        "cause-20.png",
+                        "coverage.json",
+                        "min-height.png",
+                        "notes.tif",
+                        "report.html",
+                        "visible-height.png",
+                        "warning.png");
+    }
+
+    /** Both have a report.html. */
+    @Test
+    void theResultsOfARunAreNotOverwritten() throws IOException {
+        Path run = Files.createDirectory(directory.resolve("run"));
+        Files.writeString(run.resolve("result.json"), "{}");
+        Outcome outcome = Program.run(
+                "coverage", directory.resolve("site.yaml").toString(), "--side=40", "--cell=20", "--out=" + run);
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("run holds the results of a run", "name another directory");
+        assertThat(names(run)).containsExactly("result.json");
+    }
+
+    private static Outcome coverage(Path site, String heights, Path out) {
+        Outcome outcome = Program.run(
+                "coverage", site.toString(), "--side=40", "--cell=20", "--heights=" + heights, "--out=" + out);
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        return outcome;
+    }
+
+    private static List<String> names(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
     private static int inkAtTheBottom(BufferedImage map) {
         int ink = 0;
         for (int x = 1001; x < map.getWidth(); x++) {

@@ -34,6 +34,34 @@ final class CauseFills {
 
     private CauseFills() {}
 
+    /** The plain colour of a cause, without its pattern. */
+    static Color colour(Cause cause) {
+        return switch (cause) {
+            case UNKNOWN -> Color.WHITE;
+            case OUT_OF_RANGE -> GREY;
+            case OUT_OF_VIEW -> PURPLE;
+            case SILENT -> MapSheet.mixed(PURPLE, Color.BLACK, 0.45);
+            case TOO_SLOW -> ORANGE;
+            case TOO_FAST -> MapSheet.mixed(ORANGE, Color.BLACK, 0.45);
+            case HIDDEN_BY_TERRAIN -> BROWN;
+            case HIDDEN_BY_BUILDING -> VERMILION;
+            case HIDDEN_BY_VEGETATION -> GREEN;
+            case HIDDEN_BY_OTHER -> BLUE;
+            case TOO_WEAK -> YELLOW;
+            case DETECTED -> LIGHT_BLUE;
+        };
+    }
+
+    /** The colour of what is inside something solid. */
+    static Color insideColour() {
+        return DARK;
+    }
+
+    /** The colour of what is detected, but not in the time that there is. */
+    static Color laterColour() {
+        return MapSheet.mixed(LIGHT_BLUE, Color.BLACK, 0.3);
+    }
+
     static MapSheet.Fill of(Cause cause) {
         return switch (cause) {
             case UNKNOWN -> (u, v, ground) -> MapSheet.mixed(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);

@@ -4,16 +4,24 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {
-    private static final String REPORT = "report.html";
+    private static final String NUMBERS = "coverage.json";
+
+    /** Whatever else a coverage writes, at other heights, too: no former file stays that is not written anew. */
+    private static final Pattern FILES = Pattern.compile("cause-[0-9.]+\\.(png|tif|tif\\.aux\\.xml)|count-[0-9.]+\\.tif"
+            + "|(min|visible)-height\\.(png|tif)|warning\\.png|coverage\\.(geojson|kml)|report\\.html");
+
+    /** A file that every run writes, and no coverage. */
+    private static final String RUN = "result.json";
 
     private final OutputDirectory directory;
 
@@ -23,6 +31,10 @@ public final class CoverageDirectory implements AutoCloseable {
      * @throws org.dronewatch.setting.InputException when it cannot
      */
     public CoverageDirectory(Path target) {
+        if (Files.isRegularFile(target.resolve(RUN))) {
+            throw new InputException("output directory " + PlainText.value(target)
+                    + " holds the results of a run, whose report.html would be replaced: name another directory");
+        }
         this.directory = new OutputDirectory(target);
     }
 
@@ -36,20 +48,20 @@ public final class CoverageDirectory implements AutoCloseable {
      */
     public void write(FieldSurvey survey, CoverageInputs inputs, CoverageSite site, Map<String, String> provenance) {
         directory.write(() -> {
-            JsonFile.write(directory.file("coverage.json"), FieldFile.toJson(survey, inputs));
+            JsonFile.write(directory.file(NUMBERS), FieldFile.toJson(survey, inputs));
             Map<String, MapSheet> maps = new FieldPictures(site, inputs, survey.grid()).all(survey);
             for (Map.Entry<String, MapSheet> map : maps.entrySet()) {
                 write(map.getKey(), map.getValue());
             }
             if (survey.isComplete()) {
-                try (OutputStream page = Files.newOutputStream(directory.file(REPORT))) {
+                try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
                     new CoverageReport(survey, inputs, site).write(page, maps.values(), provenance);
                 }
             }
-            List<String> obsolete = new ArrayList<>(FieldPictures.names(survey.grid()));
-            obsolete.add(REPORT);
-            obsolete.removeAll(maps.keySet());
-            directory.publish(survey.isComplete() ? List.of() : obsolete);
+            if (inputs.origin().isPresent()) {
+                new GridFiles(survey, inputs, inputs.origin().get()).write(directory);
+            }
+            directory.publish(directory.former(NUMBERS, FILES));
         });
     }
 

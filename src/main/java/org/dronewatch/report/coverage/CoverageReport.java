@@ -92,6 +92,9 @@ final class CoverageReport {
         }
         String subject = "The drone '" + inputs.drone() + "', " + heading() + ", is detected " + time() + "in ";
         String from = percent(least.covered(), least) + " % ";
+        if (share(least) == share(most) && summary.heights().size() > 1) {
+            return subject + from + "of the area at each of the heights.";
+        }
         return least == most
                 ? subject + from + "of the area at " + number(least.height()) + " m above the ground."
                 : subject + from + "(at " + number(least.height()) + " m above the ground) to "

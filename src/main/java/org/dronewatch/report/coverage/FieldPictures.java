@@ -76,13 +76,6 @@ final class FieldPictures {
         return maps;
     }
 
-    /** The names of the files of a complete survey. */
-    static List<String> names(FieldGrid grid) {
-        List<String> names = new ArrayList<>(List.of(DETECTABLE, VISIBLE, WARNING));
-        grid.heights().forEach(height -> names.add(causeName(height)));
-        return names;
-    }
-
     private static String causeName(double height) {
         return "cause-" + Numbers.text(height) + ".png";
     }

@@ -19,9 +19,9 @@ final class GeoJson {
             .enable(StreamWriteFeature.WRITE_BIGDECIMAL_AS_PLAIN)
             .build();
 
-    private final MapContent content;
+    private final DrawnFeatures content;
 
-    GeoJson(MapContent content) {
+    GeoJson(DrawnFeatures content) {
         this.content = content;
     }
 
@@ -45,7 +45,7 @@ final class GeoJson {
         addGeometry(node.putObject("geometry"), feature.shape());
         ObjectNode properties = node.putObject("properties");
         properties.put("name", feature.name());
-        properties.put("folder", feature.role().folder());
+        properties.put("folder", feature.folder());
         feature.properties().forEach((name, value) -> properties.set(name, MAPPER.valueToTree(value)));
         addStyle(properties, feature);
     }

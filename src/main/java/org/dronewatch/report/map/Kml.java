@@ -7,7 +7,6 @@ import java.io.OutputStream;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -25,9 +24,9 @@ import org.dronewatch.geo.GeoPoint;
 final class Kml {
     private static final String NAMESPACE = "http://www.opengis.net/kml/2.2";
 
-    private final MapContent content;
+    private final DrawnFeatures content;
 
-    Kml(MapContent content) {
+    Kml(DrawnFeatures content) {
         this.content = content;
     }
 
@@ -46,16 +45,11 @@ final class Kml {
         kml.text("open", "1");
         kml.text("description", content.description());
         List<StyledFeature> features = content.features();
-        List<String> folders = Arrays.stream(Role.values())
-                .filter(role -> !role.isRare() || features.stream().anyMatch(feature -> feature.role() == role))
-                .map(Role::folder)
-                .distinct()
-                .toList();
-        for (String folder : folders) {
+        for (String folder : content.folders()) {
             kml.open("Folder");
             kml.text("name", folder);
             for (StyledFeature feature : features) {
-                if (feature.role().folder().equals(folder)) {
+                if (feature.folder().equals(folder)) {
                     write(kml, feature);
                 }
             }

@@ -2,6 +2,7 @@ package org.dronewatch.report.map;
 
 import java.awt.Color;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
@@ -26,7 +27,7 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /** What a map of a run shows: its first run, if there were several. */
-final class MapContent {
+final class MapContent implements DrawnFeatures {
     /** Maximum number of line segments of a flight, all of the same duration. */
     static final int STEPS = 300;
 
@@ -53,12 +54,14 @@ final class MapContent {
     }
 
     /** The scene's name. */
-    String title() {
+    @Override
+    public String title() {
         return result.scene();
     }
 
     /** A description of the map and its height reference. */
-    String description() {
+    @Override
+    public String description() {
         String which =
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
         return "Where each sensor detects each drone" + which + ". " + heights() + " Fields of view are"
@@ -87,12 +90,14 @@ final class MapContent {
     }
 
     /** Whether heights are those above the sea, so that things can be drawn where they are in the air. */
-    boolean isInSpace() {
+    @Override
+    public boolean isInSpace() {
         return origin.height().isPresent();
     }
 
     /** All features, in the order of their folders and of the scene. */
-    List<StyledFeature> features() {
+    @Override
+    public List<StyledFeature> features() {
         List<StyledFeature> features = new ArrayList<>();
         // Below everything else.
         stage.buildings().stream()
@@ -109,6 +114,17 @@ final class MapContent {
         run.alerts().forEach(result -> result.alert().ifPresent(alert -> features.add(alert(result.drone(), alert))));
         run.events().forEach(event -> features.add(event(event)));
         return features;
+    }
+
+    /** Those of all roles that most scenes have, and of the others where they occur. */
+    @Override
+    public List<String> folders() {
+        List<StyledFeature> features = features();
+        return Arrays.stream(Role.values())
+                .filter(role -> !role.isRare() || features.stream().anyMatch(feature -> feature.role() == role))
+                .map(Role::folder)
+                .distinct()
+                .toList();
     }
 
     private Color colour(String sensor) {

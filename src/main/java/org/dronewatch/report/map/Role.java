@@ -21,7 +21,9 @@ enum Role {
     /** Where a drone was when a sensor lost it. */
     LOST("Detections", Size.SMALL),
     /** The outline of a building. */
-    BUILDING("Buildings", Size.SMALL);
+    BUILDING("Buildings", Size.SMALL),
+    /** A gap in the coverage at a height. */
+    GAP("Gaps", Size.MEDIUM);
 
     /** Width of lines in pixels. */
     static final double STROKE = 2.0;
@@ -49,7 +51,7 @@ enum Role {
 
     /** Whether it has no folder unless a feature is in it: many scenes have none. */
     boolean isRare() {
-        return this == BUILDING || this == BIRD;
+        return this == BUILDING || this == BIRD || this == GAP;
     }
 
     /** Whether its name is written on the map: those of a hundred detections would cover one another. */

@@ -46,9 +46,10 @@ class CoverageDirectoryTest {
                 new CoverageInputs("site", "one", "best", 0.5, Optional.empty(), Optional.empty(), Optional.empty());
         CoverageSite there = new CoverageSite(site.settings(), site.stage());
         Path out = Files.createDirectory(directory.resolve("field"));
-        Files.writeString(out.resolve("cause-30.png"), "of an earlier survey");
-        Files.writeString(out.resolve("warning.png"), "of an earlier survey");
-        Files.writeString(out.resolve("report.html"), "of an earlier survey");
+        for (String name : List.of(
+                "coverage.json", "cause-30.png", "cause-7.5.tif", "count-30.tif", "warning.png", "report.html")) {
+            Files.writeString(out.resolve(name), "of an earlier survey");
+        }
         Files.writeString(out.resolve("notes.txt"), "the user's own");
 
         FieldSummary low = new FieldSummary(

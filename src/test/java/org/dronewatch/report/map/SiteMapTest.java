@@ -65,7 +65,7 @@ class SiteMapTest {
         map.writeKml(kml);
     }
 
-    private static Schema schema() throws IOException {
+    static Schema schema() throws IOException {
         try (InputStream stream = SiteMapTest.class.getResourceAsStream("geojson.schema.json")) {
             return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
                     .getSchema(new String(stream.readAllBytes(), StandardCharsets.UTF_8), InputFormat.JSON);

@@ -1,0 +1,129 @@
+package org.dronewatch.report.coverage;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSurvey;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.map.CoverageMap;
+import org.dronewatch.report.map.GeoTiff;
+import org.dronewatch.report.map.GeoTiff.CellClass;
+import org.dronewatch.sensor.Cause;
+
+/** The files for geographic information systems: GeoTIFF for the cells, GeoJSON and KML for the gaps. */
+final class GridFiles {
+    private static final int INSIDE = Cause.values().length;
+    private static final int LATER = INSIDE + 1;
+
+    private final FieldSurvey survey;
+    private final FieldCoverage coverage;
+    private final boolean isWithin;
+    private final FieldGrid grid;
+    private final GeoTiff rasters;
+    private final CoverageMap gaps;
+
+    /**
+     * The files of a coverage.
+     *
+     * @param origin where on earth the scene lies
+     */
+    GridFiles(FieldSurvey survey, CoverageInputs inputs, Origin origin) {
+        this.survey = survey;
+        this.coverage = survey.summary().coverage();
+        this.isWithin = inputs.within().isPresent();
+        this.grid = coverage.field().grid();
+        this.rasters = new GeoTiff(origin, grid.east(), grid.north(), grid.cell(), grid.columns());
+        this.gaps = new CoverageMap(
+                coverage,
+                inputs.scene(),
+                origin,
+                cause -> new CoverageMap.CauseStyle(CoverageTable.name(cause), CauseFills.colour(cause)));
+    }
+
+    void write(OutputDirectory directory) throws IOException {
+        for (int height = 0; height < grid.heights().size(); height++) {
+            String metres = Numbers.text(grid.heights().get(height));
+            rasters.writeClasses(directory.file("cause-" + metres + ".tif"), causes(height), classes());
+            rasters.writeCounts(directory.file("count-" + metres + ".tif"), counts(height));
+        }
+        if (survey.detectable().isPresent()) {
+            rasters.writeNumbers(
+                    directory.file("min-height.tif"),
+                    heights(survey.detectable().get()::height));
+        }
+        if (survey.visible().isPresent()) {
+            rasters.writeNumbers(
+                    directory.file("visible-height.tif"),
+                    heights(survey.visible().get()::height));
+        }
+        gaps.writeGeoJson(directory.file("coverage.geojson"));
+        gaps.writeKml(directory.file("coverage.kml"));
+    }
+
+    /** The causes by their numbers, and what else a cell may be. */
+    static List<CellClass> classes() {
+        List<CellClass> classes = new ArrayList<>();
+        for (Cause cause : Cause.values()) {
+            classes.add(new CellClass(CoverageTable.name(cause), CauseFills.colour(cause)));
+        }
+        classes.add(new CellClass("inside something solid", CauseFills.insideColour()));
+        classes.add(new CellClass("detected given more time", CauseFills.laterColour()));
+        return classes;
+    }
+
+    private byte[] causes(int height) {
+        byte[] cells = new byte[grid.cells()];
+        for (int cell = 0; cell < cells.length; cell++) {
+            cells[cell] = (byte) cause(height, cell % grid.columns(), cell / grid.columns());
+        }
+        return cells;
+    }
+
+    /** As on the maps: within a time, what is covered counts as detected, since causes are those of a single look. */
+    private int cause(int height, int column, int row) {
+        if (coverage.field().isOutside(height, column, row)) {
+            return GeoTiff.NO_CLASS;
+        }
+        if (coverage.field().isInside(height, column, row)) {
+            return INSIDE;
+        }
+        if (coverage.isUnknown(height, column, row)) {
+            return Cause.UNKNOWN.ordinal();
+        }
+        Cause cause = coverage.cause(height, column, row);
+        if (!isWithin) {
+            return cause.ordinal();
+        }
+        return coverage.isCovered(height, column, row)
+                ? Cause.DETECTED.ordinal()
+                : cause == Cause.DETECTED ? LATER : cause.ordinal();
+    }
+
+    /** The number of sensors that cover each cell; none for those that do not count. */
+    private int[] counts(int height) {
+        int[] cells = new int[grid.cells()];
+        for (int cell = 0; cell < cells.length; cell++) {
+            int column = cell % grid.columns();
+            int row = cell / grid.columns();
+            cells[cell] = coverage.isKnown(height, column, row) ? coverage.count(height, column, row) : -1;
+        }
+        return cells;
+    }
+
+    /** A height for each column. */
+    private interface Heights {
+        double at(int column, int row);
+    }
+
+    private float[] heights(Heights heights) {
+        float[] cells = new float[grid.cells()];
+        for (int cell = 0; cell < cells.length; cell++) {
+            cells[cell] = (float) heights.at(cell % grid.columns(), cell / grid.columns());
+        }
+        return cells;
+    }
+}

@@ -1,0 +1,29 @@
+package org.dronewatch.report.coverage;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.analysis.field.FieldSurvey;
+
+/** All tables of a survey of the coverage. */
+public final class SurveyTables {
+    private SurveyTables() {}
+
+    /** The tables of what is whole, with an empty line between two of them. */
+    public static List<String> lines(FieldSurvey survey, CoverageInputs inputs) {
+        List<List<String>> tables = new ArrayList<>();
+        tables.add(FieldTable.causes(survey.summary(), inputs));
+        survey.visible().map(FieldTable::visible).ifPresent(tables::add);
+        survey.detectable().map(FieldTable::detectable).ifPresent(tables::add);
+        tables.add(FieldTable.gaps(survey.summary()));
+        tables.add(FieldTable.losses(survey.summary()));
+        survey.warnings().map(WarningTable::lines).ifPresent(tables::add);
+        List<String> lines = new ArrayList<>();
+        for (List<String> table : tables) {
+            if (!lines.isEmpty()) {
+                lines.add("");
+            }
+            lines.addAll(table);
+        }
+        return lines;
+    }
+}

@@ -1,0 +1,21 @@
+package org.dronewatch.report.map;
+
+import java.util.List;
+
+/** What a map for map viewers shows. */
+interface DrawnFeatures {
+    /** The title of the map. */
+    String title();
+
+    /** A description of the map and its height reference. */
+    String description();
+
+    /** The features, those drawn first at the beginning. */
+    List<StyledFeature> features();
+
+    /** The titles of the folders, in their order. */
+    List<String> folders();
+
+    /** Whether heights above the sea are known, so that features can be drawn where they are in the air. */
+    boolean isInSpace();
+}
