@@ -53,6 +53,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  dronewatch coverage multi-sensor --heights 10m,30m --side 400m --out field",
             "  dronewatch coverage scenes/hill-radar.yaml --within 5s --covered 0.9",
+            "  dronewatch coverage scenes/cued-camera.yaml --pointing search --within 30s",
             "  dronewatch coverage scenes/monaco.yaml --area stadium --heights 30m,60m --out field",
             "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"
         })
@@ -165,7 +166,7 @@ final class CoverageCommand implements Callable<Integer> {
                 id,
                 field.heading(),
                 field.covered(),
-                field.terms().within(),
+                field.terms(),
                 field.area(),
                 settings.world().origin());
         try (CoverageDirectory target = out == null ? null : new CoverageDirectory(Path.of(out))) {

@@ -38,6 +38,7 @@ final class FieldOptions {
     private static final String COVERED = "--covered";
     private static final String WITHIN = "--within";
     private static final String AREA = "--area";
+    private static final String POINTING = "--pointing";
     private static final double DEFAULT_COVERED = 0.5;
     private static final double CELLS = 100.0;
     private static final double DEFAULT_SIDE = 500.0;
@@ -90,6 +91,13 @@ final class FieldOptions {
                     "A protected zone of the scene, in place of --side: only cells with their middle in it count.")
     private String area;
 
+    @Option(
+            names = POINTING,
+            paramLabel = "cued|search",
+            description = "How sensors on positioners point: turned to the drone and zoomed in, or searching; cued by"
+                    + " default.")
+    private String pointing;
+
     /** The first of these options that was given; null if none was. */
     String given() {
         Map<String, Object> values = new LinkedHashMap<>();
@@ -99,6 +107,7 @@ final class FieldOptions {
         values.put(COVERED, covered);
         values.put(WITHIN, within);
         values.put(AREA, area);
+        values.put(POINTING, pointing);
         return values.entrySet().stream()
                 .filter(option -> option.getValue() != null)
                 .map(Map.Entry::getKey)
@@ -159,9 +168,26 @@ final class FieldOptions {
 
     /** On which terms the drone counts as detected. */
     FieldTerms terms() {
+        FieldTerms pointed = FieldTerms.ONE_LOOK.withPointing(turning());
         return within == null
-                ? FieldTerms.ONE_LOOK
-                : new FieldTerms(optional(value("within", within, FieldTerms.class, "within")));
+                ? pointed
+                : new FieldTerms(pointed.pointing(), optional(value("within", within, FieldTerms.class, "within")));
+    }
+
+    private FieldTerms.Turning turning() {
+        return pointing == null
+                ? FieldTerms.Turning.CUED
+                : word(POINTING, pointing, FieldTerms.Turning.values(), "cued or search");
+    }
+
+    /** One of a few words. */
+    private static <E extends Enum<E>> E word(String option, String given, E[] words, String known) {
+        for (E one : words) {
+            if (one.name().toLowerCase(Locale.ROOT).equals(given)) {
+                return one;
+            }
+        }
+        throw new InputException(option + " " + PlainText.value(given) + ": must be " + known);
     }
 
     private static Optional<Double> optional(Object value) {
@@ -205,15 +231,7 @@ final class FieldOptions {
     }
 
     private Heading kind() {
-        if (heading == null) {
-            return Heading.WORST;
-        }
-        for (Heading one : Heading.values()) {
-            if (one.name().toLowerCase(Locale.ROOT).equals(heading)) {
-                return one;
-            }
-        }
-        throw new InputException(HEADING + " " + PlainText.value(heading) + ": must be worst, best or inbound");
+        return heading == null ? Heading.WORST : word(HEADING, heading, Heading.values(), "worst, best or inbound");
     }
 
     /** The courses of a drone that have to be assessed. */

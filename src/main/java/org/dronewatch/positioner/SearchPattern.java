@@ -16,6 +16,9 @@ public sealed interface SearchPattern {
      */
     Direction at(Direction aim, double time);
 
+    /** The time after which it repeats itself, s; 0 if it does not move. */
+    double period();
+
     /** A triangle wave: the position between 0 and a length after a distance travelled back and forth. */
     private static double triangleWave(double travelled, double length) {
         double phase = travelled - 2.0 * length * Math.floor(travelled / (2.0 * length));
@@ -24,6 +27,11 @@ public sealed interface SearchPattern {
 
     /** A search pattern that stays at the sensor's own aim. */
     record Rest() implements SearchPattern {
+        @Override
+        public double period() {
+            return 0.0;
+        }
+
         @Override
         public Direction at(Direction aim, double time) {
             return aim;
@@ -44,6 +52,11 @@ public sealed interface SearchPattern {
         /** Checks the limits. */
         public Round {
             Limits.check(Round.class, speed);
+        }
+
+        @Override
+        public double period() {
+            return 2.0 * Math.PI / speed;
         }
 
         @Override
@@ -76,6 +89,11 @@ public sealed interface SearchPattern {
         @Defaults("width")
         public static Sweep of(double width) {
             return new Sweep(width, 0.0, 1, Math.toRadians(10.0));
+        }
+
+        @Override
+        public double period() {
+            return 2.0 * rows * width / speed;
         }
 
         @Override

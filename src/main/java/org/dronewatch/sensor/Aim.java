@@ -53,9 +53,12 @@ public sealed interface Aim {
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
-        /** The direction in which a positioner points. */
+        /** The direction in which a positioner points, which may have turned many times. */
         public static Direction of(org.dronewatch.positioner.Direction pointing) {
-            return new Direction(pointing.azimuth(), pointing.elevation());
+            double azimuth = Math.abs(pointing.azimuth()) > In.TWO_TURNS
+                    ? Math.IEEEremainder(pointing.azimuth(), 2.0 * Math.PI)
+                    : pointing.azimuth();
+            return new Direction(azimuth, pointing.elevation());
         }
 
         /** Checks the limits. */

@@ -23,6 +23,17 @@ public sealed interface Outline {
     boolean contains(Position vector);
 
     /**
+     * Whether some part of a sphere may be within it: false only if none is. For shapes other than a frustum, whether
+     * its centre is.
+     *
+     * @param vector vector from the sensor to the centre, m
+     * @param radius of the sphere, m
+     */
+    default boolean mayShow(Position vector, double radius) {
+        return contains(vector);
+    }
+
+    /**
      * The field of view of a camera's image: a frustum.
      *
      * @param forward unit vector of its axis
@@ -68,6 +79,18 @@ public sealed interface Outline {
         public boolean contains(Position vector) {
             double ahead = vector.dot(forward);
             return ahead >= near && ahead <= far && spans(vector);
+        }
+
+        /** {@inheritDoc} By its distance from each of the planes. */
+        @Override
+        public boolean mayShow(Position vector, double radius) {
+            double ahead = vector.dot(forward);
+            double aside = Math.abs(vector.dot(right) - middleRight * ahead) - halfWidth * ahead;
+            double above = Math.abs(vector.dot(up) - middleUp * ahead) - halfHeight * ahead;
+            return ahead >= near - radius
+                    && ahead <= far + radius
+                    && aside <= radius * Math.hypot(1.0, halfWidth + Math.abs(middleRight))
+                    && above <= radius * Math.hypot(1.0, halfHeight + Math.abs(middleUp));
         }
 
         /** Whether the direction of a vector is within the field, at any distance. */

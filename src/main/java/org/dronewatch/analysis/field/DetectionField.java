@@ -19,8 +19,8 @@ import org.dronewatch.sensor.Cause;
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
  * each sensor detects it, in one look or within a time, and the cause where one look is not sufficient. A sensor on a
- * positioner has turned to the drone. Everything is assessed once, as in a run; afterwards, any course can be queried
- * without tracing another ray.
+ * positioner has turned to the drone, or searches. Everything is assessed once, as in a run; afterwards, any course can
+ * be queried without tracing another ray.
  *
  * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
  */
@@ -289,7 +289,8 @@ public final class DetectionField {
         }
         FieldProbe probe = probe(sensor);
         Position at = columns.middle(height, column, row);
-        return Optional.of(probe.assess(probe.newAssessor(), probe.drone(at, inLayers[course]), probe.pointing(at)));
+        return Optional.of(probe.look(probe.newAssessor(), probe.drone(at, inLayers[course]), probe.pointings(at))
+                .assessment());
     }
 
     private FieldProbe probe(int sensor) {

@@ -2,12 +2,15 @@ package org.dronewatch.analysis.field;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.RaySensor;
@@ -24,6 +27,7 @@ import org.dronewatch.world.World;
  * @param seed of the run, for sensors that trace random rays
  * @param courses of the drone
  * @param terms on which it counts as detected
+ * @param search where the sensor points while it searches; empty if it does not matter
  */
 record FieldProbe(
         World world,
@@ -32,7 +36,29 @@ record FieldProbe(
         SensorSettings<?> settings,
         long seed,
         List<Course> courses,
-        FieldTerms terms) {
+        FieldTerms terms,
+        Optional<SearchPeriod> search) {
+    private static final double EVEN_CHANCE = 0.5;
+
+    /** Of a sensor that searches where the terms say so. */
+    FieldProbe(
+            World world,
+            Drone drone,
+            String sensor,
+            SensorSettings<?> settings,
+            long seed,
+            List<Course> courses,
+            FieldTerms terms) {
+        this(
+                world,
+                drone,
+                sensor,
+                settings,
+                seed,
+                courses,
+                terms,
+                terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings) : Optional.empty());
+    }
 
     /** An assessor for one thread. */
     Assessor newAssessor() {
@@ -54,12 +80,16 @@ record FieldProbe(
         return Mounted.turnedTo(settings, at);
     }
 
+    /** Where the sensor points while the drone is at a place, m. */
+    CellPointings pointings(Position at) {
+        return search.map(its -> its.at(at, drone.radius())).orElseGet(() -> CellPointings.always(pointing(at)));
+    }
+
     /**
-     * The same, except for what the steps of a {@link SensorLayer} do not tell apart, and faster.
+     * The assessment of a drone, except for what the steps of a {@link SensorLayer} do not tell apart, and faster.
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
-        return assessor.assessCoarsely(
-                there, pointing, Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS), terms.high(settings));
+        return assessor.assessCoarsely(there, pointing, rays(), terms.high(settings));
     }
 
     /**
@@ -72,11 +102,39 @@ record FieldProbe(
         return SensorLayer.steps(terms.probability(ofALook, settings));
     }
 
+    /** A look for the steps of a {@link SensorLayer}: what they do not tell apart, it does not, either. */
+    CellLook lookInSteps(Assessor assessor, Drone there, CellPointings pointings) {
+        return look(pointings, pointing -> assessInSteps(assessor, there, pointing));
+    }
+
+    /** A look with the assessment as it is. */
+    CellLook look(Assessor assessor, Drone there, CellPointings pointings) {
+        return look(pointings, pointing -> assessor.assess(there, pointing, rays()));
+    }
+
     /**
-     * The assessment of the drone with the random rays of the first look of a run: they are the same for all cells, so
-     * that the field varies with the place alone.
+     * The mean over all pointings. Its cause is that of the most favourable one; of a drone that it would detect, but
+     * that is out of view for most of the time, that it is out of view.
      */
-    Assessment assess(Assessor assessor, Drone there, Optional<Pointing> pointing) {
-        return assessor.assess(there, pointing, Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS));
+    private CellLook look(CellPointings pointings, Function<Optional<Pointing>, Assessment> glance) {
+        LookSeries series = new LookSeries(
+                pointings.passes(),
+                pointings.towards().size(),
+                number -> glance.apply(pointings.towards().get(number)));
+        double[] probabilities = series.probabilities();
+        Optional<Assessment> best = series.best();
+        double mean = FieldTerms.ONE_LOOK.probability(probabilities, pointings.share(), settings);
+        boolean isMissed = best.isEmpty() || best.get().cause() == Cause.DETECTED && mean < EVEN_CHANCE;
+        Assessment shown =
+                isMissed && pointings.away().isPresent() ? glance.apply(pointings.away()) : best.orElseThrow();
+        return new CellLook(terms.probability(probabilities, pointings.share(), settings), shown);
+    }
+
+    /**
+     * The random rays of the first look of a run: they are the same for all cells, so that the field varies with the
+     * place alone.
+     */
+    private RandomGenerator rays() {
+        return Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS);
     }
 }

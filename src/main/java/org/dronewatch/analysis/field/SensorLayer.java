@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntConsumer;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
@@ -118,6 +119,10 @@ final class SensorLayer {
         }
 
         void set(int column, FieldProbe probe, Assessor assessor, Position at) {
+            if (probe.search().isPresent()) {
+                search(column, probe, assessor, at, probe.search().get());
+                return;
+            }
             Optional<Pointing> pointing = probe.pointing(at);
             OptionalInt certain = code(probe, assessor.boundAtAllHeadings(probe.drone(), at, pointing));
             if (certain.isPresent()) {
@@ -133,6 +138,27 @@ final class SensorLayer {
                 }
             }
             entries[column] = alike ? codes[0] : -1 - keep();
+        }
+
+        /** Over one period of the sensor's search. */
+        private void search(int column, FieldProbe probe, Assessor assessor, Position at, SearchPeriod period) {
+            CellPointings pointings = period.at(at, probe.drone().radius());
+            boolean alike = true;
+            for (int course = 0; course < courses; course++) {
+                Drone there = probe.drone(at, course);
+                codes[course] = code(probe.lookInSteps(assessor, there, pointings));
+                alike &= codes[course] == codes[0];
+                if (course == 0 && pointings.isSameAtAllHeadings(assessor, there)) {
+                    break;
+                }
+            }
+            entries[column] = alike ? codes[0] : -1 - keep();
+        }
+
+        private static int code(CellLook look) {
+            Cause cause = look.assessment().cause();
+            int steps = cause == Cause.UNKNOWN ? 0 : steps(look.probability());
+            return steps | cause.ordinal() << CAUSE_SHIFT;
         }
 
         /** Where bounds are too far apart, the drone is assessed. */

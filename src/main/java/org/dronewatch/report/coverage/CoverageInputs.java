@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage;
 
 import java.util.Optional;
+import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.report.Numbers;
 
@@ -11,7 +12,7 @@ import org.dronewatch.report.Numbers;
  * @param drone name of the drone
  * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
  * @param covered the probability with which a sensor must detect the drone to cover a cell
- * @param within the time in which it has to detect the drone, s; empty for one look
+ * @param terms on which the drone counts as detected
  * @param area name of the protected area whose cells alone count; empty if all do
  * @param origin geographic position of the scene's origin, if it is known
  */
@@ -20,17 +21,23 @@ public record CoverageInputs(
         String drone,
         String heading,
         double covered,
-        Optional<Double> within,
+        FieldTerms terms,
         Optional<String> area,
         Optional<Origin> origin) {
 
-    /** {@code on the worst heading}, or {@code inbound}. */
+    /** The time in which a sensor has to detect the drone, s; empty for one look. */
+    Optional<Double> within() {
+        return terms.within();
+    }
+
+    /** {@code on the worst heading}, or {@code inbound}; and that sensors search, if they do. */
     String headingInWords() {
-        return heading.equals("inbound") ? heading : "on the " + heading + " heading";
+        return (heading.equals("inbound") ? heading : "on the " + heading + " heading")
+                + (terms.pointing() == FieldTerms.Turning.SEARCH ? ", sensors searching" : "");
     }
 
     /** The time in which a sensor has to detect the drone: {@code 10 s}; empty for one look. */
     String timeInWords() {
-        return within.map(time -> Numbers.text(time) + " s").orElse("");
+        return within().map(time -> Numbers.text(time) + " s").orElse("");
     }
 }

@@ -13,6 +13,7 @@ import java.util.Set;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.FieldSurvey;
+import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.report.html.Figure;
@@ -162,7 +163,10 @@ final class CoverageReport {
                 "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"
                         + " those that are unknown because they, or the line of sight to them, are beyond the known ground.");
         items.add("The drone '" + inputs.drone() + "' alone, in level flight at its cruise speed; sensors on"
-                + " positioners have turned to it.");
+                + " positioners "
+                + (inputs.terms().pointing() == FieldTerms.Turning.CUED
+                        ? "have turned to it."
+                        : "search for it: probabilities are means over one period of the search."));
         items.addAll(sensors.omissions());
         items.addAll(site.stage().siteNotes());
         items.addAll(site.stage().credits());

@@ -38,7 +38,7 @@ final class FieldFile {
             root.putNull("within_s");
         }
         root.put("heading", inputs.heading());
-        root.put("pointing", "cued");
+        root.put("pointing", inputs.terms().pointing().name().toLowerCase(Locale.ROOT));
         root.put("area", inputs.area().orElse(null));
         root.put("cell_m", Numbers.rounded(grid.cell()));
         root.put("cells_per_side", grid.columns());

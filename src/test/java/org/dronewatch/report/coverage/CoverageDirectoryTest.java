@@ -43,7 +43,7 @@ class CoverageDirectoryTest {
                 0.5);
         FieldSurvey whole = FieldSurvey.of(request, cells -> {}, () -> {});
         CoverageInputs inputs =
-                new CoverageInputs("site", "one", "best", 0.5, Optional.empty(), Optional.empty(), Optional.empty());
+                new CoverageInputs("site", "one", "best", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), Optional.empty());
         CoverageSite there = new CoverageSite(site.settings(), site.stage());
         Path out = Files.createDirectory(directory.resolve("field"));
         for (String name : List.of(

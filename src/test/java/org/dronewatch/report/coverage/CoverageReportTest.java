@@ -75,7 +75,7 @@ class CoverageReportTest {
 
     private static String html(FieldSurvey survey, SceneSettings settings, Optional<Origin> origin) throws IOException {
         CoverageInputs inputs = new CoverageInputs(
-                "boxes <1>", FieldSite.DRONE, "best", 0.5, Optional.empty(), Optional.empty(), origin);
+                "boxes <1>", FieldSite.DRONE, "best", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), origin);
         CoverageSite there = new CoverageSite(settings, site.stage());
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         new CoverageReport(survey, inputs, there)
