@@ -94,7 +94,7 @@ record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<String>
         Optional<String> without = files.filter(needsCrs).findFirst();
         if (crs.isEmpty() && without.isPresent()) {
             throw new InputException(option + " " + PlainText.value(without.get())
-                    + ": does not state its coordinate reference system: add --crs, as in --crs EPSG:25832, or --crs EPSG:4326"
+                    + ": does not state a known coordinate reference system: add --crs, as in --crs EPSG:25832, or --crs EPSG:4326"
                     + " for longitude and latitude");
         }
         return without.flatMap(file -> crs);

@@ -12,6 +12,7 @@ import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
@@ -48,14 +49,14 @@ final class BuildingSite {
     }
 
     private CoordinateReferenceSystem crs(MapFeatures map) {
-        return map.system().crs(PackagedSite.plain(settings.file().orElse("")), given);
+        return map.system().crs(file(), given);
     }
 
     /** A warning if the scene's system is used instead of the file's. */
     Optional<String> overruled(MapFeatures map) {
         return given.flatMap(map.system()::overruled)
-                .map(stated -> PackagedSite.plain(settings.file().orElse("")) + ": states " + stated
-                        + "; world.buildings.crs takes " + given.orElseThrow() + " instead");
+                .map(stated -> file() + ": states " + stated + "; world.buildings.crs takes " + given.orElseThrow()
+                        + " instead");
     }
 
     MapTransform transform(MapFeatures map) {
@@ -122,6 +123,18 @@ final class BuildingSite {
     }
 
     private double[] flat(double[] ring, MapTransform transform, boolean isPlain) {
+        try {
+            return onPlane(ring, transform, isPlain);
+        } catch (InputException e) {
+            throw new InputException(file() + ": " + e.getMessage(), e);
+        }
+    }
+
+    private String file() {
+        return PackagedSite.plain(settings.file().orElse(""));
+    }
+
+    private double[] onPlane(double[] ring, MapTransform transform, boolean isPlain) {
         double[] flat = new double[ring.length];
         double level = origin.height().orElse(0.0);
         for (int i = 0; i < ring.length; i += 2) {

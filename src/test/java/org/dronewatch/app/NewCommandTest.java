@@ -106,7 +106,7 @@ class NewCommandTest {
                 "--at 43.7,7.4 --radius far --buildings MAP | --radius far: ",
                 "--at 43.7,7.4 --buildings none.osm | --buildings none.osm: no such file",
                 "--at 43.7,7.4 --terrain src | --terrain src: is a directory",
-                "--at 43.7314,7.4202 --terrain SRTM | --terrain SRTM: does not state its coordinate reference system",
+                "--at 43.7314,7.4202 --terrain SRTM | --terrain SRTM: does not state a known coordinate reference system",
                 "--at 43.7314,7.4202 --terrain SRTM --crs EPSG:1 | --crs EPSG:1: ",
                 "--at 43.7314,7.4202 --terrain SRTM SRTM --crs EPSG:4326 | another file has the same name",
                 "--at 10,10 --buildings MAP | --buildings MAP: has no building within 2000 m of the origin, at latitude",
@@ -156,8 +156,8 @@ class NewCommandTest {
         Outcome without = make("--at 43.7384,7.4246 --buildings " + inGrid);
         assertThat(without.code()).isEqualTo(2);
         assertThat(without.err())
-                .contains(
-                        "--buildings " + inGrid + ": does not state its coordinate reference system: add --crs, as in");
+                .contains("--buildings " + inGrid
+                        + ": does not state a known coordinate reference system: add --crs, as in");
         Outcome with = make("--at 43.7384,7.4246 --crs EPSG:32632 --buildings " + inGrid);
         assertThat(with.code()).as(with.err()).isZero();
         assertThat(settings().world().buildings().orElseThrow().crs()).contains("EPSG:32632");

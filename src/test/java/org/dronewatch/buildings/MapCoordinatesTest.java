@@ -171,7 +171,17 @@ class MapCoordinatesTest {
         assertThatThrownBy(() -> load(text, Optional.empty()))
                 .isInstanceOf(InputException.class)
                 .hasMessage(message);
+        assertThat(new MapFiles(directory).needsCrs("map")).isTrue();
         assertAtOrigin(load(text, Optional.of("EPSG:28992")));
+    }
+
+    /** Where a grid has no coordinates, the file is named. */
+    @Test
+    void aPointOffTheGridIsNamedWithItsFile() {
+        String crs = String.format(NAMED, "urn:ogc:def:crs:EPSG::32631");
+        assertThatThrownBy(() -> load(square(crs, 9e7, 0, 20), Optional.empty()))
+                .isInstanceOf(InputException.class)
+                .hasMessage("map: point (90000000.000000, 0.000000) lies where EPSG:32631 has no coordinates");
     }
 
     @Test

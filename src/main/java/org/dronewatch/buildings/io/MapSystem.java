@@ -34,9 +34,17 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
         STATED
     }
 
-    /** Whether the scene has to say in which system the coordinates are. */
+    /** Whether the scene has to say in which system the coordinates are: the file does not, or not in a known way. */
     public boolean isUnknown() {
-        return stated.isEmpty() && (rule == Rule.STATED || foreign.isPresent());
+        if (stated.isEmpty()) {
+            return rule == Rule.STATED || foreign.isPresent();
+        }
+        try {
+            parsed("", stated.get());
+            return false;
+        } catch (InputException e) {
+            return true;
+        }
     }
 
     /**

@@ -107,8 +107,8 @@ final class GeoJsonFeatures {
             }
             throw new InputException(
                     e.getMessage()
-                            + "; 'ogr2ogr -t_srs EPSG:4326 new.geojson old.geojson' converts coordinates of a grid"
-                            + " that the file states",
+                            + "; 'ogr2ogr -s_srs EPSG:25832 -t_srs EPSG:4326 new.geojson old.geojson' converts"
+                            + " coordinates of a grid",
                     e);
         }
     }

@@ -144,7 +144,7 @@ class FeaturesTest {
                 text,
                 "\"crs\"",
                 "\"was\"",
-                "map:features.0: latitude 4844024.1247 must be -90.0 to 90.0; 'ogr2ogr -t_srs EPSG:4326");
+                "map:features.0: latitude 4844024.1247 must be -90.0 to 90.0; 'ogr2ogr -s_srs EPSG:25832 -t_srs EPSG:4326");
         assertThat(place(
                         GEOJSON.replaceFirst(
                                 "\\{",
