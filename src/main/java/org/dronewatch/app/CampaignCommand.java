@@ -26,20 +26,20 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Runs a scene many times with values drawn by chance. */
+/** Runs a scene many times with values drawn at random. */
 @Command(
         name = "campaign",
         mixinStandardHelpOptions = true,
         description =
-                "Runs a scene many times with settings that vary by chance, each case with all variants; prints and"
-                        + " writes how often the drone is detected and an alert comes in time, with 95 %% intervals, and"
-                        + " compares the variants case by case.",
+                "Runs a scene many times with settings that vary at random, every variant on the same cases; prints and"
+                        + " writes how often the drone is detected and how often an alert comes in time, with 95 %%"
+                        + " confidence intervals, and compares the variants case by case.",
         footer = {
             "",
             "Examples:",
-            "  dronewatch campaign scenes/two-vendors.campaign.yaml --out vendors",
-            "  dronewatch campaign scenes/two-vendors.campaign.yaml --out vendors --resume",
-            "  dronewatch campaign scenes/two-vendors.campaign.yaml --case 17"
+            "  dronewatch campaign scenes/two-radars.campaign.yaml --out vendors",
+            "  dronewatch campaign scenes/two-radars.campaign.yaml --out vendors --resume",
+            "  dronewatch campaign scenes/two-radars.campaign.yaml --case 10"
         })
 final class CampaignCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "FILE.yaml", description = "What is run, and what varies.")
@@ -156,7 +156,7 @@ final class CampaignCommand implements Callable<Integer> {
         }
     }
 
-    /** Notes while scenes are loaded; what the runs of the cases note is about values drawn by chance. */
+    /** Prints notes while scenes are loaded; later ones concern single cases and are dropped. */
     private static final class Loaded {
         private final PrintWriter err;
         private volatile boolean isDone;

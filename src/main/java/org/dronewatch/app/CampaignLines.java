@@ -25,7 +25,7 @@ final class CampaignLines {
     static void print(CampaignSummary summary, PrintWriter out) {
         int width =
                 summary.variants().keySet().stream().mapToInt(String::length).reduce("variant".length(), Math::max);
-        out.println("in % of the cases, with 95 % intervals:");
+        out.println("in % of the cases, with 95 % confidence intervals:");
         out.printf(
                 "%-" + width + "s %8s %7s %22s %22s %22s%n",
                 "variant",
@@ -43,7 +43,7 @@ final class CampaignLines {
                         share(one.proportion(Outcome.DETECTED)),
                         share(one.proportion(Outcome.ALERTED)),
                         share(one.proportion(Outcome.IN_TIME))));
-        out.printf("%nvalue that 95 %%, half and 5 %% of the cases reach (- where they miss the drone):%n");
+        out.printf("%nvalue that at least 95 %%, 50 %% and 5 %% of the cases reach (- if too few have one):%n");
         out.printf("%-" + width + "s %31s %31s%n", "variant", "range of first detection [m]", "warning [s]");
         summary.variants()
                 .forEach((name, one) -> out.printf(
@@ -61,7 +61,8 @@ final class CampaignLines {
             Proportion.Interval interval = difference.interval(CONFIDENCE);
             out.printf(
                     Locale.ROOT,
-                    "%s: %s - %s = %+.1f %% (%+.1f to %+.1f), only %s in %,d, only %s in %,d of %,d cases, p = %s%s%n",
+                    "%s: %s - %s = %+.1f points (%+.1f to %+.1f), only %s in %,d, only %s in %,d of %,d cases,"
+                            + " p = %s%s%n",
                     word(pair.outcome()),
                     pair.a(),
                     pair.b(),
@@ -76,7 +77,7 @@ final class CampaignLines {
                     String.format(Locale.ROOT, "%.3g", difference.pValue()),
                     pair.deciding().isEmpty()
                             ? ""
-                            : "; the first is case " + pair.deciding().get(0));
+                            : "; first differing case: " + pair.deciding().get(0));
         }
     }
 

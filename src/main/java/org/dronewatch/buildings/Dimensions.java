@@ -38,10 +38,12 @@ record Dimensions(
 
     private static final double MOST_LEVELS = 200.0;
 
-    /** About thirty buildings are higher, m. */
+    /** About thirty buildings in the world are higher, m. */
     private static final double FEW_ARE_HIGHER = 500.0;
 
-    /** The slenderest skyscraper is 24 times as high as wide; what is lower than the second figure may be a mast, m. */
+    /**
+     * The slenderest skyscraper is 24 times as high as wide. Up to the height MAST, m, a slender object may be a mast.
+     */
     private static final double SLENDEREST = 30.0;
 
     private static final double MAST = 100.0;

@@ -14,12 +14,12 @@ import org.dronewatch.setting.SettingsPath;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * The cases of a campaign, and its variants with their models. What case k is depends on the campaign's seed, k and the
- * paths of the settings that vary: not on the number of cases, on the variants, or on what else varies. Immutable; for
- * all threads.
+ * The cases of a campaign, and its variants with their models. Case k depends only on the campaign's seed, on k and on
+ * the paths of the settings that vary, not on the number of cases, on the variants, or on what else varies. Immutable;
+ * for all threads.
  */
 public final class CampaignPlan {
-    /** Draws of what varies are those of this purpose; the path stands for the sensor. */
+    /** Purpose of the draws of settings that vary; the path takes the place of the sensor's name. */
     private static final String VARIATION = "variation";
 
     private static final String CASE = "case";
@@ -108,7 +108,7 @@ public final class CampaignPlan {
     /**
      * The settings of a case.
      *
-     * @throws InputException when its values do not fit each other
+     * @throws InputException when its values are not valid together
      */
     public SceneSettings settings(int number, String variant) {
         CampaignVariant of = variants.get(variant);

@@ -7,8 +7,8 @@ import java.util.function.IntConsumer;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Runs the cases of a campaign in chunks of neighbouring cases. Each chunk is handed over whole, so that what was
- * interrupted can be resumed: chunks that are there are not run again.
+ * Runs the cases of a campaign in chunks of neighbouring cases. Each chunk is handed over whole, so that an
+ * interrupted campaign can be resumed: chunks that were kept are not run again.
  */
 public final class CampaignRun {
     /** Cases of a chunk: some seconds of work, and few files. */
@@ -41,8 +41,8 @@ public final class CampaignRun {
     /**
      * Runs what is missing, on the calling {@link Workers}; the same results for any number of them.
      *
-     * @param progress receives the number of cases that are done since the last call, with those that were there; from
-     *     any thread
+     * @param progress receives the number of cases done since the last call, including those of chunks that were
+     *     kept; from any thread
      * @throws java.util.concurrent.CancellationException when the thread is interrupted: the chunks that are whole are
      *     kept
      */

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A campaign: many cases of a scene, whose settings are drawn by chance, each flown with every variant.
+ * A campaign: many cases of a scene, whose settings are drawn at random, each run with every variant.
  *
  * @param scene a packaged scene by name, or a scene file beside this file or below
  * @param vary how settings vary from case to case, by their paths, such as {@code drones.intruder.speed}
@@ -71,8 +71,8 @@ public record CampaignSettings(
             for (String varied : vary.keySet()) {
                 boolean overlap = varied.equals(path) || varied.startsWith(path + ".") || path.startsWith(varied + ".");
                 if (overlap) {
-                    throw new IllegalArgumentException("variants." + name + ": '" + path + "' would decide over '"
-                            + varied + "', which varies from case to case");
+                    throw new IllegalArgumentException("variants." + name + ": '" + path + "' would override '" + varied
+                            + "', which varies from case to case");
                 }
             }
         }

@@ -31,7 +31,7 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
      * @param directory of the campaign file
      * @param scene name of the campaign's scene
      * @param changes the variant's settings by their paths
-     * @param first the first variant, if this is another: with the same scene, they share their models
+     * @param first the first variant, unless this is the first: if both have the same scene, they share its models
      * @param notes receives a line for each file read, and each warning
      * @throws InputException when the scene, a setting or a model is wrong
      */

@@ -25,7 +25,7 @@ public final class CaseRun {
     /**
      * Runs a case on the calling thread.
      *
-     * @return its result; a case whose settings do not fit, or whose run fails, is one that failed
+     * @return its result; for a case whose settings are not valid together, or whose run fails, a failed one
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public static CaseResult of(CampaignPlan plan, int number, String variant) {

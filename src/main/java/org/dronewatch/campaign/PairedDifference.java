@@ -40,8 +40,8 @@ public record PairedDifference(int onlyA, int onlyB, int of) {
 
     /**
      * An interval of the difference of the probabilities: Wald's, with half a case added to each of the four cells of
-     * the table of both outcomes (Agresti and Min, Statistics in Medicine 24, 2005), which holds its confidence with
-     * few discordant cases, too.
+     * the table of both outcomes (Agresti and Min, Statistics in Medicine 24, 2005), which has the stated confidence
+     * even with few discordant cases.
      *
      * @param confidence such as 0.95, above 0 and below 1
      * @return within -1 to 1

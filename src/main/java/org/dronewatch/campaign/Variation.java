@@ -63,7 +63,7 @@ public record Variation(
      *
      * @param quantity what the setting is measured in
      * @param u random number from 0, below 1
-     * @throws IllegalArgumentException when a parameter is no value of the quantity, or does not fit the others
+     * @throws IllegalArgumentException when a parameter is not a value of the quantity, or contradicts the others
      */
     String value(Quantity quantity, double u) {
         return values.map(all -> all.get((int) (u * all.size())))

@@ -15,7 +15,7 @@ public final class SilhouetteTable {
     private static final double AZIMUTH_STEP = 2.0 * Math.PI / AZIMUTHS;
     private static final double ELEVATION_STEP = Math.PI / ELEVATIONS;
 
-    /** A mask takes as long as about so many pictures of a small drone. */
+    /** Drawing a mask takes about as long as this number of pictures of a small drone. */
     private static final int REQUESTS = 16;
 
     private final SilhouetteRaster raster;

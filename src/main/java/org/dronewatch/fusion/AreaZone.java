@@ -176,7 +176,10 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return a > 0.0 ? (b - Math.sqrt(left)) / a : Double.NaN;
     }
 
-    /** Where a line first crosses a side of the polygon, not before a share of it; infinity if it does not. */
+    /**
+     * Where a line first crosses a side of the polygon, as a fraction of the line and not before a given one; infinity
+     * if it does not.
+     */
     private double sides(Position from, double dx, double dy, double first) {
         double nearest = Double.POSITIVE_INFINITY;
         GroundPoint a = settings.area().get(settings.area().size() - 1);

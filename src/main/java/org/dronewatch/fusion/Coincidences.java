@@ -6,11 +6,11 @@ import org.dronewatch.fusion.FalseAlertRate.Confirmed;
 import org.dronewatch.sensor.alarm.AzimuthSpan;
 
 /**
- * How often confirmed false alarms of several sensors come together by chance: whenever one is confirmed while exactly
- * one fewer than the rule asks for of the other sensors have one that still counts and agrees in bearing. One counts
- * from its confirmation for as long as it stays confirmed and the rule's time after that. For two sensors this is the
- * rate of accidental coincidences, {@code 2 a b T}, of which there are fewer where they are so frequent that one false
- * alarm meets several.
+ * How often confirmed false alarms of several sensors come together by chance: whenever one is confirmed while the
+ * number of other sensors that have one that still counts, and agrees in bearing, is one less than the rule requires.
+ * One counts from its confirmation for as long as it stays confirmed and the rule's time after that. For two sensors
+ * this is the rate of accidental coincidences, {@code 2 a b T}, of which there are fewer where they are so frequent
+ * that one false alarm meets several.
  */
 final class Coincidences {
     /** Looks over which the number of another sensor's looks within a time is averaged. */

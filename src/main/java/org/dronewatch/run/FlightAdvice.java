@@ -15,9 +15,9 @@ import org.dronewatch.world.Ground;
  * @param duration of the run, s
  */
 record FlightAdvice(String id, FlightLimits limits, Ground ground, double duration) {
-    /** At most how far apart the times are at which a flight is examined, s. */
+    /** The greatest interval between the times at which a flight is examined, s. */
     private static final double STEP = 0.1;
-    /** At most how many times are examined: more would delay the start of long runs. */
+    /** The greatest number of times that are examined: more would delay the start of long runs. */
     private static final int MOST_TIMES = 20_000;
 
     /** Gives one line for each limit that the flight exceeds. */

@@ -18,10 +18,12 @@ import org.dronewatch.world.World;
  * @param duration of the run, s
  */
 record PathAdvice(String id, World world, Ground ground, double duration) {
-    /** At most how far apart the times are at which a flight is examined, s. */
+    /** The greatest interval between the times at which a flight is examined, s. */
     private static final double STEP = 0.2;
 
-    /** At most how many places of a flight are examined: one ray each, and 26 where something is above it. */
+    /**
+     * The greatest number of places of a flight that are examined: one ray each, and 26 where something is above it.
+     */
     private static final int MOST_PLACES = 1000;
 
     /** How deep a drone may be: one that stands on the ground touches it, m. */

@@ -4,7 +4,8 @@ import java.util.function.Supplier;
 import org.dronewatch.setting.InputException;
 
 /**
- * The pilots of the runs of a scene. That one cannot be made is the mistake of whoever wrote it, and said in one line.
+ * The pilots of the runs of a scene. If one cannot be made, that is a mistake of its author, which is reported in one
+ * line.
  *
  * @param source gives a new pilot for each run
  */

@@ -228,7 +228,7 @@ public final class SceneRunner {
 
     /**
      * Shares the models of another runner of a scene in the same directory: what that one has loaded is not loaded
-     * again. Its receiver of notes is told of what is.
+     * again. Only that runner's receiver of notes gets the lines about them.
      */
     public SceneRunner share(ModelCache loaded) {
         models = new SceneModels(configured, loaded);

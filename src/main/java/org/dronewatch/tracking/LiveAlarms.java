@@ -17,7 +17,7 @@ final class LiveAlarms {
     private final Map<Double, Live> byCell = new LinkedHashMap<>();
 
     /**
-     * Of one sensor.
+     * No false measurements yet, of one sensor.
      *
      * @param patience after how many looks without a measurement a contact ends, 1 or more
      */

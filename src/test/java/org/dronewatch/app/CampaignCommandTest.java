@@ -94,7 +94,7 @@ class CampaignCommandTest {
         assertThat(outcome.out())
                 .containsPattern("near +60 +0 +\\d+\\.\\d \\(\\d+\\.\\d to \\d+\\.\\d\\)")
                 .containsPattern(
-                        "in time: near - far = -\\d+\\.\\d % .*only near in 0, only far in \\d+ of 60 cases, p = ");
+                        "in time: near - far = -\\d+\\.\\d points .*only near in 0, only far in \\d+ of 60 cases, p = ");
     }
 
     @Test

@@ -172,7 +172,7 @@ class CampaignRunTest {
         refused("vary: {drones.intruder.speed: {values: [5], uniform: {from: 5, to: 6}}}", "it has 2");
         refused(
                 "vary: {drones.intruder.speed: {values: [5]}}\nvariants: {a: {drones.intruder.speed: 5}}",
-                "'drones.intruder.speed' would decide over 'drones.intruder.speed', which varies from case to case");
+                "'drones.intruder.speed' would override 'drones.intruder.speed', which varies from case to case");
         refused("vary: {}\nvariants: {a: {sensors.radar: nothing}}", "nothing");
         refused("vary: {}\nvariants: {a: {scene: ../else.yaml}}", "must lie beside the campaign file or below it");
         refused("vary: {}\nvariants: {a: {scene: org.dronewatch.scenes.MultiSensor}}", "neither packaged");

@@ -20,7 +20,7 @@ public final class DetectableHeights {
 
     private final double[] upper;
 
-    /** The largest interval that is not covered above a height that is, and below one that is, m; 0 for none. */
+    /** The largest uncovered interval between two covered heights, m; 0 for none. */
     private final double[] gaps;
 
     private DetectableHeights(FieldGrid grid, int columns) {
@@ -111,8 +111,8 @@ public final class DetectableHeights {
     }
 
     /**
-     * The largest interval between two covered heights of the grid, one above the other, of which those between are not
-     * covered, m; 0 where a column is covered from its least height up, or only below some height.
+     * The largest interval between two covered heights of the grid with no covered height between them, but an
+     * uncovered one, m; 0 where a column is covered from its least height up, or only below some height.
      */
     public double coveredAgainGap(int column, int row) {
         return gaps[row * grid.columns() + column];

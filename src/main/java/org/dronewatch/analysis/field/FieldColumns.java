@@ -9,9 +9,9 @@ import org.dronewatch.world.SurfaceColumn;
 import org.dronewatch.world.World;
 
 /**
- * The ground below columns of cells, and which cells are inside something solid. Heights count from the ground, not
- * from roofs: from the terrain, or, where there is none, from the lowest surface that faces up, such as a floor. A cell
- * is inside something solid where the nearest surface above it faces up: it is seen from its back.
+ * The ground below columns of cells, and which cells are inside something solid. Heights are measured from the ground,
+ * not from roofs: from the terrain, or, where there is none, from the lowest surface that faces up, such as a floor. A
+ * cell is inside something solid where the nearest surface above it faces up: that surface is seen from behind.
  */
 final class FieldColumns {
     private static final byte OPEN = 0;

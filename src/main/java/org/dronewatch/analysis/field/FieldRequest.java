@@ -30,7 +30,7 @@ public record FieldRequest(
         courses = List.copyOf(courses);
     }
 
-    /** How many cells the sensors look at, about, each sensor counted. */
+    /** The approximate number of cells that the sensors look at, added up over all sensors. */
     public long looks() {
         long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
                 + InboundWarnings.cells(grid, InboundTarget.of(settings, stage.protection(), grid));

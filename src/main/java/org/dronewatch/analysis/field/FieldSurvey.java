@@ -7,8 +7,8 @@ import java.util.function.Supplier;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Where, how high and how early the sensors of a site detect a drone; or, after an interruption, as much of it as is
- * whole.
+ * Where, how high and how early the sensors of a site detect a drone; or, after an interruption, as much of this as was
+ * completed.
  *
  * @param grid what was asked for
  * @param summary the coverage, cell by cell and in numbers; after an interruption perhaps of the lowest heights alone
@@ -27,9 +27,10 @@ public record FieldSurvey(
      * Carries out a survey on the threads of the {@link Workers} that call; the same for any number of them.
      *
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
-     * @param stopped called if this thread has been interrupted and something is whole; should clear its interrupt
-     *     status, so that what is whole can be summarised
-     * @throws CancellationException when this thread is interrupted before anything is whole, or was not cleared
+     * @param stopped called if this thread has been interrupted and at least one height is complete; should clear its
+     *     interrupt status, so that the complete heights can be summarised
+     * @throws CancellationException when this thread is interrupted before any height is complete, or its interrupt
+     *     status was not cleared
      */
     public static FieldSurvey of(FieldRequest request, IntConsumer progress, Runnable stopped) {
         DetectionField field = DetectionField.untilInterrupted(request, progress)

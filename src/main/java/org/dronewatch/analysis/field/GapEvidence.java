@@ -79,7 +79,7 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
         return all;
     }
 
-    /** In the middle of equal parts of all cells: if they are few, these are all of them. */
+    /** Some of the cells, spread evenly: those in the middle of equal parts; all cells if there are few. */
     private static List<Integer> spread(List<Integer> cells) {
         long count = Math.min(cells.size(), MOST_EXAMINED);
         List<Integer> some = new ArrayList<>();

@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
  * @param gap the largest part
  */
 public record GapSpan(int lowest, int highest, int height, int number, Gap gap) {
-    /** The gaps of each height that are compared with those of the next one: its largest. */
+    /** How many gaps of each height, the largest, are compared with those of the next height. */
     private static final int MOST_OF_A_HEIGHT = 8;
 
     /** Two gaps one above the other belong together if they share this fraction of the smaller one's cells. */

@@ -15,7 +15,7 @@ import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 
 /**
- * What one sensor's assessments of a drone are in all cells on all courses: probability and cause. Most of them are the
+ * One sensor's assessments of a drone in all cells on all courses: probability and cause. Most of them are the
  * same on every course, and take four bytes for each cell and height; the others take two bytes more for each course.
  *
  * <p>A probability is kept in steps of 1/250, where 0 and 250 mean exactly 0 and 1.

@@ -9,8 +9,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * In which coordinates a map is: by its format, by a statement of the file, or by that of the scene, which counts more
- * than the file's.
+ * In which coordinates a map is: by its format, by a statement of the file, or by that of the scene, which takes
+ * precedence over the file's.
  *
  * @param rule what the format requires
  * @param stated what the file states about its coordinates: a code, a URN or an address; not checked yet

@@ -24,8 +24,8 @@ import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The directory of a campaign. Chunks of cases are written as they are done, each whole; what they hold can be resumed
- * by the same campaign only. One process at a time may write into it. For one thread.
+ * The directory of a campaign. Each chunk of cases is written whole when it is done; only the same campaign
+ * can be resumed from them. One process at a time may write into it. For one thread.
  */
 public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
     private static final String PLAN = "plan.json";
@@ -88,7 +88,7 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
     private boolean isEmpty() throws IOException {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(directory)) {
             for (Path file : files) {
-                // What a process that was killed at once may leave.
+                // What a process that was killed right after its start may leave behind.
                 String name = String.valueOf(file.getFileName());
                 if (!name.equals(LOCK) && !name.equals(CHUNKS) && !name.startsWith(".partial-")) {
                     return false;

@@ -39,8 +39,8 @@ public final class CoverageDirectory implements AutoCloseable {
     }
 
     /**
-     * Writes all files, on the threads of the {@link org.dronewatch.parallel.Workers} that call. Of a survey that was
-     * interrupted, those that are whole, without the report; the others of an earlier one are removed.
+     * Writes all files, on the threads of the {@link org.dronewatch.parallel.Workers} that call. If the survey was
+     * interrupted, writes the complete files, without the report, and removes the other files of an earlier survey.
      *
      * @param site the scene that was assessed
      * @param provenance origin of the results, as names and values

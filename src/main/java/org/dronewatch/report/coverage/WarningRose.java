@@ -30,7 +30,7 @@ final class WarningRose {
                 .mapToDouble(one -> one.time().orElse(0.0))
                 .max()
                 .orElse(0.0);
-        // Never of no size, where no drone is detected at all.
+        // Above 0 even if no drone is detected at all, so that there is a scale.
         this.most = Math.max(1.0, Math.max(longest, 1.1 * warnings.response()));
     }
 

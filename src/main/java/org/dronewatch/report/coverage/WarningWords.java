@@ -28,7 +28,7 @@ final class WarningWords {
         return "A drone flies straight in from " + number(warnings.reach()) + " m away, at its cruise speed, to "
                 + (warnings.isZone() ? "the protected zone" : "the middle of the sensors")
                 + ". For each bearing from which it comes, the figure shows the time from its first detection until"
-                + " it arrives; at the centre, it arrives undetected. "
+                + " it arrives; where a line touches the centre, it arrives undetected. "
                 + (warnings.response() > 0.0
                         ? "From bearings where a line is inside the ring, the warning comes too late."
                         : "The scene requires no response time (alert.response).");

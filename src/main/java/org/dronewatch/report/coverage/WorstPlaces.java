@@ -149,7 +149,7 @@ final class WorstPlaces {
         return names.isEmpty() ? "" : " (" + names + ")";
     }
 
-    /** A row for each sensor, and one row for sensors of which the same is to be said. */
+    /** A row for each sensor; sensors with the same reasons share a row. */
     private List<List<String>> rows(List<GapEvidence> evidence) {
         List<GapEvidence> sorted = new ArrayList<>(evidence);
         sorted.sort(Comparator.comparingInt(WorstPlaces::nearestCause)

@@ -27,7 +27,7 @@ final class CameraBounds {
     private final CameraSignal signals;
     private final Cover cover;
 
-    // The obstacle before a place was last asked for here.
+    // The position of the last query, and the obstacle in front of it.
     private Position asked;
     private Optional<Obstacle> obstacle = Optional.empty();
 

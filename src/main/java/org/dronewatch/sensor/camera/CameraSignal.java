@@ -19,7 +19,7 @@ final class CameraSignal {
     /** The vector to the sun, as long as the camera sees it. */
     private final Optional<Position> sun;
 
-    // What is behind a drone was last asked for here.
+    // The position of the last query, and what is behind a drone there.
     private Position before;
     private double background;
 

@@ -55,7 +55,7 @@ public final class DronePicture {
         dynamicView.draw(staticView, drone, enough);
     }
 
-    /** At most how many pixels can show a drone in a world. */
+    /** The greatest number of pixels that can show a drone in a world. */
     public int mostPixels(World world, Drone drone) {
         setWorld(world);
         return dynamicView.mostPixels(drone);

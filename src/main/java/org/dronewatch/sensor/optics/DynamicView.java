@@ -28,10 +28,10 @@ final class DynamicView {
     private final Matrix4d toModel = new Matrix4d();
     private final ModelGrid grid;
 
-    /** Of a drone that is not drawn, or of which only some pixels are traced. */
+    /** The rectangle around a drone that is not drawn, or of which only some pixels are traced. */
     private final PixelRectangle around = new PixelRectangle();
 
-    /** Of the drone whose pixels are traced one by one. */
+    /** The tracer of the drone whose pixels are traced one by one. */
     private TileTracer singly;
 
     private final Function<KDTree, TileTracer> tracers;

@@ -23,7 +23,7 @@ public final class PixelBounds {
     /** A camera nearer than this many radii is not examined: the drone would fill its image. */
     private static final double NEAREST = 2.0;
 
-    /** After so many rays, it is asked again whether the bounds suffice. */
+    /** Rays that are traced before the bounds are checked again. */
     private static final int TRACED_AT_ONCE = 6;
 
     private static final byte HIDDEN = 0;

@@ -69,7 +69,7 @@ final class SightFrame {
         z = dot(ahead, grid[0]) + column * stepZ + row * dot(ahead, grid[2]);
     }
 
-    /** Sets the pixel so many columns from the beginning of the row. */
+    /** Sets the pixel by the number of columns from the beginning of the row. */
     void setColumn(int number) {
         stretch = range / (z + number * stepZ);
         across = stretch * (x + number * stepX);

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiPredicate;
 
-/** What a file is that was named where something else is expected, by its first characters or its name. */
+/** The kind of a file that was named where another is expected, recognised by its first characters or its name. */
 public enum FileKind {
     /** GeoTIFF among them. */
     TIFF("a TIFF file", "world.terrain", (name, start) -> start.matches("(?s)(II[*+]\0|MM\0[*+]).*")),

@@ -21,7 +21,7 @@ final class DecisiveRays {
     private final double radius;
     private final double detectionLevel;
 
-    /** What a ray loses at least at any surface, dB. */
+    /** The least loss of a ray at any surface, dB. */
     private final double leastLoss;
 
     DecisiveRays(LevelModel model, Position sensor, double radius, double detectionLevel, SurfaceLevels surfaces) {

@@ -25,8 +25,8 @@ final class LevelAssessment {
      * the same random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in
      * the middle, so that it reaches the threshold when half of the looks do.
      *
-     * @param others what the looks after the first are if the ray budget ended no ray of that; otherwise, they are like
-     *     the first
+     * @param others the looks after the first, unless the ray budget ended a ray of the first: then they
+     *     are like the first
      */
     static Signal signal(double straightLevel, double threshold, RandomGenerator rays, Look look, Look others) {
         if (straightLevel < threshold) {

@@ -76,7 +76,7 @@ final class SurfaceLevels {
     }
 
     /**
-     * What a level loses at least at any surface, dB. Sound that leaves a solid wall loses nothing; where a reflection
+     * The least loss of level at any surface, dB. Sound that leaves a solid wall loses nothing; where a reflection
      * depends on the angle, it is taken to lose nothing.
      */
     double leastLoss() {
