@@ -54,7 +54,7 @@ final class Progress implements SceneListener, AutoCloseable {
     /**
      * Does a piece of work that reports how many steps it has done since the last time, from any thread.
      *
-     * @param steps their number, about
+     * @param steps their approximate number
      */
     static <T> T during(String task, long steps, Function<IntConsumer, T> work) {
         ProgressBar bar = barOf(task, steps);

@@ -20,7 +20,7 @@ final class SavedFlight {
      * The mission.
      *
      * @param drone id of an individual drone
-     * @throws InputException when there is no such drone, it is steered, or nobody knows where on earth it flies
+     * @throws InputException when there is no such drone, it is steered, or the scene has no origin
      */
     static PlanWriter.Written of(SceneSettings settings, String drone, SceneRunner runner) {
         if (!settings.individualDrones().containsKey(drone)) {

@@ -40,7 +40,7 @@ record FieldProbe(
         Optional<SearchPeriod> search) {
     private static final double EVEN_CHANCE = 0.5;
 
-    /** Of a sensor that searches where the terms say so. */
+    /** A probe of a sensor that searches if the terms say so. */
     FieldProbe(
             World world,
             Drone drone,
@@ -102,7 +102,7 @@ record FieldProbe(
         return SensorLayer.steps(terms.probability(ofALook, settings));
     }
 
-    /** A look for the steps of a {@link SensorLayer}: what they do not tell apart, it does not, either. */
+    /** A look that is only as fine as the steps of a {@link SensorLayer}, and faster. */
     CellLook lookInSteps(Assessor assessor, Drone there, CellPointings pointings) {
         return look(pointings, pointing -> assessInSteps(assessor, there, pointing));
     }

@@ -87,7 +87,7 @@ public record FieldTerms(
         Arrays.sort(sorted);
         double detected = 0.0;
         double hazard = 0.0;
-        // From the observers who need most on: those who need less can use the other looks, too.
+        // Begins with the observers who need the highest probability: those who need less can use the other looks, too.
         for (int i = sorted.length - 1; i >= 0; i--) {
             double below = i == 0 ? 0.0 : sorted[i - 1];
             hazard += share * sensor.chance().hazard(sorted[i], sensor.rate(), sorted[i]) / sorted.length;

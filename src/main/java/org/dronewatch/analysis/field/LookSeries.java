@@ -11,10 +11,10 @@ import org.dronewatch.sensor.Assessment;
  * between two that differ, more; those between two that hardly differ are interpolated.
  */
 final class LookSeries {
-    /** How many looks of a pass through the field of view are assessed at least, if there are as many. */
+    /** The least number of looks of a pass through the field of view that are assessed, if it has so many or more. */
     private static final int LEAST = 12;
 
-    /** By how much two probabilities differ between which looks are interpolated. */
+    /** The greatest difference of two probabilities between which those of the looks are interpolated. */
     private static final double CLOSE = 0.02;
 
     private static final Comparator<Assessment> FAVOUR =

@@ -16,11 +16,14 @@ import org.dronewatch.setting.PlainText;
 public final class CoverageDirectory implements AutoCloseable {
     private static final String NUMBERS = "coverage.json";
 
-    /** Whatever else a coverage writes, at other heights, too: no former file stays that is not written anew. */
+    /**
+     * All other files that a coverage may write, at any heights: those of an earlier coverage are removed unless they
+     * are replaced.
+     */
     private static final Pattern FILES = Pattern.compile("cause-[0-9.]+\\.(png|tif|tif\\.aux\\.xml)|count-[0-9.]+\\.tif"
             + "|(min|visible)-height\\.(png|tif)|warning\\.png|coverage\\.(geojson|kml)|report\\.html");
 
-    /** A file that every run writes, and no coverage. */
+    /** A file that every run writes, but {@code coverage} never does. */
     private static final String RUN = "result.json";
 
     private final OutputDirectory directory;

@@ -29,7 +29,7 @@ final class GridFiles {
     /**
      * The files of a coverage.
      *
-     * @param origin where on earth the scene lies
+     * @param origin geographic position of the scene's origin
      */
     GridFiles(FieldSurvey survey, CoverageInputs inputs, Origin origin) {
         this.survey = survey;

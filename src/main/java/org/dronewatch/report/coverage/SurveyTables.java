@@ -8,7 +8,7 @@ import org.dronewatch.analysis.field.FieldSurvey;
 public final class SurveyTables {
     private SurveyTables() {}
 
-    /** The tables of what is whole, with an empty line between two of them. */
+    /** The tables of what was completed, with an empty line between two of them. */
     public static List<String> lines(FieldSurvey survey, CoverageInputs inputs) {
         List<List<String>> tables = new ArrayList<>();
         tables.add(FieldTable.causes(survey.summary(), inputs));

@@ -23,7 +23,7 @@ final class CellRings {
     /** For each corner and direction, whether a ring has left it that way. */
     private final boolean[] used;
 
-    /** Which cells are meant. */
+    /** The cells that the rings surround. */
     @FunctionalInterface
     interface Cells {
         /** Whether a cell belongs to them; false outside the grid. */

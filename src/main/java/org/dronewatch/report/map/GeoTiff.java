@@ -40,10 +40,10 @@ import org.dronewatch.geo.Origin;
  * give the same bytes.
  */
 public final class GeoTiff {
-    /** The class, or the count, of cells that have none. */
+    /** The class that marks cells without one. */
     public static final int NO_CLASS = 255;
 
-    /** The number of cells that have none; not a NaN, which some programs do not recognise. */
+    /** The number that marks cells without a value; not a NaN, which some programs do not recognise. */
     public static final float NO_NUMBER = -9999f;
 
     private static final int CLASSES = 256;

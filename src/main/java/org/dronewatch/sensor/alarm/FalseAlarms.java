@@ -30,7 +30,7 @@ public record FalseAlarms(
         @Minor List<WeatherRate> weather) {
     private static final double HOUR = 3600.0;
 
-    /** A duration that is a whole number of looks but for rounding is not one look longer. */
+    /** Rounding must not make a whole number of looks one look longer. */
     private static final double ROUNDING = 1e-9;
 
     /** Checks the limits. */

@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
  * pixels is first requested, and kept. Used by one thread at a time.
  */
 final class StaticView implements Background {
-    /** Smaller than a traversal's tiles may be: mostly only the few pixels behind a drone are requested. */
+    /** Smaller than the tiles that a traversal allows: mostly only the few pixels behind a drone are requested. */
     private static final int TILE_WIDTH = 32;
 
     private static final int TILE_HEIGHT = 32;

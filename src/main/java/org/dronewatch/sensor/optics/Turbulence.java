@@ -10,7 +10,7 @@ package org.dronewatch.sensor.optics;
  * @param wavelength wavelength of the light or thermal radiation, above 0, m
  */
 public record Turbulence(double coherenceDiameter, double wavelength) {
-    /** Of the integral of {@code Cn2 (s/L)^(5/3)} along the path, in Fried's parameter. */
+    /** Factor of the integral of {@code Cn2 (s/L)^(5/3)} along the path, in Fried's parameter. */
     private static final double FRIED = 0.423;
 
     /** The mean of {@code (s/L)^(5/3)} over the path. */

@@ -51,7 +51,7 @@ final class LogNormalEcho {
     }
 
     /**
-     * What the cross-section of a look has more than the mean, dB.
+     * The excess of the cross-section of a look over the mean, dB.
      *
      * @param z normally distributed, mean 0, standard deviation 1
      */
@@ -73,7 +73,7 @@ final class LogNormalEcho {
     }
 
     /**
-     * Signal-to-noise ratio that each pulse needs on average, dB, halved in.
+     * Signal-to-noise ratio that each pulse needs on average, dB, by bisection.
      *
      * @param probability of detection, above that of a false alarm and below 1
      */

@@ -11,7 +11,8 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * How strong the echoes of drones are that a radar receives in a world, and what competes with them. One per thread.
+ * The strength of the echoes that a radar receives from drones in a world, and of what competes with them. One per
+ * thread.
  */
 final class RadarEcho {
     /**
@@ -159,7 +160,7 @@ final class RadarEcho {
         return settings.beam().map(beam -> beam.gain(axis, target, target)).orElse(0.0);
     }
 
-    /** What the edges of the site take of the wave, both ways, dB; 0 where the visible fraction is used instead. */
+    /** The loss of the wave at the edges of the site, both ways, dB; 0 where the visible fraction is used instead. */
     private double edgeLoss(Drone drone) {
         return edges.map(path -> 2.0 * path.obstacleLoss(drone.origin(), settings.position(), settings.frequency()))
                 .orElse(0.0);

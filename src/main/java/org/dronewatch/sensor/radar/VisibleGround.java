@@ -9,9 +9,9 @@ import org.dronewatch.world.World;
 /**
  * What a radar sees of the surface of a site between two ranges at a bearing: the elevations from the skyline of all
  * that lies within the nearer range up to that within the farther one. What lies in the shadow of something nearer is
- * thus left out, slopes and walls count as they face the radar, and nothing is assumed about the mesh but that what is
- * below a skyline is blocked: under a bridge no radar looks through. Allocates nothing but what {@link Ground} returns.
- * One per thread.
+ * thus left out, slopes and walls count as they face the radar, and the only assumption about the mesh is that
+ * everything below a skyline is blocked: no radar looks through under a bridge. Allocates nothing but what {@link
+ * Ground} returns. One per thread.
  */
 final class VisibleGround {
     /** Elevations are found to this fraction of what the cell fills if nothing hides it. */

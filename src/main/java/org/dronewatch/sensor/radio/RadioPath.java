@@ -26,7 +26,7 @@ public final class RadioPath {
      */
     private static final double NEAR = 2.0;
 
-    /** An edge that takes 40 dB rises to 16 radii of the first Fresnel zone, a detour of this many wavelengths. */
+    /** An edge with a loss of 40 dB rises to 16 radii of the first Fresnel zone, a detour of this many wavelengths. */
     private static final double FAINT = 128.0;
 
     private final World world;

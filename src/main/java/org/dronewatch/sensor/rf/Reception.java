@@ -44,7 +44,7 @@ record Reception(double drone, double pilot, double interception, double rise, d
                 .orElse(Double.NEGATIVE_INFINITY);
     }
 
-    /** Whether at least every other look reaches a value, of which rounding may have taken a bit. */
+    /** Whether at least every other look reaches a value, apart from rounding. */
     private boolean reached(double ratio) {
         return probability(ratio - 1e-9) >= EVEN;
     }

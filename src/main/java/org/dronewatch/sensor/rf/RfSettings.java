@@ -230,7 +230,7 @@ public record RfSettings(
         return new Scale("threshold", Quantity.LEVEL, -50.0, 100.0, Scale.FINE);
     }
 
-    /** Whether a link transmits what this receiver can know for a drone's, on a frequency that it receives. */
+    /** Whether a link transmits what this receiver can recognise as a drone's, on a frequency that it receives. */
     boolean hears(RadioLink link) {
         return link.emits()
                 && attributes.contains(link.emission())

@@ -50,7 +50,7 @@ public record PointTargets(
     @Defaults
     public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9, 25.0);
 
-    /** A duration that is a whole number of looks but for rounding is not one look longer. */
+    /** Rounding must not make a whole number of looks one look longer. */
     private static final double ROUNDING = 1e-9;
 
     private static final double SECONDS_PER_HOUR = 3600.0;

@@ -149,8 +149,8 @@ final class ExactPaths {
         if (!edges.findPath(position, sensor, straightOn)) {
             return;
         }
-        // Over a bulge of smooth ground that only bent paths know, sound runs along the ground, and what that reflects
-        // with it.
+        // Over a bulge of smooth ground that exists only for bent paths, sound runs along the ground, and what that
+        // reflects with it.
         double along = straightOn > 0.0 ? edges.ofSmoothGround() : 0.0;
         boolean isAlongGround =
                 along > 0.0 && ground.findBelow(position, sensor, edges.path().halfWay());

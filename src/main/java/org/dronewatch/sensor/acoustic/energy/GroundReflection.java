@@ -28,7 +28,7 @@ final class GroundReflection {
     private static final double ZONE_FREQUENCY = 500.0;
 
     /**
-     * What is left at least, as a fraction of the free field, of sound that bends up: turbulence scatters as much into
+     * The least that is left of sound that bends up, as a fraction of the free field: turbulence scatters as much into
      * the deepest shadow and into the deepest interference at its border, {@value Barrier#LIMIT} dB.
      */
     static final double DEEPEST = Levels.toRatio(-Barrier.LIMIT);
@@ -99,7 +99,7 @@ final class GroundReflection {
     }
 
     /**
-     * What the ground found last makes of sound that grazes it, as a multiple of what arrives directly: 4 of hard
+     * What the ground found last makes of sound that grazes it, as a multiple of what arrives directly: 4 for hard
      * ground with interference, 2 without.
      *
      * @param length of the path, m

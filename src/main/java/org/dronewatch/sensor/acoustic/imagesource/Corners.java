@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import org.dronewatch.world.Visibility;
 
 /**
- * Where walls meet, rounding decides on which side of each other one a point in one of them lies. This looks a little
+ * Where walls meet, rounding decides on which side of the other walls a point in one of them lies. This looks a little
  * away from there. One per thread.
  */
 final class Corners {

@@ -113,7 +113,7 @@ public final class ReflectionGenerator {
         }
     }
 
-    /** The rays on the far side, of which the branch is the refracted one already. */
+    /** The rays on the far side; the branch already is the first of them, the refracted one. */
     private void transmit(AcousticRay ray, int material, double arriving, RandomGenerator random, Branches target) {
         int count = model.transmittedRays();
         double transmitted = ray.energy * surfaces.transmittedFraction(material);

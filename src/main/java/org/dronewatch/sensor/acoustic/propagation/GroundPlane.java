@@ -349,7 +349,7 @@ public final class GroundPlane {
         return unevenness;
     }
 
-    /** The mesh's number of the material at the point of reflection. */
+    /** The number, in the mesh, of the material at the point of reflection. */
     public int material() {
         return material;
     }

@@ -104,7 +104,7 @@ final class GroundProfile {
         return from.y() + northOfU * u + eastOfU * v;
     }
 
-    /** The world's number of the material that {@link #z} has found last. */
+    /** The number, in the world, of the material that {@link #z} has found last. */
     int material() {
         return visibility.material();
     }

@@ -16,7 +16,10 @@ public record PathCurvature(double everywhere, double eastward, double northward
     /** The curvature in still air of uniform temperature: straight paths. */
     public static final PathCurvature NONE = new PathCurvature(0.0, 0.0, 0.0);
 
-    /** Sharper arcs, in reciprocals of their length, are taken for this: the formulas hold for flat ones. */
+    /**
+     * The greatest curvature, in reciprocals of an arc's length; sharper arcs are given this one, since the formulas
+     * hold for flat arcs.
+     */
     private static final double SHARPEST = 1.0;
 
     /** The maximum distance of an arc's straight pieces from the arc, m. */
