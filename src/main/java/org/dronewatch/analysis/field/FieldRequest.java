@@ -33,7 +33,7 @@ public record FieldRequest(
     /** The approximate number of cells that the sensors look at, added up over all sensors. */
     public long looks() {
         long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
-                + InboundWarnings.cells(grid, InboundTarget.of(settings, stage.protection(), grid));
+                + InboundWarnings.cells(grid, InboundTarget.of(settings, stage.protection(), grid), stage.protection());
         return cells * settings.enabledSensors().size();
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
+import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
@@ -12,6 +13,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.GroundPoint;
 
 /**
  * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
@@ -30,8 +32,8 @@ public record InboundWarnings(Position target, double reach, double response, bo
     /** The number of bearings. */
     public static final int BEARINGS = 36;
 
-    /** How far beyond the farthest corner of an area its flights begin, m: half the default side of a grid. */
-    private static final double BEYOND_AREA = 250.0;
+    /** How far beyond the farthest corner of an area or zone flights begin, m: half the default side of a grid. */
+    private static final double BEYOND = 250.0;
 
     /** How accurately the entry into a zone is found, m. */
     private static final double ACCURACY = 1e-3;
@@ -47,7 +49,8 @@ public record InboundWarnings(Position target, double reach, double response, bo
     /**
      * The warnings of the enabled sensors of a scene, on the threads of the {@link Workers} that call; the same for any
      * number of them. Flights begin half a side of the grid away from their target; if the grid is that of an area,
-     * 250 m beyond its farthest corner.
+     * 250 m beyond its farthest corner; if any of them would begin in a protected zone, 250 m beyond the farthest
+     * corner of all zones.
      *
      * @param drone name of the drone
      * @param terms on which it counts as detected
@@ -64,7 +67,7 @@ public record InboundWarnings(Position target, double reach, double response, bo
             IntConsumer progress) {
         Position target = InboundTarget.of(settings, stage.protection(), grid);
         Drone sample = DetectionField.droneOf(stage, drone);
-        Flights flights = new Flights(target, reach(grid, target), grid.cell(), grid.heights());
+        Flights flights = new Flights(target, reach(grid, target, stage.protection()), grid.cell(), grid.heights());
         List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, progress);
         double delay = terms.within().orElse(0.0) * sample.settings().speed();
         int needed = SensorLayer.stepsToCover(covered);
@@ -118,23 +121,49 @@ public record InboundWarnings(Position target, double reach, double response, bo
     }
 
     /** The distance at which flights begin, m. */
-    private static double reach(FieldGrid grid, Position target) {
-        return grid.area()
-                .map(area -> Math.ceil(BEYOND_AREA
-                        + area.outline().stream()
-                                .mapToDouble(corner -> Math.hypot(corner.x() - target.x(), corner.y() - target.y()))
-                                .max()
-                                .orElseThrow()))
-                .orElse(0.5 * grid.side());
+    private static double reach(FieldGrid grid, Position target, Protection protection) {
+        double asked =
+                grid.area().map(area -> beyond(target, area.outline().stream())).orElse(0.5 * grid.side());
+        for (int bearing = 0; bearing < BEARINGS; bearing++) {
+            if (protection.distance(at(target, asked, bearing)) == 0.0) {
+                double sphere = protection
+                        .zone()
+                        .map(ball -> Math.ceil(BEYOND + horizontally(target, ball.centre()) + ball.radius()))
+                        .orElse(0.0);
+                return Math.max(
+                        sphere, beyond(target, protection.areas().stream().flatMap(area -> area.outline().stream())));
+            }
+        }
+        return asked;
+    }
+
+    private static double beyond(Position target, Stream<GroundPoint> corners) {
+        return Math.ceil(BEYOND
+                + corners.mapToDouble(corner -> Math.hypot(corner.x() - target.x(), corner.y() - target.y()))
+                        .max()
+                        .orElse(0.0));
+    }
+
+    private static double horizontally(Position a, Position b) {
+        return Math.hypot(a.x() - b.x(), a.y() - b.y());
+    }
+
+    /** A place of a flight in plan view, at the height of the target. */
+    private static Position at(Position target, double distance, int bearing) {
+        return new Position(
+                target.x() + distance * StrictMath.sin(angle(bearing)),
+                target.y() + distance * StrictMath.cos(angle(bearing)),
+                target.z());
     }
 
     /**
      * How many cells a sensor looks at.
      *
      * @param target as in {@link #of}
+     * @param protection the protected zones
      */
-    static long cells(FieldGrid grid, Position target) {
-        Flights flights = new Flights(target, reach(grid, target), grid.cell(), grid.heights());
+    static long cells(FieldGrid grid, Position target, Protection protection) {
+        Flights flights = new Flights(target, reach(grid, target, protection), grid.cell(), grid.heights());
         return (long) flights.steps() * BEARINGS * grid.heights().size();
     }
 
@@ -195,12 +224,8 @@ public record InboundWarnings(Position target, double reach, double response, bo
             return Math.max(0.0, reach - number * step);
         }
 
-        /** At the height of the target. */
         Position at(double distance, int bearing) {
-            return new Position(
-                    target.x() + distance * StrictMath.sin(angle(bearing)),
-                    target.y() + distance * StrictMath.cos(angle(bearing)),
-                    target.z());
+            return InboundWarnings.at(target, distance, bearing);
         }
 
         @Override

@@ -95,4 +95,24 @@ class InboundWarningsTest {
         assertThat(open.target()).isEqualTo(new Position(10, 20, 5));
         assertThat(open.all()).allMatch(one -> one.arrival() == 0.0 && one.isInTime(open.response()));
     }
+
+    /** The second zone reaches from 230 to 270 m east of the first, across the place where a flight would begin. */
+    @Test
+    void noFlightBeginsInAZone() throws IOException {
+        InboundWarnings found = warnings(
+                FieldSite.ROUND
+                        + """
+                        alert:
+                          zones:
+                            first: {centre: [0, 0], radius: 30, height: 20}
+                            second: {area: [[230, -20], [270, -20], [270, 20], [230, 20]], height: 20}
+                        """,
+                2);
+
+        assertThat(found.reach()).isEqualTo(Math.ceil(250 + Math.hypot(270, 20)));
+        Warning east = found.all().get(9);
+        assertThat(Math.toDegrees(east.bearing())).isCloseTo(90, within(1e-9));
+        assertThat(east.arrival()).isCloseTo(270, within(2e-3));
+        assertThat(found.all().get(0).arrival()).isCloseTo(30, within(0.2));
+    }
 }
