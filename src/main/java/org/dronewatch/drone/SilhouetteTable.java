@@ -6,8 +6,9 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
- * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made once its
- * directions have been requested several times: a few pictures of a drone cost less than a mask. Thread-safe.
+ * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made once
+ * several pictures could have been drawn instead, or a large one: a few small pictures cost less than a mask.
+ * Thread-safe.
  */
 public final class SilhouetteTable {
     private static final int AZIMUTHS = 120;
@@ -15,8 +16,11 @@ public final class SilhouetteTable {
     private static final double AZIMUTH_STEP = 2.0 * Math.PI / AZIMUTHS;
     private static final double ELEVATION_STEP = Math.PI / ELEVATIONS;
 
-    /** Drawing a mask takes about as long as this number of pictures of a small drone. */
-    private static final int REQUESTS = 16;
+    /** Drawing a mask takes about as long as this number of small pictures. */
+    private static final int SMALL_PICTURES = 4;
+
+    /** Pixels of a small picture. */
+    private static final int FEW_PIXELS = 256;
 
     private final SilhouetteRaster raster;
     private final AtomicReferenceArray<SilhouetteMask> masks = new AtomicReferenceArray<>(AZIMUTHS * ELEVATIONS);
@@ -47,15 +51,16 @@ public final class SilhouetteTable {
      *
      * @param azimuth of the line of sight, from the camera to the drone, relative to the drone's nose, clockwise, rad
      * @param elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
-     * @return null until the mask's directions have been requested several times
+     * @param pixels how many pixels a picture would have, which the mask may save
+     * @return null until several pictures would have been drawn from the mask's directions, or a large one
      */
-    public SilhouetteMask mask(double azimuth, double elevation) {
+    public SilhouetteMask mask(double azimuth, double elevation, int pixels) {
         int column = Math.floorMod((int) Math.floor(azimuth / AZIMUTH_STEP), AZIMUTHS);
         int row = (int)
                 Math.max(0.0, Math.min(ELEVATIONS - 1.0, Math.floor((elevation + 0.5 * Math.PI) / ELEVATION_STEP)));
         int index = row * AZIMUTHS + column;
         SilhouetteMask mask = masks.get(index);
-        if (mask == null && requests.incrementAndGet(index) >= REQUESTS) {
+        if (mask == null && requests.addAndGet(index, 1 + pixels / FEW_PIXELS) >= SMALL_PICTURES) {
             mask = raster.mask(
                     (column + 0.5) * AZIMUTH_STEP,
                     (row + 0.5) * ELEVATION_STEP - 0.5 * Math.PI,

@@ -32,11 +32,21 @@ public final class Assessor {
      * @param id name of the sensor
      */
     public Assessor(String id, SensorSettings<?> settings, World world) {
+        this(id, settings, settings.create(), world);
+    }
+
+    private Assessor(String id, SensorSettings<?> settings, Sensor sensor, World world) {
         this.id = id;
         this.settings = settings;
-        this.sensor = settings.create();
+        this.sensor = sensor;
         this.world = world;
         this.cover = new Cover(world, settings.position());
+    }
+
+    /** The same for another thread; it may be called by any thread. */
+    public Assessor sibling() {
+        Sensor other = sensor instanceof BoundingSensor bounding ? bounding.sibling() : settings.create();
+        return new Assessor(id, settings, other, world);
     }
 
     /**

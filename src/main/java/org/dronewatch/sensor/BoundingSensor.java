@@ -14,6 +14,9 @@ import org.dronewatch.world.World;
  */
 public interface BoundingSensor extends AssessableSensor {
 
+    /** The same sensor for another thread: it shares what all threads can use, such as the image of the site. */
+    BoundingSensor sibling();
+
     /**
      * Bounds that hold at every heading and speed of a level drone.
      *

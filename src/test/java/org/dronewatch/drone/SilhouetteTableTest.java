@@ -73,7 +73,7 @@ class SilhouetteTableTest {
     private static SilhouetteMask mask(SilhouetteTable table, double azimuth, double elevation) {
         SilhouetteMask mask = null;
         while (mask == null) {
-            mask = table.mask(azimuth, elevation);
+            mask = table.mask(azimuth, elevation, 100);
         }
         return mask;
     }

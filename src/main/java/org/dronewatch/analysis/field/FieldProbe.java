@@ -28,6 +28,7 @@ import org.dronewatch.world.World;
  * @param courses of the drone
  * @param terms on which it counts as detected
  * @param search where the sensor points while it searches; empty if it does not matter
+ * @param assessor of the sensor; threads use its siblings
  */
 record FieldProbe(
         World world,
@@ -37,7 +38,8 @@ record FieldProbe(
         long seed,
         List<Course> courses,
         FieldTerms terms,
-        Optional<SearchPeriod> search) {
+        Optional<SearchPeriod> search,
+        Assessor assessor) {
     private static final double EVEN_CHANCE = 0.5;
 
     /** A probe of a sensor that searches if the terms say so. */
@@ -57,12 +59,13 @@ record FieldProbe(
                 seed,
                 courses,
                 terms,
-                terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings) : Optional.empty());
+                terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings) : Optional.empty(),
+                new Assessor(sensor, settings, world));
     }
 
     /** An assessor for one thread. */
     Assessor newAssessor() {
-        return new Assessor(sensor, settings, world);
+        return assessor.sibling();
     }
 
     /** The drone at a place, m, on a course given by its number. */

@@ -96,8 +96,13 @@ final class CameraBounds {
         }
         PixelBounds pixels = found.get();
         State there = new State(picture, state, pointing);
-        pixels.count(state.heading(), number -> there.signal(number).probability() == 1.0);
+        int greatest = steps.applyAsInt(there.signal(pixels.mostAround()).probability());
+        pixels.count(state.heading(), number -> there.isDetectedIn(number, greatest, steps));
         Optional<AssessmentBounds> bounds = there.bounds(pixels, steps);
+        if (bounds.isEmpty() && pixels.examineAll()) {
+            pixels.count(state.heading(), number -> there.isDetectedIn(number, greatest, steps));
+            bounds = there.bounds(pixels, steps);
+        }
         return bounds.isEmpty()
                         && picture.refine(pixels, drone.at(state), () -> there.bounds(pixels, steps)
                                 .isPresent())
@@ -115,6 +120,12 @@ final class CameraBounds {
             this.picture = picture;
             this.state = state;
             this.pointing = pointing;
+        }
+
+        /** Whether a number of pixels is sufficient for a step. */
+        boolean isDetectedIn(int pixels, int step, DoubleToIntFunction steps) {
+            Signal signal = signal(pixels);
+            return signal.isDetected() && steps.applyAsInt(signal.probability()) == step;
         }
 
         /** Empty where the bounds are too far apart, or the cause is not certain. */

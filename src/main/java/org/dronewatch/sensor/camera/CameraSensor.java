@@ -49,9 +49,18 @@ public final class CameraSensor implements BoundingSensor {
 
     /** A camera with the given settings. */
     public CameraSensor(CameraSettings settings) {
+        this(settings, new DronePicture(new CameraObject(settings)));
+    }
+
+    private CameraSensor(CameraSettings settings, DronePicture ownAim) {
         this.settings = settings;
-        this.ownAim = new DronePicture(new CameraObject(settings));
+        this.ownAim = ownAim;
         this.picture = ownAim;
+    }
+
+    @Override
+    public CameraSensor sibling() {
+        return new CameraSensor(settings, ownAim.sibling());
     }
 
     /** Counts the pixels of each drone that are not hidden by the world or by other drones. */

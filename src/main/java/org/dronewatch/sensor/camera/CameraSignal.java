@@ -41,8 +41,8 @@ final class CameraSignal {
      */
     DroneView view(Position at, Position velocity, int pixels, Optional<Pointing> pointing, double focalLength) {
         double range = at.distance(settings.position());
-        if (pixels == 0) {
-            return new DroneView(0, range, focalLength, 0.0, light, Double.POSITIVE_INFINITY);
+        if (pixels == 0 || settings.detection().countsPixelsOnly()) {
+            return new DroneView(pixels, range, focalLength, 0.0, light, Double.POSITIVE_INFINITY);
         }
         Position vector = at.minus(settings.position());
         double crossing = ImageSpeed.turning(settings.position(), at, velocity, pointing) * focalLength;

@@ -30,6 +30,13 @@ public interface DetectionFunction {
     }
 
     /**
+     * Whether the number of pixels alone decides: then the rest of a view need not be known. False unless overridden.
+     */
+    default boolean countsPixelsOnly() {
+        return false;
+    }
+
+    /**
      * Whether neither value nor probability ever decreases when more pixels show the drone and all else is equal: then
      * an assessment need not count all of them. False unless overridden.
      */

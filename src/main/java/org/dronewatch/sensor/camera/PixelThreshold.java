@@ -54,6 +54,11 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
     }
 
     @Override
+    public boolean countsPixelsOnly() {
+        return true;
+    }
+
+    @Override
     public boolean growsWithPixels() {
         return true;
     }

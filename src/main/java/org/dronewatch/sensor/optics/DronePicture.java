@@ -18,6 +18,7 @@ import org.dronewatch.world.World;
 public final class DronePicture {
     private final CameraObject camera;
 
+    private final SiteImage image;
     private DynamicView dynamicView;
     private StaticView staticView;
 
@@ -31,7 +32,17 @@ public final class DronePicture {
 
     /** The pictures of a camera. */
     public DronePicture(CameraObject camera) {
+        this(camera, new SiteImage());
+    }
+
+    private DronePicture(CameraObject camera, SiteImage image) {
         this.camera = camera;
+        this.image = image;
+    }
+
+    /** Pictures of the same camera for another thread, which share the image of the site. */
+    public DronePicture sibling() {
+        return new DronePicture(camera, image);
     }
 
     /** Pose and projection. */
@@ -88,13 +99,13 @@ public final class DronePicture {
      * @return false where a picture of the drone is drawn faster
      */
     public boolean refine(PixelBounds there, Drone drone, BooleanSupplier isSufficient) {
-        return there.refine(staticView, dynamicView, drone, isSufficient);
+        return there.refine(dynamicView, drone, isSufficient);
     }
 
     private void setWorld(World world) {
         if (staticView == null || !staticView.shows(world)) {
             boundPlace = null;
-            staticView = new StaticView(camera, world);
+            staticView = new StaticView(camera, world, image);
             dynamicView = new DynamicView(camera, world::newTileTracer);
         }
     }

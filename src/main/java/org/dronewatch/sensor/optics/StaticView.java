@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.raster.TileTracer;
@@ -22,14 +23,19 @@ final class StaticView implements Background {
     private final int tilesAcross;
 
     /** The distances of each tile, m, row by row; infinity for none. None for a tile that has not been traced yet. */
-    private final float[][] tiles;
+    private final AtomicReferenceArray<float[]> tiles;
 
-    StaticView(CameraObject camera, World world) {
+    /**
+     * A view of a world.
+     *
+     * @param image keeps the tiles; views of the same camera may share it
+     */
+    StaticView(CameraObject camera, World world, SiteImage image) {
         this.camera = camera;
         this.world = world;
         this.traversal = newTraversal();
         this.tilesAcross = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
-        this.tiles = new float[tilesAcross * ((camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT)][];
+        this.tiles = image.of(world, tilesAcross * ((camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT));
     }
 
     private TileTracer newTraversal() {
@@ -50,11 +56,13 @@ final class StaticView implements Background {
     @Override
     public float distance(int column, int row) {
         int tile = row / TILE_HEIGHT * tilesAcross + column / TILE_WIDTH;
-        if (tiles[tile] == null) {
-            tiles[tile] = trace(traversal, tile);
+        float[] distances = tiles.get(tile);
+        if (distances == null) {
+            distances = trace(traversal, tile);
+            tiles.set(tile, distances);
         }
         int left = tile % tilesAcross * TILE_WIDTH;
-        return tiles[tile][row % TILE_HEIGHT * columns(left) + column - left];
+        return distances[row % TILE_HEIGHT * columns(left) + column - left];
     }
 
     /**
@@ -62,9 +70,9 @@ final class StaticView implements Background {
      */
     float[] all() {
         float[] distances = new float[camera.width() * camera.height()];
-        Workers.forEach(tiles.length, this::newTraversal, (own, tile) -> {
-            if (tiles[tile] == null) {
-                tiles[tile] = trace(own, tile);
+        Workers.forEach(tiles.length(), this::newTraversal, (own, tile) -> {
+            if (tiles.get(tile) == null) {
+                tiles.set(tile, trace(own, tile));
             }
             copy(tile, distances);
         });
@@ -90,8 +98,9 @@ final class StaticView implements Background {
         int left = tile % tilesAcross * TILE_WIDTH;
         int top = tile / tilesAcross * TILE_HEIGHT;
         int columns = columns(left);
-        for (int row = 0; row < tiles[tile].length / columns; row++) {
-            System.arraycopy(tiles[tile], row * columns, target, (top + row) * camera.width() + left, columns);
+        float[] source = tiles.get(tile);
+        for (int row = 0; row < source.length / columns; row++) {
+            System.arraycopy(source, row * columns, target, (top + row) * camera.width() + left, columns);
         }
     }
 }

@@ -1,0 +1,245 @@
+package org.dronewatch.sensor.optics;
+
+import org.dronewatch.drone.SilhouetteMask;
+import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.geometry.Position;
+
+/**
+ * The pixels around a drone at a place, or a sample of them: whose rays meet its bounding sphere, where they pass it,
+ * and whether the site hides it from them. Reused for many places; allocates only if it needs more memory than before.
+ * One per thread.
+ */
+final class PixelSample {
+    static final byte HIDDEN = 1;
+    static final byte UNCERTAIN = 2;
+    static final byte FREE = 3;
+    private static final byte UNKNOWN = 0;
+
+    /** Of more pixels around a drone than this, only some are examined: those of every n-th row and column. */
+    private static final int MOST_PIXELS = 1 << 12;
+
+    /** The same where the sample has not been sufficient. */
+    private static final int MOST_PIXELS_ON_REQUEST = 1 << 16;
+
+    /** Rounding of distances, which are of single precision, and of projections. */
+    private static final double ROUNDING = 1e-6;
+
+    /** A camera nearer than this many radii is not examined: the drone would fill its image. */
+    private static final double NEAREST = 2.0;
+
+    private final CameraObject camera;
+    private final Position from;
+    private final SightFrame frame;
+    private final double[] view = new double[3];
+    private final PixelRectangle rectangle = new PixelRectangle();
+
+    // The pixels around the drone, from the middle row outwards.
+    private int[] columns = new int[64];
+    private int[] rows = new int[64];
+    private int[] texels = new int[64];
+    private byte[] sights = new byte[64];
+    private int around;
+
+    /** Examined are the pixels of every n-th row and column. */
+    private int stride;
+
+    /** The number of pixels of which these are a sample, or more. */
+    private int sampled;
+
+    private Background background;
+    private SilhouetteTable silhouettes;
+    private double range;
+
+    PixelSample(CameraObject camera) {
+        this.camera = camera;
+        this.from = camera.position();
+        this.frame = new SightFrame(camera);
+    }
+
+    /**
+     * Sets the place of a drone.
+     *
+     * @param site the site without drones
+     * @param at origin of the drone, m
+     * @return false where no bounds are known: close to the camera, and at the planes of its projection
+     */
+    boolean set(Background site, SilhouetteTable table, Position at) {
+        background = site;
+        silhouettes = table;
+        double dx = at.x() - from.x();
+        double dy = at.y() - from.y();
+        double dz = at.z() - from.z();
+        double radius = table.radius() * (1.0 + ROUNDING);
+        range = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        camera.toView(at.x(), at.y(), at.z(), view, 0);
+        around = 0;
+        stride = 1;
+        sampled = 0;
+        if (!(range > NEAREST * radius)
+                || !(view[2] - radius > Math.max(camera.near(), CameraObject.NEAR))
+                || !(view[2] + radius < camera.far())) {
+            return false;
+        }
+        frame.set(dx, dy, dz, range);
+        return find(radius, MOST_PIXELS);
+    }
+
+    /** Finds pixels whose rays meet the drone's bounding sphere; false if there are too many. */
+    private boolean find(double radius, int mostPixels) {
+        double depth = view[2];
+        double square = depth * depth - radius * radius;
+        double acrossRim = radius * Math.sqrt(view[0] * view[0] + square);
+        double aboveRim = radius * Math.sqrt(view[1] * view[1] + square);
+        int left = first(camera.column(view[0] * depth - acrossRim, square));
+        int right = last(camera.column(view[0] * depth + acrossRim, square), camera.width());
+        int upper = first(camera.row(view[1] * depth + aboveRim, square));
+        int lower = last(camera.row(view[1] * depth - aboveRim, square), camera.height());
+        rectangle.set(left, upper, right, lower);
+        if (rectangle.isEmpty()) {
+            return true;
+        }
+        long pixels = (long) (right - left + 1) * (lower - upper + 1);
+        stride = (int) Math.ceil(Math.sqrt((double) pixels / mostPixels));
+        sampled = (int) Math.min(Integer.MAX_VALUE, pixels);
+        if (stride > 1 && range < silhouettes.minRange()) {
+            return false;
+        }
+        reserve(((right - left) / stride + 1) * ((lower - upper) / stride + 1));
+        int middle = (upper + lower) / 2;
+        for (int away = 0; away <= lower - middle; away += stride) {
+            findRow(radius, left, right, middle + away);
+            if (away > 0 && middle - away >= upper) {
+                findRow(radius, left, right, middle - away);
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Examines all pixels around the drone, if only a sample has been.
+     *
+     * @return false if all have been examined, or are too many
+     */
+    boolean examineAll() {
+        if (stride == 1 || sampled > MOST_PIXELS_ON_REQUEST) {
+            return false;
+        }
+        around = 0;
+        return find(silhouettes.radius() * (1.0 + ROUNDING), MOST_PIXELS_ON_REQUEST);
+    }
+
+    private static int first(double edge) {
+        return (int) Math.max(0.0, Math.min(Integer.MAX_VALUE / 2, Math.ceil(edge - 0.5 - ROUNDING)));
+    }
+
+    private static int last(double edge, int pixels) {
+        return (int) Math.max(-1.0, Math.min(pixels - 1.0, Math.floor(edge - 0.5 + ROUNDING)));
+    }
+
+    private void reserve(int pixels) {
+        if (texels.length < pixels) {
+            columns = new int[2 * pixels];
+            rows = new int[2 * pixels];
+            texels = new int[2 * pixels];
+            sights = new byte[2 * pixels];
+        }
+    }
+
+    private void findRow(double radius, int left, int right, int row) {
+        double half = silhouettes.halfWidth();
+        double scale = 0.5 * SilhouetteMask.TEXELS / half;
+        // A ray that touches the sphere passes the plane through its centre a little farther out.
+        double limit = radius * radius * range * range / (range * range - radius * radius) * (1.0 + ROUNDING);
+        frame.beginRow(left, row);
+        for (int column = left; column <= right; column += stride) {
+            frame.setColumn(column - left);
+            double across = frame.across();
+            double above = frame.above();
+            if (frame.isAhead() && across * across + above * above <= limit) {
+                columns[around] = column;
+                rows[around] = row;
+                texels[around] = texel(across, half, scale) + SilhouetteMask.TEXELS * texel(above, half, scale);
+                sights[around++] = UNKNOWN;
+            }
+        }
+    }
+
+    /** Whether the site hides all of the drone that a pixel may show, or nothing, or neither is certain. */
+    byte sight(int pixel) {
+        if (sights[pixel] == UNKNOWN) {
+            float distance = background.distance(columns[pixel], rows[pixel]);
+            double radius = silhouettes.radius() * (1.0 + ROUNDING);
+            sights[pixel] = distance < (range - radius) * (1.0 - ROUNDING)
+                    ? HIDDEN
+                    : distance > (range + radius) * (1.0 + ROUNDING) ? FREE : UNCERTAIN;
+        }
+        return sights[pixel];
+    }
+
+    private static int texel(double coordinate, double half, double scale) {
+        return Math.max(0, Math.min(SilhouetteMask.TEXELS - 1, (int) ((coordinate + half) * scale)));
+    }
+
+    /** Whether the site certainly hides the drone, however it turns, or it is between the rays of the pixels. */
+    boolean isInvisible() {
+        for (int i = 0; i < around; i++) {
+            if (sight(i) != HIDDEN) {
+                return false;
+            }
+        }
+        return stride == 1 || isRectangleHidden();
+    }
+
+    /** The same from all pixels of the rectangle around the drone, where only a sample has been examined. */
+    private boolean isRectangleHidden() {
+        double nearest = (range - silhouettes.radius() * (1.0 + ROUNDING)) * (1.0 - ROUNDING);
+        for (int row = rectangle.top(); row <= rectangle.bottom(); row++) {
+            for (int column = rectangle.left(); column <= rectangle.right(); column++) {
+                if (!(background.distance(column, row) < nearest)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** At most this many pixels show the drone, however it turns. */
+    int mostAround() {
+        return stride > 1 ? sampled : around;
+    }
+
+    /** Whether all pixels around the drone have been examined. */
+    boolean isComplete() {
+        return stride == 1;
+    }
+
+    /** How many pixels have been examined. */
+    int count() {
+        return around;
+    }
+
+    int column(int pixel) {
+        return columns[pixel];
+    }
+
+    int row(int pixel) {
+        return rows[pixel];
+    }
+
+    /** How far away the site is along the ray of a pixel, m. */
+    float siteDistance(int pixel) {
+        return background.distance(columns[pixel], rows[pixel]);
+    }
+
+    /** What a mask states about the ray of a pixel. */
+    byte kind(SilhouetteMask mask, int pixel) {
+        return mask.kind(texels[pixel]);
+    }
+
+    /** The mask of the drone on a heading, clockwise from north, rad; null for none. */
+    SilhouetteMask mask(double heading) {
+        return range >= silhouettes.minRange()
+                ? silhouettes.mask(frame.azimuth() - heading, frame.elevation(), mostAround())
+                : null;
+    }
+}
