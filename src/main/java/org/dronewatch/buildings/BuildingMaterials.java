@@ -9,7 +9,7 @@ final class BuildingMaterials {
     /** Follows the material of what has an assumed height. */
     static final String ASSUMED = ":assumed-height";
 
-    /** What buildings look like of whose material nothing is known, and of whose height nothing: red, green, blue. */
+    /** Colours of buildings whose material is not known, and of those whose height is not known: red, green, blue. */
     private static final int PLAIN = 0xC9C2B6;
 
     private static final int DOUBTFUL = 0xD8A56B;

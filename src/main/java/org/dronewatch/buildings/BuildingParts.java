@@ -68,7 +68,7 @@ final class BuildingParts {
                         Double.compare(a.footprint().area(), b.footprint().area()));
     }
 
-    /** The building that a part belongs to, or the building itself; heights count from the ground under it. */
+    /** The building that a part belongs to, or the building itself; heights are measured from the ground under it. */
     Building ownerOf(Building building) {
         return owners.getOrDefault(building, building);
     }

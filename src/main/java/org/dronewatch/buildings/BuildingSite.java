@@ -18,7 +18,7 @@ import org.dronewatch.terrain.TerrainGround;
 
 /** What all buildings of a map have in common: its place on the earth, its ground, and how features become solids. */
 final class BuildingSite {
-    /** Of what has no walls, the thickness of the roof, m. */
+    /** Thickness of the roof of a building without walls, m. */
     private static final double SLAB = 0.3;
 
     /** Corners of an outline that are nearer to each other are one, m. */

@@ -11,7 +11,7 @@ import org.dronewatch.buildings.io.MapLength;
 
 /**
  * How high a building is, and what its roof looks like, by the tags of OpenStreetMap (Simple 3D Buildings). Heights
- * count from the lowest ground under the building to the top of its roof.
+ * are measured from the lowest ground under the building to the top of its roof.
  *
  * @param bottom height of its lowest point, 0 for what stands on the ground, m
  * @param top height of its highest point, m

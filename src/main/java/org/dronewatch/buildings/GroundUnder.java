@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.terrain.TerrainGround;
 
-/** The ground under buildings: the lowest point of it under each is where heights count from. */
+/** The ground under buildings: heights are measured from its lowest point under each. */
 final class GroundUnder {
     private final TerrainGround terrain;
     private final Geodesy geodesy;

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 
 /**
  * A roof whose height at each point is that of the lowest of some planes there: gables, hips, pyramids, domes and
- * single slopes are of this kind. Heights count from the eaves.
+ * single slopes are of this kind. Heights are measured from the eaves.
  *
  * @param planes with no two the same
  */

@@ -29,7 +29,7 @@ final class Upright {
         up = new Position((above.x() - foot.x()) / FAR, (above.y() - foot.y()) / FAR, (above.z() - foot.z()) / FAR);
     }
 
-    /** The foot, from which the coordinates of the building count. */
+    /** The foot, from which the coordinates of the building are measured. */
     Position foot() {
         return foot;
     }

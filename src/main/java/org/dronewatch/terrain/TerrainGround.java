@@ -9,8 +9,8 @@ import org.dronewatch.geometry.TriangleMesh;
  */
 public final class TerrainGround {
     /**
-     * How far beyond a triangle a point may lie that its corners, which are floats, miss, as a fraction of the
-     * triangle.
+     * How far outside a triangle a point may lie and still belong to it, since corners are floats, as a fraction
+     * of the triangle.
      */
     private static final double ROUNDING = 1e-5;
 

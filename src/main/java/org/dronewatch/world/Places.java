@@ -22,7 +22,7 @@ public final class Places {
 
     /**
      * The frame's vertical and that of a place 100 km away differ by one degree, so each step makes the error at least
-     * ten times smaller on any ground less steep than 80 degrees; on a wall, it stays at one of both heights.
+     * ten times smaller on any ground less steep than 80 degrees; on a wall, it stays at one of the two heights.
      */
     private static final int MOST_STEPS = 20;
 

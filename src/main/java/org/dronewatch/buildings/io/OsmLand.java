@@ -139,7 +139,7 @@ final class OsmLand {
         @Override
         public void way(long id, long[] refs, Map<String, String> tags) {
             if (missing.contains(id) && refs.length > 1) {
-                // It only bounds an area: what it is itself lies elsewhere.
+                // It only bounds an area; what it represents by itself lies outside the area that is read.
                 keep(id, refs, Map.of());
             }
         }
@@ -157,7 +157,7 @@ final class OsmLand {
     private MapLand collected() {
         relations.forEach(this::add);
         ways.forEach((id, way) -> {
-            // The outline of a relation is not what the relation is, once more and without its courtyards.
+            // The outline of a relation is not added again by itself, without the courtyards of the relation.
             boolean isOutline = outlines.contains(id) && OsmRings.isClosed(way.nodes);
             if (!way.tags.isEmpty() && !isOutline) {
                 add("way/" + id, way);

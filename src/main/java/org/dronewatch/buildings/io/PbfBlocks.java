@@ -11,7 +11,7 @@ import java.util.zip.Inflater;
 import org.dronewatch.setting.InputException;
 
 /**
- * The blocks of a file in OpenStreetMap's binary format: each has a type, at most 32 MiB, and is deflated for itself.
+ * The blocks of a file in OpenStreetMap's binary format: each has a type, at most 32 MiB, and is deflated separately.
  */
 final class PbfBlocks {
     private static final int MOST_HEADER = 64 * 1024;

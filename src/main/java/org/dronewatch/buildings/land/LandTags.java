@@ -200,7 +200,7 @@ final class LandTags {
         return "coastline".equals(tags.get("natural"));
     }
 
-    /** What a closed shape is as an area; empty if it is none, such as a roundabout. */
+    /** What a closed shape is as an area; empty if it is not an area, such as a roundabout. */
     static Optional<LandUse> area(Map<String, String> tags) {
         boolean isRoadArea = tags.containsKey("highway") && "yes".equals(tags.get("area"));
         if (isRoadArea || isYes(tags, "area:highway")) {

@@ -20,7 +20,7 @@ final class TiffDirectory {
     private static final int MOST_TAGS = 4096;
     private static final int MOST_VALUES = 1 << 24;
 
-    /** Bytes of a value by its type: BYTE, ASCII, SHORT, LONG, RATIONAL and so on; 0 for types that there are not. */
+    /** Bytes of a value by its type: BYTE, ASCII, SHORT, LONG, RATIONAL and so on; 0 for types that do not exist. */
     private static final int[] SIZES = {0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
 
     private static final int FLOAT = 11;
