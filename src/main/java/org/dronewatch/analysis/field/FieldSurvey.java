@@ -54,6 +54,7 @@ public record FieldSurvey(
                         request.grid(),
                         request.terms(),
                         request.covered(),
+                        field::excess,
                         progress)));
         if (!survey.isComplete()) {
             stopped.run();

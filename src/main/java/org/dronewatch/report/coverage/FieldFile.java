@@ -8,6 +8,7 @@ import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.JsonFile;
@@ -65,8 +66,19 @@ final class FieldFile {
         } else {
             root.putNull("warning");
         }
+        summary.coverage()
+                .field()
+                .interpolated()
+                .forEach((sensor, error) ->
+                        add(root.withObjectProperty("interpolated").putObject(sensor), error));
         root.put("complete", survey.isComplete());
         return root;
+    }
+
+    private static void add(ObjectNode node, InterpolationError error) {
+        node.put("places", error.places());
+        node.put("held_out", error.heldOut());
+        node.put("error_95_db", Numbers.rounded(error.largely()));
     }
 
     private static void add(ObjectNode node, DetectableHeights detectable) {
