@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
+import org.dronewatch.analysis.field.FieldCondition;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.FieldSurvey;
@@ -54,6 +55,7 @@ import picocli.CommandLine.Spec;
             "  dronewatch coverage multi-sensor --heights 10m,30m --side 400m --out field",
             "  dronewatch coverage scenes/hill-radar.yaml --within 5s --covered 0.9",
             "  dronewatch coverage scenes/cued-camera.yaml --pointing search --within 30s",
+            "  dronewatch coverage scenes/meadow.yaml --conditions scenes/conditions/weather.yaml --side 3km",
             "  dronewatch coverage scenes/monaco.yaml --area stadium --heights 30m,60m --out field",
             "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"
         })
@@ -161,6 +163,7 @@ final class CoverageCommand implements Callable<Integer> {
         FieldGrid grid = field.grid(
                 settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));
         String id = drone(settings);
+        List<ConditionedScene> others = ConditionedScene.of(field.conditions(), choice, id);
         CoverageInputs inputs = new CoverageInputs(
                 scene.name(),
                 id,
@@ -172,32 +175,41 @@ final class CoverageCommand implements Callable<Integer> {
         try (CoverageDirectory target = out == null ? null : new CoverageDirectory(Path.of(out))) {
             return threads.call(() -> {
                 runner.adviseOnConditions();
-                Stage stage = runner.stage(settings);
-                FieldRequest request = new FieldRequest(
-                        settings,
-                        stage,
-                        id,
-                        grid,
-                        field.courses(settings, stage, id, grid),
-                        field.choice(),
-                        field.terms(),
-                        field.covered());
+                FieldRequest request = request(settings, runner, id, grid);
+                List<FieldCondition> conditions = others.stream()
+                        .map(one -> new FieldCondition(one.name(), () -> request(one.settings(), runner, id, grid)))
+                        .toList();
+                long looks = request.looks() + conditions.size() * request.looksOfField();
                 FieldSurvey survey = Progress.during(
                         "coverage",
-                        request.looks(),
-                        progress -> FieldSurvey.of(request, progress, main.interruption()::letFinish));
+                        looks,
+                        progress -> FieldSurvey.of(request, conditions, progress, main.interruption()::letFinish));
                 if (target != null) {
                     if (inputs.origin().isEmpty()) {
                         spec.commandLine()
                                 .getErr()
                                 .println("the scene has no world.origin: no GeoTIFF, GeoJSON or KML files are written");
                     }
-                    target.write(survey, inputs, new CoverageSite(settings, stage), provenance(runner, settings));
+                    target.write(
+                            survey, inputs, new CoverageSite(settings, request.stage()), provenance(runner, settings));
                 }
                 print(survey, inputs);
                 return 0;
             });
         }
+    }
+
+    private FieldRequest request(SceneSettings settings, SceneRunner runner, String id, FieldGrid grid) {
+        Stage stage = runner.stage(settings);
+        return new FieldRequest(
+                settings,
+                stage,
+                id,
+                grid,
+                field.courses(settings, stage, id, grid),
+                field.choice(),
+                field.terms(),
+                field.covered());
     }
 
     private Map<String, String> provenance(SceneRunner runner, SceneSettings settings) {

@@ -1,6 +1,8 @@
 package org.dronewatch.app;
 
 import java.lang.reflect.RecordComponent;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,6 +22,7 @@ import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneCondition;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
@@ -39,6 +42,7 @@ final class FieldOptions {
     private static final String WITHIN = "--within";
     private static final String AREA = "--area";
     private static final String POINTING = "--pointing";
+    private static final String CONDITIONS = "--conditions";
     private static final double DEFAULT_COVERED = 0.5;
     private static final double CELLS = 100.0;
     private static final double DEFAULT_SIDE = 500.0;
@@ -98,6 +102,13 @@ final class FieldOptions {
                     + " default.")
     private String pointing;
 
+    @Option(
+            names = CONDITIONS,
+            paramLabel = "FILE",
+            description = "YAML file of conditions, such as night or rain, under which the coverage is assessed again:"
+                    + " under each name, settings by their paths.")
+    private String conditions;
+
     /** The first of these options that was given; null if none was. */
     String given() {
         Map<String, Object> values = new LinkedHashMap<>();
@@ -108,6 +119,7 @@ final class FieldOptions {
         values.put(WITHIN, within);
         values.put(AREA, area);
         values.put(POINTING, pointing);
+        values.put(CONDITIONS, conditions);
         return values.entrySet().stream()
                 .filter(option -> option.getValue() != null)
                 .map(Map.Entry::getKey)
@@ -159,6 +171,16 @@ final class FieldOptions {
         settings.alert().protect().ifPresent(ball -> known.add(Protection.ZONE));
         return new InputException(AREA + " " + PlainText.value(area) + ": no such zone; the scene protects "
                 + (known.isEmpty() ? "nothing" : String.join(", ", known)) + Spelling.didYouMean(area, known));
+    }
+
+    /** The conditions; none without a file. */
+    List<SceneCondition> conditions() {
+        try {
+            return conditions == null ? List.of() : SceneCondition.read(Path.of(conditions));
+        } catch (InvalidPathException e) {
+            throw new InputException(
+                    CONDITIONS + " " + PlainText.value(conditions) + ": not a path: " + e.getReason(), e);
+        }
     }
 
     /** The name of the protected area; empty if none was given. */

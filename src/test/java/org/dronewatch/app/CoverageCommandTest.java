@@ -72,6 +72,7 @@ class CoverageCommandTest {
                         "idle_sensors",
                         "covered_again_gap",
                         "warning",
+                        "conditions",
                         "complete");
         assertThat(json.get("heading").asString()).isEqualTo("best");
         assertThat(json.get("covered").asDouble()).isEqualTo(0.9);

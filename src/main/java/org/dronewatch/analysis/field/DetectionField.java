@@ -117,9 +117,8 @@ public final class DetectionField {
         Map<String, FieldProbe> probes = new LinkedHashMap<>();
         List<SensorLayer> layers = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
-            FieldProbe each = new FieldProbe(
+            FieldProbe probe = new FieldProbe(
                     stage.world(), sample, id, sensor, settings.run().seed(), List.copyOf(courses), terms);
-            FieldProbe probe = each.with(ExcessSurvey.of(each, columns));
             probes.put(id, probe);
             layers.add(SensorLayer.empty(columns));
         });
@@ -227,21 +226,6 @@ public final class DetectionField {
     /** Where a sensor, given by its number, is, m. */
     public Position position(int sensor) {
         return probe(sensor).settings().position();
-    }
-
-    /**
-     * The errors of those sensors' levels that are interpolated between cells, by name: all others are assessed in each
-     * cell.
-     */
-    public Map<String, InterpolationError> interpolated() {
-        Map<String, InterpolationError> errors = new LinkedHashMap<>();
-        probes.forEach((id, probe) -> probe.excess().ifPresent(map -> errors.put(id, map.error())));
-        return errors;
-    }
-
-    /** What is interpolated between the cells of a sensor, given by its name. */
-    Optional<ExcessMap> excess(String sensor) {
-        return Optional.ofNullable(probes.get(sensor)).flatMap(FieldProbe::excess);
     }
 
     /** Whether a drone can be in a cell: there is ground below it, and nothing solid around it. */

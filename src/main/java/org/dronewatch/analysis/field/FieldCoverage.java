@@ -150,6 +150,12 @@ public final class FieldCoverage {
         return counts[index(height, column, row)];
     }
 
+    /** Whether a sensor, given by its number, covers a cell on the course that counts there. */
+    public boolean covers(int sensor, int height, int column, int row) {
+        return field.isOpen(height, column, row)
+                && field.steps(sensor, height, column, row, courseAt(height, column, row)) >= needed;
+    }
+
     /** Whether a sensor covers a cell. */
     public boolean isCovered(int height, int column, int row) {
         return count(height, column, row) > 0;

@@ -30,6 +30,13 @@ public record FieldRequest(
         courses = List.copyOf(courses);
     }
 
+    /** The number of cells that the sensors look at for the field alone, added up over all sensors. */
+    public long looksOfField() {
+        return (long) grid.cells()
+                * grid.heights().size()
+                * settings.enabledSensors().size();
+    }
+
     /** The approximate number of cells that the sensors look at, added up over all sensors. */
     public long looks() {
         long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))

@@ -1,5 +1,7 @@
 package org.dronewatch.analysis.field;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
@@ -15,24 +17,44 @@ import org.dronewatch.parallel.Workers;
  * @param visible the least visible heights
  * @param detectable the least heights at which a sensor detects the drone
  * @param warnings the warning of inbound flights
+ * @param conditions the coverage of the scene as it is and under each condition that was asked for; empty without one
+ * @param asked how many conditions were asked for
  */
 public record FieldSurvey(
         FieldGrid grid,
         FieldSummary summary,
         Optional<VisibleHeights> visible,
         Optional<DetectableHeights> detectable,
-        Optional<InboundWarnings> warnings) {
+        Optional<InboundWarnings> warnings,
+        List<ConditionCoverage> conditions,
+        int asked) {
+    /** Copies the list: later changes by the caller have no effect. */
+    public FieldSurvey {
+        conditions = List.copyOf(conditions);
+    }
+
+    /** A survey without conditions. */
+    public FieldSurvey(
+            FieldGrid grid,
+            FieldSummary summary,
+            Optional<VisibleHeights> visible,
+            Optional<DetectableHeights> detectable,
+            Optional<InboundWarnings> warnings) {
+        this(grid, summary, visible, detectable, warnings, List.of(), 0);
+    }
 
     /**
      * Carries out a survey on the threads of the {@link Workers} that call; the same for any number of them.
      *
+     * @param conditions under which the site is assessed again, perhaps none
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @param stopped called if this thread has been interrupted and at least one height is complete; should clear its
      *     interrupt status, so that the complete heights can be summarised
      * @throws CancellationException when this thread is interrupted before any height is complete, or its interrupt
      *     status was not cleared
      */
-    public static FieldSurvey of(FieldRequest request, IntConsumer progress, Runnable stopped) {
+    public static FieldSurvey of(
+            FieldRequest request, List<FieldCondition> conditions, IntConsumer progress, Runnable stopped) {
         DetectionField field = DetectionField.untilInterrupted(request, progress)
                 .orElseThrow(() -> new CancellationException("interrupted"));
         Supplier<FieldSummary> summing = () -> FieldSummary.of(field, request.choice(), request.covered());
@@ -54,12 +76,27 @@ public record FieldSurvey(
                         request.grid(),
                         request.terms(),
                         request.covered(),
-                        field::excess,
-                        progress)));
+                        progress)),
+                under(conditions, summary.get(), progress),
+                conditions.size());
         if (!survey.isComplete()) {
             stopped.run();
         }
         return survey;
+    }
+
+    /** Under those conditions that are assessed before an interruption. */
+    private static List<ConditionCoverage> under(
+            List<FieldCondition> conditions, FieldSummary asItIs, IntConsumer progress) {
+        List<ConditionCoverage> found = new ArrayList<>();
+        for (FieldCondition condition : conditions) {
+            unlessInterrupted(() -> ConditionCoverage.of(condition, asItIs.coverage(), progress))
+                    .ifPresent(found::add);
+        }
+        if (!found.isEmpty()) {
+            found.add(0, ConditionCoverage.asItIs(asItIs));
+        }
+        return found;
     }
 
     /** An interrupted thread stays interrupted: whatever it begins afterwards ends at once. */
@@ -73,7 +110,11 @@ public record FieldSurvey(
 
     /** Whether nothing is missing. */
     public boolean isComplete() {
-        return hasAllHeights() && visible.isPresent() && detectable.isPresent() && warnings.isPresent();
+        return hasAllHeights()
+                && visible.isPresent()
+                && detectable.isPresent()
+                && warnings.isPresent()
+                && (asked == 0 || conditions.size() == asked + 1);
     }
 
     /** Whether the coverage is that of all heights that were asked for. */

@@ -3,9 +3,7 @@ package org.dronewatch.analysis.field;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
@@ -67,27 +65,10 @@ public record InboundWarnings(Position target, double reach, double response, bo
             FieldTerms terms,
             double covered,
             IntConsumer progress) {
-        return of(settings, stage, drone, grid, terms, covered, sensor -> Optional.empty(), progress);
-    }
-
-    /**
-     * The same.
-     *
-     * @param excess what is interpolated between cells in the area of the grid, by the name of a sensor
-     */
-    static InboundWarnings of(
-            SceneSettings settings,
-            Stage stage,
-            String drone,
-            FieldGrid grid,
-            FieldTerms terms,
-            double covered,
-            Function<String, Optional<ExcessMap>> excess,
-            IntConsumer progress) {
         Position target = InboundTarget.of(settings, stage.protection(), grid);
         Drone sample = DetectionField.droneOf(stage, drone);
         Flights flights = new Flights(target, reach(grid, target, stage.protection()), grid.cell(), grid.heights());
-        List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, excess, progress);
+        List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, progress);
         double delay = terms.within().orElse(0.0) * sample.settings().speed();
         int needed = SensorLayer.stepsToCover(covered);
         List<Warning> all = new ArrayList<>();
@@ -120,7 +101,6 @@ public record InboundWarnings(Position target, double reach, double response, bo
             Drone sample,
             Flights flights,
             FieldTerms terms,
-            Function<String, Optional<ExcessMap>> excess,
             IntConsumer progress) {
         FieldColumns paths = new FieldColumns(
                 stage.world(), flights.steps(), BEARINGS, flights.heights().size(), flights);
@@ -135,7 +115,7 @@ public record InboundWarnings(Position target, double reach, double response, bo
                     settings.run().seed(),
                     List.of(Course.inbound(flights.target())),
                     terms);
-            layers.add(SensorLayer.of(probe.with(excess.apply(sensor.getKey())), paths, progress));
+            layers.add(SensorLayer.of(probe, paths, progress));
         }
         return layers;
     }

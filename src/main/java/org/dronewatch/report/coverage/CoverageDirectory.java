@@ -14,6 +14,7 @@ import org.dronewatch.setting.PlainText;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {
+    private static final String CONDITIONS = "conditions.png";
     private static final String NUMBERS = "coverage.json";
 
     /**
@@ -21,7 +22,7 @@ public final class CoverageDirectory implements AutoCloseable {
      * are replaced.
      */
     private static final Pattern FILES = Pattern.compile("cause-[0-9.]+\\.(png|tif|tif\\.aux\\.xml)|count-[0-9.]+\\.tif"
-            + "|(min|visible)-height\\.(png|tif)|warning\\.png|coverage\\.(geojson|kml)|report\\.html");
+            + "|(min|visible)-height\\.(png|tif)|(warning|conditions)\\.png|coverage\\.(geojson|kml)|report\\.html");
 
     /** A file that every run writes, but {@code coverage} never does. */
     private static final String RUN = "result.json";
@@ -55,6 +56,11 @@ public final class CoverageDirectory implements AutoCloseable {
             Map<String, MapSheet> maps = new FieldPictures(site, inputs, survey.grid()).all(survey);
             for (Map.Entry<String, MapSheet> map : maps.entrySet()) {
                 write(map.getKey(), map.getValue());
+            }
+            if (!survey.conditions().isEmpty()) {
+                try (OutputStream matrix = Files.newOutputStream(directory.file(CONDITIONS))) {
+                    new ConditionMatrix(survey.conditions(), inputs).writePng(matrix);
+                }
             }
             if (survey.isComplete()) {
                 try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {

@@ -10,6 +10,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.dronewatch.analysis.field.ConditionCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.FieldSurvey;
@@ -30,6 +31,7 @@ final class CoverageReport {
     private final WorstPlaces places;
     private final Losses losses;
     private final WarningWords warnings;
+    private final List<ConditionCoverage> conditions;
 
     /**
      * A report of a survey that is complete.
@@ -45,6 +47,7 @@ final class CoverageReport {
                 summary, site, ReferencePoint.of(inbound, site.stage().protection(), inputs));
         this.losses = new Losses(summary);
         this.warnings = new WarningWords(inbound);
+        this.conditions = survey.conditions();
     }
 
     /**
@@ -60,6 +63,9 @@ final class CoverageReport {
         page.section("Coverage by height", heights());
         page.section("Warning of inbound flights", warnings.html());
         page.section("If a sensor fails", losses.html());
+        if (!conditions.isEmpty()) {
+            page.section("Under other conditions", underConditions());
+        }
         page.section("Maps", "");
         for (MapSheet map : maps) {
             Figure figure = map.figure();
@@ -149,6 +155,28 @@ final class CoverageReport {
                                 + " or more, and the causes of all sensors' misses "
                                 + (inputs.within().isEmpty() ? "elsewhere." : "of single looks."))
                 + Html.table(head, rows);
+    }
+
+    private String underConditions() {
+        List<String> head = new ArrayList<>(List.of("height"));
+        conditions.forEach(one -> head.add(ConditionTable.name(one)));
+        List<List<String>> rows = new ArrayList<>();
+        for (int height = 0; height < summary.heights().size(); height++) {
+            List<String> row =
+                    new ArrayList<>(List.of(number(summary.heights().get(height).height()) + " m"));
+            for (ConditionCoverage one : conditions) {
+                ConditionCoverage.Height its = one.heights().get(height);
+                row.add(percent(its.summary().covered(), its.summary()) + "; most by " + ConditionTable.best(its));
+            }
+            rows.add(row);
+        }
+        List<String> words = conditions.stream()
+                .skip(1)
+                .map(one -> ConditionTable.words(conditions.get(0), one) + ".")
+                .toList();
+        return Html.plain("p", "Covered % of the known area, and the sensor that covers most with its %.")
+                + Html.table(head, rows)
+                + list(words);
     }
 
     private List<String> conditions(SensorTables sensors) {

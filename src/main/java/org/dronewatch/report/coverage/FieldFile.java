@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage;
 
 import java.util.Locale;
+import org.dronewatch.analysis.field.ConditionCoverage;
 import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
@@ -8,7 +9,6 @@ import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.JsonFile;
@@ -66,19 +66,31 @@ final class FieldFile {
         } else {
             root.putNull("warning");
         }
-        summary.coverage()
-                .field()
-                .interpolated()
-                .forEach((sensor, error) ->
-                        add(root.withObjectProperty("interpolated").putObject(sensor), error));
+        if (survey.asked() == 0) {
+            root.putNull("conditions");
+        } else {
+            ObjectNode conditions = root.putObject("conditions");
+            survey.conditions().stream()
+                    .skip(1)
+                    .forEach(one -> add(conditions.putObject(one.name()).putArray("heights"), one));
+        }
         root.put("complete", survey.isComplete());
         return root;
     }
 
-    private static void add(ObjectNode node, InterpolationError error) {
-        node.put("places", error.places());
-        node.put("held_out", error.heldOut());
-        node.put("error_95_db", Numbers.rounded(error.largely()));
+    private static void add(ArrayNode heights, ConditionCoverage condition) {
+        for (ConditionCoverage.Height height : condition.heights()) {
+            HeightSummary numbers = height.summary();
+            ObjectNode node = heights.addObject();
+            node.put("height_m", Numbers.rounded(numbers.height()));
+            node.put("known", numbers.known());
+            share(node, "covered_share", numbers.covered(), numbers.known());
+            share(node, "lost_share", height.lost(), numbers.known());
+            ObjectNode causes = node.putObject("causes");
+            numbers.causes().forEach((cause, cells) -> share(causes, name(cause), cells, numbers.known()));
+            ObjectNode sensors = node.putObject("sensors");
+            height.bySensor().forEach((sensor, cells) -> share(sensors, sensor, cells, numbers.known()));
+        }
     }
 
     private static void add(ObjectNode node, DetectableHeights detectable) {

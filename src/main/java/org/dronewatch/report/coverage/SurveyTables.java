@@ -17,8 +17,9 @@ public final class SurveyTables {
         tables.add(FieldTable.gaps(survey.summary()));
         tables.add(FieldTable.losses(survey.summary()));
         survey.warnings().map(WarningTable::lines).ifPresent(tables::add);
-        tables.add(FieldTable.interpolated(survey.summary()));
-        tables.removeIf(List::isEmpty);
+        if (!survey.conditions().isEmpty()) {
+            tables.add(ConditionTable.lines(survey.conditions()));
+        }
         List<String> lines = new ArrayList<>();
         for (List<String> table : tables) {
             if (!lines.isEmpty()) {

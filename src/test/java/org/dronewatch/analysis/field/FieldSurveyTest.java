@@ -47,7 +47,7 @@ class FieldSurveyTest {
 
     private static FieldSurvey survey(IntConsumer progress, Runnable stopped) {
         try (Workers workers = new Workers(2)) {
-            return workers.call(() -> FieldSurvey.of(request, progress, stopped));
+            return workers.call(() -> FieldSurvey.of(request, List.of(), progress, stopped));
         }
     }
 

@@ -41,7 +41,7 @@ class CoverageDirectoryTest {
                 FieldCoverage.Choice.BEST,
                 FieldTerms.ONE_LOOK,
                 0.5);
-        FieldSurvey whole = FieldSurvey.of(request, cells -> {}, () -> {});
+        FieldSurvey whole = FieldSurvey.of(request, List.of(), cells -> {}, () -> {});
         CoverageInputs inputs =
                 new CoverageInputs("site", "one", "best", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), Optional.empty());
         CoverageSite there = new CoverageSite(site.settings(), site.stage());

@@ -15,7 +15,6 @@ import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
-import org.dronewatch.sensor.acoustic.propagation.ArcSight;
 import org.dronewatch.sensor.acoustic.propagation.Heard;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.PathBending;
@@ -47,7 +46,6 @@ public final class EnergyHearing implements SoundTracer {
     private final World world;
     private final EnergyTracer tracer;
     private final PathBending bending;
-    private final ArcSight sight;
     private Optional<BandLevels> background = Optional.empty();
 
     EnergyHearing(EnergyModel model, Microphone microphone, World world) {
@@ -55,7 +53,6 @@ public final class EnergyHearing implements SoundTracer {
         this.microphone = microphone;
         this.world = world;
         this.bending = new PathBending(world);
-        this.sight = new ArcSight(world);
         this.tracer = new EnergyTracer(model, microphone.position(), microphone.radius(), world);
     }
 
@@ -146,34 +143,9 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     @Override
-    public Optional<Signal> signalInTheOpen(Drone drone) {
-        return Optional.of(inTheOpen(drone));
-    }
-
-    @Override
-    public Signal signalOnExactPaths(Drone drone) {
-        background();
-        SoundSource sound = sound(drone);
-        return signal(tracer.onExactPaths(sound), sound.lines());
-    }
-
-    private Signal inTheOpen(Drone drone) {
-        SoundSource sound = sound(drone);
-        return signal(tracer.inTheOpen(sound), sound.lines());
-    }
-
-    @Override
-    public boolean isInSight(Drone drone) {
-        Position from = drone.origin();
-        Position to = microphone.position();
-        Position along = to.minus(from);
-        double curvature = bending.between(from, to).along(along.x(), along.y(), along.z());
-        return sight.isFree(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), curvature);
-    }
-
-    @Override
     public boolean isHeardInTheOpen(Drone drone) {
-        return inTheOpen(drone).isDetected();
+        SoundSource sound = sound(drone);
+        return signal(tracer.inTheOpen(sound), sound.lines()).isDetected();
     }
 
     /**
