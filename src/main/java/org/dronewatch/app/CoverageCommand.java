@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.FieldCondition;
@@ -16,6 +17,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.coverage.CoverageDirectory;
@@ -181,10 +183,13 @@ final class CoverageCommand implements Callable<Integer> {
                         .map(one -> new FieldCondition(one.name(), () -> request(one.settings(), runner, id, grid)))
                         .toList();
                 long looks = request.looks() + conditions.size() * request.looksOfField();
+                Consumer<String> notes = spec.commandLine().getErr()::println;
+                LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(notes));
                 FieldSurvey survey = Progress.during(
                         "coverage",
                         looks,
-                        progress -> FieldSurvey.of(request, conditions, progress, main.interruption()::letFinish));
+                        progress ->
+                                FieldSurvey.of(request, conditions, store, progress, main.interruption()::letFinish));
                 if (target != null) {
                     if (inputs.origin().isEmpty()) {
                         spec.commandLine()

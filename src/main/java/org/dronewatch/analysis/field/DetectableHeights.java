@@ -44,7 +44,7 @@ public final class DetectableHeights {
             heights.begin(coverage, cell);
         }
         for (int round = 0; round < rounds(grid); round++) {
-            heights.halve(coverage, progress);
+            heights.halve(coverage, "round " + round, progress);
         }
         return heights;
     }
@@ -84,13 +84,13 @@ public final class DetectableHeights {
         }
     }
 
-    private void halve(FieldCoverage coverage, IntConsumer progress) {
+    private void halve(FieldCoverage coverage, String name, IntConsumer progress) {
         double[] middle = new double[grid.cells()];
         for (int cell = 0; cell < middle.length; cell++) {
             boolean isWide = upper[cell] - lower[cell] > ACCURACY;
             middle[cell] = isWide ? 0.5 * (lower[cell] + upper[cell]) : Double.NaN;
         }
-        FieldCoverage there = coverage.of(coverage.field().at(middle, progress));
+        FieldCoverage there = coverage.of(coverage.field().at(middle, name, progress));
         for (int cell = 0; cell < middle.length; cell++) {
             if (there.isCovered(0, cell % grid.columns(), cell / grid.columns())) {
                 upper[cell] = middle[cell];

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
@@ -15,6 +16,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.world.World;
 
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
@@ -35,6 +37,7 @@ public final class DetectionField {
     private final Map<String, FieldProbe> probes;
     private final List<String> sensors;
     private final List<SensorLayer> layers;
+    private final LayerStore store;
 
     private DetectionField(
             FieldGrid grid,
@@ -42,8 +45,10 @@ public final class DetectionField {
             List<Course> courses,
             int[] inLayers,
             Map<String, FieldProbe> probes,
-            List<SensorLayer> layers) {
+            List<SensorLayer> layers,
+            LayerStore store) {
         this.grid = grid;
+        this.store = store;
         this.columns = columns;
         this.courses = List.copyOf(courses);
         this.inLayers = inLayers;
@@ -73,7 +78,10 @@ public final class DetectionField {
             List<Course> courses,
             FieldTerms terms,
             IntConsumer progress) {
-        DetectionField field = unassessed(settings, stage, drone, grid, courses, terms);
+        // Which course counts, and with which probability, does not matter before it is evaluated.
+        FieldRequest asked =
+                new FieldRequest(settings, stage, drone, grid, courses, FieldCoverage.Choice.WORST, terms, 1.0);
+        DetectionField field = unassessed(asked, LayerStore.NONE);
         for (int height = 0; height < grid.heights().size(); height++) {
             field.assess(height, progress);
         }
@@ -94,13 +102,15 @@ public final class DetectionField {
     /**
      * As {@link #of}, but if this thread is interrupted, with those heights alone for which all cells have been
      * assessed: empty if there are none. Its interrupt status is kept.
+     *
+     * @param store of assessments that were made before
      */
-    public static Optional<DetectionField> untilInterrupted(FieldRequest asked, IntConsumer progress) {
+    public static Optional<DetectionField> untilInterrupted(
+            FieldRequest asked, LayerStore store, IntConsumer progress) {
         int whole = 0;
         DetectionField field = null;
         try {
-            field = unassessed(
-                    asked.settings(), asked.stage(), asked.drone(), asked.grid(), asked.courses(), asked.terms());
+            field = unassessed(asked, store);
             for (; whole < asked.grid().heights().size(); whole++) {
                 field.assess(whole, progress);
             }
@@ -110,34 +120,32 @@ public final class DetectionField {
         }
     }
 
-    private static DetectionField unassessed(
-            SceneSettings settings, Stage stage, String drone, FieldGrid grid, List<Course> courses, FieldTerms terms) {
-        Drone sample = droneOf(stage, drone);
-        FieldColumns columns = FieldColumns.of(stage.world(), grid);
+    private static DetectionField unassessed(FieldRequest asked, LayerStore store) {
+        SceneSettings settings = asked.settings();
+        World world = asked.stage().world();
+        Drone sample = droneOf(asked.stage(), asked.drone());
+        FieldColumns columns = FieldColumns.of(world, asked.grid());
         Map<String, FieldProbe> probes = new LinkedHashMap<>();
         List<SensorLayer> layers = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
-            FieldProbe probe = new FieldProbe(
-                    stage.world(), sample, id, sensor, settings.run().seed(), List.copyOf(courses), terms);
-            probes.put(id, probe);
+            long seed = settings.run().seed();
+            probes.put(id, new FieldProbe(world, sample, id, sensor, seed, asked.courses(), asked.terms()));
             layers.add(SensorLayer.empty(columns));
         });
-        int[] all = new int[courses.size()];
-        for (int i = 0; i < all.length; i++) {
-            all[i] = i;
-        }
-        return new DetectionField(grid, columns, courses, all, probes, layers);
+        int[] all = IntStream.range(0, asked.courses().size()).toArray();
+        return new DetectionField(asked.grid(), columns, asked.courses(), all, probes, layers, store);
     }
 
     private void assess(int height, IntConsumer progress) {
         for (int sensor = 0; sensor < layers.size(); sensor++) {
-            layers.get(sensor).assess(probe(sensor), columns, height, height + 1, progress);
+            store.assess(
+                    layers.get(sensor), probe(sensor), columns, grid.toString(), height, "height " + height, progress);
         }
     }
 
     /** The lowest heights of this field. */
     private DetectionField upTo(int heights) {
-        return new DetectionField(grid.lowest(heights), columns, courses, inLayers, probes, layers);
+        return new DetectionField(grid.lowest(heights), columns, courses, inLayers, probes, layers, store);
     }
 
     /**
@@ -182,20 +190,26 @@ public final class DetectionField {
                 kept,
                 numbers.stream().mapToInt(Integer::intValue).toArray(),
                 others,
-                rest);
+                rest,
+                store);
     }
 
     /**
      * The field of the same sensors with one cell in each column, at its own height.
      *
      * @param above heights above the ground by row and column, m; NaN for no cell
+     * @param name what is kept of it is found again under this name
      */
-    DetectionField at(double[] above, IntConsumer progress) {
+    DetectionField at(double[] above, String name, IntConsumer progress) {
         List<FieldProbe> all = List.copyOf(probes.values());
         FieldColumns other = FieldColumns.at(all.get(0).world(), grid, above);
         List<SensorLayer> there = new ArrayList<>();
-        all.forEach(probe -> there.add(SensorLayer.of(probe, other, progress)));
-        return new DetectionField(grid.lowest(1), other, courses, inLayers, probes, there);
+        for (FieldProbe probe : all) {
+            SensorLayer layer = SensorLayer.empty(other);
+            store.assess(layer, probe, other, grid.toString(), 0, name, progress);
+            there.add(layer);
+        }
+        return new DetectionField(grid.lowest(1), other, courses, inLayers, probes, there, store);
     }
 
     /** The number of columns with ground below them. */

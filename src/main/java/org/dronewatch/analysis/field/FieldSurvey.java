@@ -47,6 +47,7 @@ public record FieldSurvey(
      * Carries out a survey on the threads of the {@link Workers} that call; the same for any number of them.
      *
      * @param conditions under which the site is assessed again, perhaps none
+     * @param store of assessments of the site as it is that were made before
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @param stopped called if this thread has been interrupted and at least one height is complete; should clear its
      *     interrupt status, so that the complete heights can be summarised
@@ -54,8 +55,12 @@ public record FieldSurvey(
      *     status was not cleared
      */
     public static FieldSurvey of(
-            FieldRequest request, List<FieldCondition> conditions, IntConsumer progress, Runnable stopped) {
-        DetectionField field = DetectionField.untilInterrupted(request, progress)
+            FieldRequest request,
+            List<FieldCondition> conditions,
+            LayerStore store,
+            IntConsumer progress,
+            Runnable stopped) {
+        DetectionField field = DetectionField.untilInterrupted(request, store, progress)
                 .orElseThrow(() -> new CancellationException("interrupted"));
         Supplier<FieldSummary> summing = () -> FieldSummary.of(field, request.choice(), request.covered());
         boolean isWhole = field.grid().equals(request.grid());
@@ -76,6 +81,7 @@ public record FieldSurvey(
                         request.grid(),
                         request.terms(),
                         request.covered(),
+                        store,
                         progress)),
                 under(conditions, summary.get(), progress),
                 conditions.size());
@@ -83,6 +89,12 @@ public record FieldSurvey(
             stopped.run();
         }
         return survey;
+    }
+
+    /** The same without a store. */
+    public static FieldSurvey of(
+            FieldRequest request, List<FieldCondition> conditions, IntConsumer progress, Runnable stopped) {
+        return of(request, conditions, LayerStore.NONE, progress, stopped);
     }
 
     /** Under those conditions that are assessed before an interruption. */

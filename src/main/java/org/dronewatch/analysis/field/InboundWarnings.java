@@ -65,10 +65,27 @@ public record InboundWarnings(Position target, double reach, double response, bo
             FieldTerms terms,
             double covered,
             IntConsumer progress) {
+        return of(settings, stage, drone, grid, terms, covered, LayerStore.NONE, progress);
+    }
+
+    /**
+     * The same.
+     *
+     * @param store of assessments that were made before
+     */
+    static InboundWarnings of(
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            FieldTerms terms,
+            double covered,
+            LayerStore store,
+            IntConsumer progress) {
         Position target = InboundTarget.of(settings, stage.protection(), grid);
         Drone sample = DetectionField.droneOf(stage, drone);
         Flights flights = new Flights(target, reach(grid, target, stage.protection()), grid.cell(), grid.heights());
-        List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, progress);
+        List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, store.about(grid), progress);
         double delay = terms.within().orElse(0.0) * sample.settings().speed();
         int needed = SensorLayer.stepsToCover(covered);
         List<Warning> all = new ArrayList<>();
@@ -101,6 +118,7 @@ public record InboundWarnings(Position target, double reach, double response, bo
             Drone sample,
             Flights flights,
             FieldTerms terms,
+            LayerStore store,
             IntConsumer progress) {
         FieldColumns paths = new FieldColumns(
                 stage.world(), flights.steps(), BEARINGS, flights.heights().size(), flights);
@@ -115,7 +133,11 @@ public record InboundWarnings(Position target, double reach, double response, bo
                     settings.run().seed(),
                     List.of(Course.inbound(flights.target())),
                     terms);
-            layers.add(SensorLayer.of(probe, paths, progress));
+            SensorLayer layer = SensorLayer.empty(paths);
+            for (int height = 0; height < paths.levels(); height++) {
+                store.assess(layer, probe, paths, flights.toString(), height, "inbound " + height, progress);
+            }
+            layers.add(layer);
         }
         return layers;
     }

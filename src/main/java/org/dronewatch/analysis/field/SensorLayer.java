@@ -3,6 +3,7 @@ package org.dronewatch.analysis.field;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.IntConsumer;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
@@ -45,15 +46,12 @@ final class SensorLayer {
         this.byCourse = new byte[rows * heights][];
     }
 
-    /**
-     * Assesses a drone with one sensor in every cell in which it can be, on the threads of the {@link Workers} that
-     * call; the same for any number of them.
-     *
-     * @param progress receives the number of cells done since the last call; from any thread
-     */
+    /** A layer in which all heights have been assessed, as below. */
     static SensorLayer of(FieldProbe probe, FieldColumns columns, IntConsumer progress) {
         SensorLayer layer = empty(columns);
-        layer.assess(probe, columns, 0, columns.levels(), progress);
+        for (int height = 0; height < columns.levels(); height++) {
+            layer.assess(probe, columns, height, Optional.empty(), progress);
+        }
         return layer;
     }
 
@@ -63,25 +61,76 @@ final class SensorLayer {
     }
 
     /**
-     * Assesses the cells of some heights, in the same way; once for each height.
+     * Assesses a drone with one sensor in every cell of one height in which it can be, except for those that a former
+     * slice holds, on the threads of the {@link Workers} that call; the same for any number of them.
      *
-     * @param from number of the first height
-     * @param to number of the height after the last one
+     * @param progress receives the number of cells done since the last call; from any thread
+     * @return whether there were any that it does not hold
      */
-    void assess(FieldProbe probe, FieldColumns columns, int from, int to, IntConsumer progress) {
-        Workers.forEach((to - from) * rows, probe::newAssessor, (assessor, number) -> {
+    boolean assess(
+            FieldProbe probe, FieldColumns columns, int height, Optional<LayerSlice> former, IntConsumer progress) {
+        AtomicBoolean isNew = new AtomicBoolean();
+        Workers.forEach(rows, probe::newAssessor, (assessor, number) -> {
             Row row = new Row(columns.columns(), probe.courses().size());
-            int height = from + number / rows;
-            int index = from * rows + number;
             for (int column = 0; column < columns.columns(); column++) {
-                if (columns.isOpen(height, column, index % rows)) {
-                    row.set(column, probe, assessor, columns.middle(height, column, index % rows));
+                if (columns.isOpen(height, column, number)) {
+                    Position at = columns.middle(height, column, number);
+                    if (former.isPresent() && former.get().holds(column, number, at.z())) {
+                        row.take(column, former.get(), number);
+                    } else {
+                        row.set(column, probe, assessor, at);
+                        isNew.set(true);
+                    }
                 }
             }
-            entries[index] = row.entries;
-            byCourse[index] = Arrays.copyOf(row.pool, row.used);
+            entries[height * rows + number] = row.entries;
+            byCourse[height * rows + number] = Arrays.copyOf(row.pool, row.used);
             progress.accept(columns.columns());
         });
+        return isNew.get();
+    }
+
+    /** The assessments at one height. */
+    LayerSlice slice(int height, FieldColumns columns) {
+        double[] z = new double[rows * columns.columns()];
+        for (int cell = 0; cell < z.length; cell++) {
+            int column = cell % columns.columns();
+            int row = cell / columns.columns();
+            z[cell] = columns.isOpen(height, column, row)
+                    ? columns.middle(height, column, row).z()
+                    : Double.NaN;
+        }
+        int from = height * rows;
+        return new LayerSlice(
+                columns.columns(),
+                z,
+                Arrays.copyOfRange(entries, from, from + rows),
+                Arrays.copyOfRange(byCourse, from, from + rows));
+    }
+
+    /** Whether an entry, and what it points to, can be those of a cell on a number of courses. */
+    static boolean isPossible(int entry, byte[] pool, int courses) {
+        if (entry >= 0) {
+            return isPossible(entry);
+        }
+        long at = -1L - entry;
+        if (at + 2L * courses > pool.length) {
+            return false;
+        }
+        for (int course = 0; course < courses; course++) {
+            if (!isPossible(codeAt(pool, (int) at + 2 * course))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isPossible(int code) {
+        return (code & BYTE) <= STEPS && code >> CAUSE_SHIFT < CAUSES.length;
+    }
+
+    private static int codeAt(byte[] pool, int at) {
+        return pool[at] & BYTE | (pool[at + 1] & BYTE) << CAUSE_SHIFT;
     }
 
     /** The probability that the drone is detected, in steps of 1/250; 0 in a cell in which it cannot be. */
@@ -100,8 +149,7 @@ final class SensorLayer {
         if (entry >= 0) {
             return entry;
         }
-        int at = -1 - entry + 2 * course;
-        return byCourse[index][at] & BYTE | (byCourse[index][at + 1] & BYTE) << CAUSE_SHIFT;
+        return codeAt(byCourse[index], -1 - entry + 2 * course);
     }
 
     /** One row of cells while it is assessed. */
@@ -181,6 +229,19 @@ final class SensorLayer {
             return steps == probe.steps(bounds.greatest())
                     ? OptionalInt.of(steps | bounds.cause().ordinal() << CAUSE_SHIFT)
                     : OptionalInt.empty();
+        }
+
+        /** Takes over what was assessed before. */
+        void take(int column, LayerSlice former, int row) {
+            int entry = former.entries()[row][column];
+            if (entry >= 0) {
+                entries[column] = entry;
+                return;
+            }
+            for (int course = 0; course < courses; course++) {
+                codes[course] = codeAt(former.byCourse()[row], -1 - entry + 2 * course);
+            }
+            entries[column] = -1 - keep();
         }
 
         private int keep() {

@@ -27,7 +27,7 @@ import org.dronewatch.setting.PlainText;
  * that cannot be read, or are damaged, are as good as none; that a file cannot be written is noted once. Several
  * processes may use the same directory: a file is written under another name, and then renamed.
  */
-final class SiteStore {
+public final class SiteStore {
     /** The end of the names of its files. */
     static final String SUFFIX = ".site";
 
@@ -57,7 +57,7 @@ final class SiteStore {
      * @param worth what takes less to prepare is not kept, s
      * @param notes receives at most one line, when a file cannot be written
      */
-    SiteStore(Optional<Path> directory, long mostBytes, double worth, Consumer<String> notes) {
+    public SiteStore(Optional<Path> directory, long mostBytes, double worth, Consumer<String> notes) {
         this.directory = directory;
         this.mostBytes = mostBytes;
         this.worth = worth;
@@ -66,11 +66,21 @@ final class SiteStore {
 
     /** The store of this process. */
     static SiteStore standard(Consumer<String> notes) {
-        return new SiteStore(StorePlace.directory(), MOST_BYTES, WORTH, notes);
+        return standard(WORTH, notes);
+    }
+
+    /**
+     * The store of this process, see {@link StorePlace}.
+     *
+     * @param worth what takes less to prepare is not kept, s
+     * @param notes receives at most one line, when a file cannot be written
+     */
+    public static SiteStore standard(double worth, Consumer<String> notes) {
+        return new SiteStore(StorePlace.directory(), MOST_BYTES, worth, notes);
     }
 
     /** Whether anything is kept. */
-    boolean isOn() {
+    public boolean isOn() {
         return directory.isPresent();
     }
 
@@ -80,7 +90,7 @@ final class SiteStore {
     }
 
     /** What was kept under a key; empty if nothing was, or it is damaged. */
-    <T> Optional<T> find(StoreKey key, StoredForm<T> form) {
+    public <T> Optional<T> find(StoreKey key, StoredForm<T> form) {
         if (!mayFind()) {
             return Optional.empty();
         }
@@ -127,7 +137,7 @@ final class SiteStore {
      * @param key only computed if the value is kept
      * @param seconds that it took
      */
-    <T> void keep(Supplier<StoreKey> key, StoredForm<T> form, T value, double seconds) {
+    public <T> void keep(Supplier<StoreKey> key, StoredForm<T> form, T value, double seconds) {
         if (directory.isEmpty() || seconds < worth || failed) {
             return;
         }
@@ -137,7 +147,7 @@ final class SiteStore {
             deleteOldest(there);
         } catch (IOException | SecurityException e) {
             failed = true;
-            notes.accept("the prepared site is not kept for the next start: " + PlainText.line(String.valueOf(e))
+            notes.accept("what was prepared is not kept for the next start: " + PlainText.line(String.valueOf(e))
                     + " (--no-cache avoids the attempt)");
         }
     }

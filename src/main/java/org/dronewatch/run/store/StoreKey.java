@@ -18,7 +18,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param kind what it is, in lower-case letters
  * @param sha256 64 hexadecimal digits in lower case
  */
-record StoreKey(String kind, String sha256) {
+public record StoreKey(String kind, String sha256) {
     private static final int CHUNK = 1 << 15;
 
     /**
@@ -27,7 +27,7 @@ record StoreKey(String kind, String sha256) {
      * @param files as read
      * @param parts texts of everything else that it depends on
      */
-    static StoreKey of(String kind, List<FileHash> files, Object... parts) {
+    public static StoreKey of(String kind, List<FileHash> files, Object... parts) {
         MessageDigest digest = newDigest(kind);
         for (FileHash file : files) {
             add(file.file(), digest);
@@ -39,16 +39,30 @@ record StoreKey(String kind, String sha256) {
         return finished(kind, digest);
     }
 
+    /** A hash of a mesh: of its triangles' corners and materials. */
+    public static String hash(TriangleMesh mesh) {
+        MessageDigest digest = newDigest("mesh");
+        addCorners(mesh, digest);
+        int[] materials = mesh.materials();
+        addAll(materials.length, (bytes, at, count) -> bytes.asIntBuffer().put(materials, at, count), digest);
+        mesh.materialNames().forEach(name -> add(name, digest));
+        return finished("mesh", digest).sha256();
+    }
+
     /** The key of the tree over a mesh: it depends on the triangles' corners alone. */
     static StoreKey of(String kind, TriangleMesh mesh, SahCost costs) {
         MessageDigest digest = newDigest(kind);
         add(String.valueOf(costs), digest);
+        addCorners(mesh, digest);
+        return finished(kind, digest);
+    }
+
+    private static void addCorners(TriangleMesh mesh, MessageDigest digest) {
         add(mesh.vertexCount() + " vertices, " + mesh.triangleCount() + " triangles", digest);
         float[] vertices = mesh.vertices();
         addAll(vertices.length, (bytes, at, count) -> bytes.asFloatBuffer().put(vertices, at, count), digest);
         int[] corners = mesh.corners();
         addAll(corners.length, (bytes, at, count) -> bytes.asIntBuffer().put(corners, at, count), digest);
-        return finished(kind, digest);
     }
 
     /** Adds an array of numbers of four bytes each, part by part. */

@@ -15,7 +15,7 @@ import java.util.zip.CRC32C;
  * allocated, so that a damaged file takes no more memory than it has bytes. What was read must not be used before
  * {@link #finish} has compared the checksum.
  */
-final class StoreReader {
+public final class StoreReader {
     private static final int CHUNK = 1 << 20;
 
     private final ReadableByteChannel source;
@@ -39,17 +39,20 @@ final class StoreReader {
         }
     }
 
-    int nextInt() throws IOException {
+    /** The next whole number. */
+    public int nextInt() throws IOException {
         require(Integer.BYTES);
         return buffer.getInt();
     }
 
-    double nextDouble() throws IOException {
+    /** The next number. */
+    public double nextDouble() throws IOException {
         require(Double.BYTES);
         return buffer.getDouble();
     }
 
-    byte[] nextBytes() throws IOException {
+    /** The next bytes, whose number is before them. */
+    public byte[] nextBytes() throws IOException {
         byte[] values = new byte[length(1)];
         for (int i = 0; i < values.length; i++) {
             require(1);
@@ -71,7 +74,8 @@ final class StoreReader {
         return texts;
     }
 
-    int[] nextInts() throws IOException {
+    /** The next whole numbers, whose number is before them. */
+    public int[] nextInts() throws IOException {
         int[] values = new int[length(Integer.BYTES)];
         inChunks(values.length, Integer.BYTES, (start, some) -> buffer.asIntBuffer()
                 .get(values, start, some));
@@ -92,7 +96,8 @@ final class StoreReader {
         return values;
     }
 
-    double[] nextDoubles() throws IOException {
+    /** The next numbers, whose number is before them. */
+    public double[] nextDoubles() throws IOException {
         double[] values = new double[length(Double.BYTES)];
         for (int i = 0; i < values.length; i++) {
             values[i] = nextDouble();
@@ -101,7 +106,7 @@ final class StoreReader {
     }
 
     /** The length of what follows, of which each part takes at least some bytes. */
-    int length(int bytesEach) throws IOException {
+    public int length(int bytesEach) throws IOException {
         int count = nextInt();
         if (count < 0 || (long) count * bytesEach > left) {
             throw new StreamCorruptedException("length " + count + " with " + left + " bytes left");

@@ -12,7 +12,7 @@ import java.util.zip.CRC32C;
  * Writes arrays and texts one after another, little-endian, each with its length before it, and a checksum of all of
  * them at the end. {@link StoreReader} reads them.
  */
-final class StoreWriter {
+public final class StoreWriter {
     private final WritableByteChannel target;
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(1 << 20).order(ByteOrder.LITTLE_ENDIAN);
     private final CRC32C checksum = new CRC32C();
@@ -21,7 +21,8 @@ final class StoreWriter {
         this.target = target;
     }
 
-    void addInt(int value) throws IOException {
+    /** Adds a whole number. */
+    public void addInt(int value) throws IOException {
         room(Integer.BYTES).putInt(value);
     }
 
@@ -29,7 +30,8 @@ final class StoreWriter {
         room(Double.BYTES).putDouble(value);
     }
 
-    void addBytes(byte[] values) throws IOException {
+    /** Adds bytes with their number before them. */
+    public void addBytes(byte[] values) throws IOException {
         addInt(values.length);
         for (byte value : values) {
             room(1).put(value);
@@ -47,7 +49,8 @@ final class StoreWriter {
         }
     }
 
-    void addInts(int[] values) throws IOException {
+    /** Adds whole numbers with their number before them. */
+    public void addInts(int[] values) throws IOException {
         addInt(values.length);
         for (int value : values) {
             room(Integer.BYTES).putInt(value);
@@ -68,7 +71,8 @@ final class StoreWriter {
         }
     }
 
-    void addDoubles(double[] values) throws IOException {
+    /** Adds numbers with their number before them. */
+    public void addDoubles(double[] values) throws IOException {
         addInt(values.length);
         for (double value : values) {
             room(Double.BYTES).putDouble(value);

@@ -3,7 +3,7 @@ package org.dronewatch.run.store;
 import java.io.IOException;
 
 /** How something is written to the store, and read from it. */
-interface StoredForm<T> {
+public interface StoredForm<T> {
     /**
      * Writes it.
      *

@@ -298,7 +298,7 @@ class PreparedSitesTest {
         isAsWithoutStore(new PreparedSites(site, store, 1, notes::add));
 
         assertThat(notes).hasSize(1);
-        assertThat(notes.get(0)).startsWith("the prepared site is not kept for the next start: ");
+        assertThat(notes.get(0)).startsWith("what was prepared is not kept for the next start: ");
     }
 
     @Test

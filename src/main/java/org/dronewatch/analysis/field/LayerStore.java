@@ -1,0 +1,165 @@
+package org.dronewatch.analysis.field;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.run.store.SiteStore;
+import org.dronewatch.run.store.StoreKey;
+import org.dronewatch.run.store.StoreReader;
+import org.dronewatch.run.store.StoreWriter;
+import org.dronewatch.run.store.StoredForm;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.CanonicalSettings;
+import org.dronewatch.setting.file.FileHash;
+
+/**
+ * Keeps the assessments of each sensor at each height in the user's cache directory, where an equal sensor finds them
+ * again: named by the hash of the world with all of its files, the drone, the sensor, the seed, the courses, the grid,
+ * and this program's code. Sensors and drones of other jars are not kept, since their code is not part of the hash.
+ * Not thread-safe.
+ */
+public final class LayerStore {
+    /** Keeps nothing. */
+    public static final LayerStore NONE = new LayerStore(Optional.empty(), "");
+
+    /** What takes less to assess is not kept, s. */
+    private static final double WORTH = 0.05;
+
+    private static final String KIND = "field";
+    private static final double NANO = 1e-9;
+
+    private final Optional<SiteStore> store;
+
+    /** The mesh of the world that was hashed last, since hashing a large site takes a tenth of a second. */
+    private TriangleMesh hashed;
+
+    private String hash = "";
+
+    /** Everything on which the assessments of all sensors depend. */
+    private final String world;
+
+    private LayerStore(Optional<SiteStore> store, String world) {
+        this.store = store;
+        this.world = world;
+    }
+
+    /**
+     * The store of this process for a scene.
+     *
+     * @param files that were read for it, by their names in the settings
+     */
+    public static LayerStore of(SceneSettings settings, Map<String, List<FileHash>> files, SiteStore store) {
+        if (!store.isOn() || !OwnCode.isAll(settings.world())) {
+            return NONE;
+        }
+        StringBuilder text = new StringBuilder(CanonicalSettings.of(settings.world()));
+        files.entrySet().stream().sorted(Map.Entry.comparingByKey()).forEach(one -> text.append(one)
+                .append('\n'));
+        return new LayerStore(Optional.of(store), text.toString());
+    }
+
+    /** This store for assessments that also depend on a grid. */
+    LayerStore about(FieldGrid grid) {
+        return store.isEmpty() ? this : new LayerStore(store, world + grid);
+    }
+
+    /** The store of this process, which keeps what takes more than 50 ms. */
+    public static SiteStore standard(Consumer<String> notes) {
+        return SiteStore.standard(WORTH, notes);
+    }
+
+    /**
+     * Assesses one height of a layer, as far as it was not kept.
+     *
+     * @param plan where the columns are
+     * @param height its number in the columns
+     * @param name of the height: what was kept under another one is not looked up
+     */
+    void assess(
+            SensorLayer layer,
+            FieldProbe probe,
+            FieldColumns columns,
+            String plan,
+            int height,
+            String name,
+            IntConsumer progress) {
+        if (store.isEmpty()
+                || !OwnCode.isAll(probe.settings())
+                || !OwnCode.isAll(probe.drone().settings())) {
+            layer.assess(probe, columns, height, Optional.empty(), progress);
+            return;
+        }
+        StoreKey key = key(probe, plan, name);
+        SliceForm form = new SliceForm(columns, probe.courses().size());
+        Optional<LayerSlice> former = store.get().find(key, form);
+        long start = System.nanoTime();
+        boolean isNew = layer.assess(probe, columns, height, former, progress);
+        if (isNew) {
+            double seconds = NANO * (System.nanoTime() - start);
+            store.get().keep(() -> key, form, layer.slice(height, columns), seconds);
+        }
+    }
+
+    private StoreKey key(FieldProbe probe, String plan, String name) {
+        DroneSettings drone = probe.drone().settings();
+        List<Object> parts = new ArrayList<>(List.of(
+                world,
+                meshHash(probe),
+                probe.sensor(),
+                probe.settings().getClass().getName(),
+                CanonicalSettings.of((Record) probe.settings()),
+                probe.drone().id(),
+                CanonicalSettings.of(drone),
+                StoreKey.hash(probe.drone().tree().mesh()),
+                probe.seed(),
+                probe.courses(),
+                probe.terms(),
+                plan,
+                name));
+        return StoreKey.of(KIND, List.of(), parts.toArray());
+    }
+
+    private String meshHash(FieldProbe probe) {
+        if (hashed != probe.world().mesh()) {
+            hashed = probe.world().mesh();
+            hash = StoreKey.hash(probe.world().mesh());
+        }
+        return hash;
+    }
+
+    /** The form of a slice: ints columns and rows, doubles heights, then for each row ints entries and bytes. */
+    private record SliceForm(FieldColumns columns, int courses) implements StoredForm<LayerSlice> {
+        @Override
+        public void write(LayerSlice value, StoreWriter target) throws IOException {
+            target.addInt(value.columns());
+            target.addInt(value.entries().length);
+            target.addDoubles(value.z());
+            for (int row = 0; row < value.entries().length; row++) {
+                target.addInts(value.entries()[row]);
+                target.addBytes(value.byCourse()[row]);
+            }
+        }
+
+        @Override
+        public LayerSlice read(StoreReader source) throws IOException {
+            int across = source.nextInt();
+            int rows = source.length(2 * Integer.BYTES);
+            double[] z = source.nextDoubles();
+            int[][] entries = new int[rows][];
+            byte[][] byCourse = new byte[rows][];
+            for (int row = 0; row < rows; row++) {
+                entries[row] = source.nextInts();
+                byCourse[row] = source.nextBytes();
+            }
+            LayerSlice slice = new LayerSlice(across, z, entries, byCourse);
+            slice.check(columns.columns(), columns.rows(), courses);
+            return slice;
+        }
+    }
+}
