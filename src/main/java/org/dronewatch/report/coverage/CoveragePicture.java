@@ -65,7 +65,7 @@ public final class CoveragePicture {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         picture.drawSensors(g);
-        picture.drawScale(g);
+        MapFrame.draw(g, MAP, picture.grid.side());
         picture.drawLegend(g, title, drone, picture.drawCredits(g, credits));
         g.dispose();
         return picture;
@@ -98,11 +98,13 @@ public final class CoveragePicture {
         int row = v * grid.cells() / MAP;
         Color colour = ground;
         if (coverage.isUnknown(column, row)) {
-            return (u + v) / STRIPE % 2 == 0 ? mixed(ground, UNKNOWN, 0.75) : mixed(ground, Color.WHITE, 0.75);
+            return (u + v) / STRIPE % 2 == 0
+                    ? MapSheet.mixed(ground, UNKNOWN, 0.75)
+                    : MapSheet.mixed(ground, Color.WHITE, 0.75);
         }
         for (String kind : colours.kinds()) {
             if (coverage.count(kind, column, row) > 0) {
-                colour = mixed(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
+                colour = MapSheet.mixed(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
             }
         }
         return colour;
@@ -121,13 +123,6 @@ public final class CoveragePicture {
         return false;
     }
 
-    private static Color mixed(Color below, Color above, double share) {
-        return new Color(
-                (int) Math.round((1 - share) * below.getRed() + share * above.getRed()),
-                (int) Math.round((1 - share) * below.getGreen() + share * above.getGreen()),
-                (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
-    }
-
     private void drawSensors(Graphics2D g) {
         coverage.sensors().forEach((id, sensor) -> {
             Position at = sensor.position();
@@ -138,28 +133,6 @@ public final class CoveragePicture {
             g.setColor(colours.of(sensor.kind()));
             g.fillOval(u - 4, v - 4, 8, 8);
         });
-    }
-
-    /** A bar of 1, 2 or 5 times a power of ten, about a fifth of the map; north is up. */
-    private void drawScale(Graphics2D g) {
-        double wanted = 0.2 * grid.side();
-        double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
-        double length = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
-        int pixels = (int) Math.round(length / grid.side() * MAP);
-        int y = MAP - MARGIN;
-        g.setColor(new Color(255, 255, 255, 200));
-        g.fillRect(MARGIN - 12, y - 34, pixels + 24, 46);
-        g.setColor(Color.BLACK);
-        g.setStroke(new BasicStroke(3f));
-        g.drawLine(MARGIN, y, MARGIN + pixels, y);
-        g.setFont(TEXT);
-        g.drawString(String.format(Locale.ROOT, "%.0f m", length), MARGIN, y - 10);
-        g.setColor(new Color(255, 255, 255, 200));
-        g.fillRect(MAP - 58, 12, 44, 66);
-        g.setColor(Color.BLACK);
-        g.fillPolygon(new int[] {MAP - 36, MAP - 46, MAP - 26}, new int[] {18, 46, 46}, 3);
-        g.setFont(TITLE);
-        g.drawString("N", MAP - 43, 70);
     }
 
     /** Draws the credits at the bottom of the panel; returns their height. */
@@ -195,7 +168,7 @@ public final class CoveragePicture {
         y += LINE;
         for (String kind : colours.kinds()) {
             y += LINE;
-            g.setColor(mixed(new Color(0xd8d4cc), colours.of(kind), 0.33));
+            g.setColor(MapSheet.mixed(new Color(0xd8d4cc), colours.of(kind), 0.33));
             g.fillRect(x, y - 14, 22, 16);
             g.setColor(colours.of(kind));
             g.setStroke(new BasicStroke(2f));

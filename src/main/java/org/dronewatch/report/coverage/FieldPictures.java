@@ -21,14 +21,6 @@ import org.dronewatch.world.World;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
 final class FieldPictures {
-    /** From light to dark, so that they keep their order in black and white; above the last one nothing is visible. */
-    private static final Color LOWEST = new Color(0xfff3c4);
-
-    private static final Color HIGHEST = new Color(0x2c4a86);
-    private static final Color HIDDEN = new Color(0x2b2b2b);
-    private static final double STRENGTH = 0.75;
-    private static final double LOWEST_BOUND = 2.5;
-
     /** Lines on a pale map. */
     private static final Color NEAR_GROUND = new Color(0xd55e00);
 
@@ -126,18 +118,19 @@ final class FieldPictures {
         MapSheet sheet = new MapSheet(grid);
         sheet.drawMap(
                 ground,
-                (column, row) -> grid.isOutside(column, row) ? CauseFills.OUTSIDE : fill(grid, least.at(column, row)),
+                (column, row) ->
+                        grid.isOutside(column, row) ? CauseFills.OUTSIDE : HeightFills.of(grid, least.at(column, row)),
                 sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
         words.forEach(sheet::line);
         sheet.space();
         double below = 0.0;
-        for (double bound : bounds(grid)) {
-            sheet.entry(fill(grid, bound), Numbers.text(below) + " to " + metres(bound));
+        for (double bound : HeightFills.bounds(grid)) {
+            sheet.entry(HeightFills.of(grid, bound), Numbers.text(below) + " to " + metres(bound));
             below = bound;
         }
-        sheet.entry(fill(grid, Double.NaN), "not up to that height, or no ground");
+        sheet.entry(HeightFills.of(grid, Double.NaN), "not up to that height, or no ground");
         sheet.space();
         sheet.line("cells of " + metres(grid.cell()));
         sheet.caption(caption);
@@ -225,29 +218,6 @@ final class FieldPictures {
                         .map(corner -> new Position(corner.x(), corner.y(), 0.0))
                         .toList()));
         return outlines;
-    }
-
-    private static MapSheet.Fill fill(FieldGrid grid, double height) {
-        List<Double> bounds = bounds(grid);
-        int last = bounds.size() - 1;
-        for (int i = 0; i <= last; i++) {
-            if (height <= bounds.get(i)) {
-                Color colour = MapSheet.mixed(LOWEST, HIGHEST, last == 0 ? 0.0 : (double) i / last);
-                return (u, v, ground) -> MapSheet.mixed(ground, colour, STRENGTH);
-            }
-        }
-        return (u, v, ground) -> MapSheet.mixed(ground, HIDDEN, STRENGTH);
-    }
-
-    /** Upper bounds of the classes of height: each is twice the one below, and the last is the top of the grid. */
-    private static List<Double> bounds(FieldGrid grid) {
-        double top = grid.heights().get(grid.heights().size() - 1);
-        List<Double> bounds = new ArrayList<>();
-        for (double bound = LOWEST_BOUND; bound < top; bound *= 2.0) {
-            bounds.add(bound);
-        }
-        bounds.add(top);
-        return bounds;
     }
 
     private static String metres(double length) {

@@ -10,14 +10,12 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
-import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Credits;
-import org.dronewatch.report.Numbers;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.world.World;
 
@@ -30,7 +28,6 @@ final class MapSheet {
     private static final int SMALL_LINE = 16;
     private static final int SWATCH_WIDTH = 22;
     private static final int SWATCH_HEIGHT = 16;
-    private static final Color PALE = new Color(255, 255, 255, 200);
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
 
@@ -84,7 +81,7 @@ final class MapSheet {
             }
         }
         sensors.forEach(this::drawSensor);
-        drawScale();
+        MapFrame.draw(g, MAP, side);
     }
 
     private int column(Position at) {
@@ -135,28 +132,6 @@ final class MapSheet {
             g.setColor(Color.BLACK);
             g.fillOval(u - 4, v - 4, 8, 8);
         }
-    }
-
-    /** A bar of 1, 2 or 5 times a power of ten, about a fifth of the map; north is up. */
-    private void drawScale() {
-        double wanted = 0.2 * side;
-        double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
-        double length = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
-        int pixels = (int) Math.round(length / side * MAP);
-        int y = MAP - MARGIN;
-        g.setColor(PALE);
-        g.fillRect(MARGIN - 12, y - 34, pixels + 24, 46);
-        g.setColor(Color.BLACK);
-        g.setStroke(new BasicStroke(3f));
-        g.drawLine(MARGIN, y, MARGIN + pixels, y);
-        g.setFont(TEXT);
-        g.drawString(String.format(Locale.ROOT, "%s m", Numbers.text(length)), MARGIN, y - 10);
-        g.setColor(PALE);
-        g.fillRect(MAP - 58, 12, 44, 66);
-        g.setColor(Color.BLACK);
-        g.fillPolygon(new int[] {MAP - 36, MAP - 46, MAP - 26}, new int[] {18, 46, 46}, 3);
-        g.setFont(TITLE);
-        g.drawString("N", MAP - 43, 70);
     }
 
     /** Writes the credits that the data of the site require, at the bottom of the legend. */

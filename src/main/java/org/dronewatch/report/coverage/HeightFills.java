@@ -1,0 +1,41 @@
+package org.dronewatch.report.coverage;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.analysis.field.FieldGrid;
+
+/** How heights look on a map: from light to dark, so that they keep their order in black and white. */
+final class HeightFills {
+    private static final Color LOWEST = new Color(0xfff3c4);
+    private static final Color HIGHEST = new Color(0x2c4a86);
+    private static final Color NONE = new Color(0x2b2b2b);
+    private static final double STRENGTH = 0.75;
+    private static final double LOWEST_BOUND = 2.5;
+
+    private HeightFills() {}
+
+    /** The fill of a height, m; NaN where there is none up to the top of the grid. */
+    static MapSheet.Fill of(FieldGrid grid, double height) {
+        List<Double> bounds = bounds(grid);
+        int last = bounds.size() - 1;
+        for (int i = 0; i <= last; i++) {
+            if (height <= bounds.get(i)) {
+                Color colour = MapSheet.mixed(LOWEST, HIGHEST, last == 0 ? 0.0 : (double) i / last);
+                return (u, v, ground) -> MapSheet.mixed(ground, colour, STRENGTH);
+            }
+        }
+        return (u, v, ground) -> MapSheet.mixed(ground, NONE, STRENGTH);
+    }
+
+    /** Upper bounds of the classes of height, m: each is twice the one below, and the last is the top of the grid. */
+    static List<Double> bounds(FieldGrid grid) {
+        double top = grid.heights().get(grid.heights().size() - 1);
+        List<Double> bounds = new ArrayList<>();
+        for (double bound = LOWEST_BOUND; bound < top; bound *= 2.0) {
+            bounds.add(bound);
+        }
+        bounds.add(top);
+        return bounds;
+    }
+}
