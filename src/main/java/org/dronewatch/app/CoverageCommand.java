@@ -57,8 +57,6 @@ import picocli.CommandLine.Spec;
             "  dronewatch coverage multi-sensor --heights 10m,30m --side 400m --out field",
             "  dronewatch coverage scenes/hill-radar.yaml --within 5s --covered 0.9",
             "  dronewatch coverage scenes/cued-camera.yaml --pointing search --within 30s",
-            "  dronewatch coverage scenes/meadow.yaml --side 3km \\",
-            "      --conditions scenes/conditions/weather.yaml",
             "  dronewatch coverage scenes/monaco.yaml --area stadium --out field",
             "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"
         })

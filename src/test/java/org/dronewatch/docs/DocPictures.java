@@ -44,13 +44,13 @@ final class DocPictures {
             slow(tutorial("harbour", "render DIR/harbour.yaml --view orbit --time 30 --out OUT")),
             slow(tutorial(
                     "harbour-coverage", "coverage DIR/harbour.yaml --side 1500 --height 30 --cells 40 --out OUT")),
-            map(
+            slow(map(
                     "coverage-causes",
                     "coverage multi-sensor --side 400m --cell 8m --heights 10m --out OUT",
-                    "cause-10.png"),
+                    "cause-10.png")),
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
-            file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT"),
+            slow(file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT")),
             file(
                     "colour-noon",
                     "render scenes/daylight.yaml --camera garden --colour --samples 4 --time 11"
@@ -73,7 +73,7 @@ final class DocPictures {
                     "decay-microphone-quadrotor")),
             new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), false),
             new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
-            new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), false),
+            new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), true),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0));
 

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.dronewatch.LongForm;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
@@ -24,7 +26,7 @@ import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Whole runs in which an observer watches a thermal camera, against what its assessments predict without any draw. */
 class ObserverRunsTest {
@@ -94,8 +96,12 @@ class ObserverRunsTest {
         return found;
     }
 
+    static DoubleStream rates() {
+        return LongForm.IS_ON ? DoubleStream.of(5, 25, 50) : DoubleStream.of(5, 50);
+    }
+
     @ParameterizedTest
-    @ValueSource(doubles = {5, 25, 50})
+    @MethodSource("rates")
     void asManyAreFoundAsPredictedWhateverTheFrameRate(double rate) {
         SceneResult result = new SceneRunner(new Approaching(rate)).seed(11).run();
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.HashMap;
 import java.util.Map;
+import org.dronewatch.LongForm;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
@@ -24,9 +25,9 @@ import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.junit.jupiter.api.Test;
 
-/** A thousand runs of one scene that differ in their seeds only, against the closed form of what they should give. */
+/** Hundreds of runs of one scene that differ in their seeds only, against the closed form of what they should give. */
 class SeededRunsTest {
-    private static final int RUNS = 1000;
+    private static final int RUNS = LongForm.count(500, 1000);
     private static final long FIRST_SEED = 42_000;
     private static final double SIGMAS = 3.0;
 

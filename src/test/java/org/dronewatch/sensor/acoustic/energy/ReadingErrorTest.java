@@ -51,7 +51,7 @@ class ReadingErrorTest {
         SoundSites site = place.site.get();
         Sample there = check(site, Criterion.A_WEIGHTED, place.drone, place.microphone, place + " to the microphone");
         Sample back = check(site, Criterion.A_WEIGHTED, place.microphone, place.drone, place + ", places exchanged");
-        if (LongForm.IS_ON || place == Place.ROOM || place == Place.CANYON) {
+        if (LongForm.IS_ON || place == Place.ROOM) {
             check(site, Criterion.BEST_BAND, place.drone, place.microphone, place + ", best band");
         }
         // The means of a hundred readings, to a tenth of what one allows.
