@@ -20,11 +20,15 @@ import java.util.stream.IntStream;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.camera.CameraSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Each number of the table about grass, night and rain is that of the run whose settings its row states. */
+/**
+ * Each number of the table about grass, night and rain is that of the run whose settings its row states, or follows
+ * from the probabilities of that run.
+ */
 class MeadowTableTest {
     private static final Path PAGE = Path.of("src/site/markdown/means.md");
     private static final Path SCENE = Path.of("scenes/meadow.yaml");
@@ -54,7 +58,7 @@ class MeadowTableTest {
 
     static List<Row> rows() throws IOException {
         String section =
-                Files.readString(PAGE).split("## Grass, night and rain\n", 2)[1].split("\n## ", 2)[0];
+                Files.readString(PAGE).split("## Grass, night and rain\n", 2)[1].split("\n##", 2)[0];
         return section.lines()
                 .filter(line -> line.startsWith("|") && !line.startsWith("|-") && !line.startsWith("| |"))
                 .map(Row::of)
@@ -76,7 +80,7 @@ class MeadowTableTest {
         assertThat(rows().get(5).settings()).hasSize(2);
     }
 
-    /** One run of each row; none of them decides by its seed, since medians follow from all probabilities of a run. */
+    /** One run of each row. Its seed makes no difference: medians follow from probabilities, which draw nothing. */
     private static final Map<String, List<Observation>> RUNS = new HashMap<>();
 
     private static synchronized List<Observation> run(List<String[]> settings, long seed) {
@@ -138,33 +142,55 @@ class MeadowTableTest {
         return at(all, "radar", 1000).figures().get(Observation.PROBABILITY);
     }
 
-    /** Of twenty other seeds: as many first detections beyond each quantile as binomial scatter allows. */
+    /** The observer of the closed form is that of the scene: another way to decide has other first detections. */
     @Test
-    void simulatedRunsScatterAsTheQuantilesSay() {
-        int runs = 20;
-        List<String[]> radarOnly = List.of(
-                new String[] {"sensors.camera.enabled", "false"}, new String[] {"sensors.radio.enabled", "false"});
+    void theSceneHasTheObserverOfTheClosedForm() {
+        CameraSettings camera =
+                (CameraSettings) new SceneFile(SCENE).describe().sensors().get("camera");
+        assertThat(camera.detection().byChance()).isTrue();
+    }
+
+    @Test
+    void firstDetectionsByTheRadarScatterAsTheQuantilesSay() {
         List<Observation> looks = of(run(List.of(), 1), "radar");
-        double[] detected = FirstDetections.independentLooks(looks);
-        List<Double> first = new ArrayList<>();
-        for (int seed = 100; seed < 100 + runs; seed++) {
-            first.add(of(run(radarOnly, seed), "radar").stream()
-                    .filter(Observation::isDetected)
-                    .findFirst()
-                    .orElseThrow()
-                    .range());
-        }
+        scatter(looks, FirstDetections.independentLooks(looks), first("radar", "camera", 100, 20));
+    }
+
+    @Test
+    void firstDetectionsByTheCameraScatterAsTheQuantilesSay() {
+        List<Observation> looks = of(run(List.of(), 1), "camera");
+        scatter(looks, FirstDetections.observers(looks), first("camera", "radar", 200, 20));
+    }
+
+    /** The ranges of the first detections by a sensor with some seeds, m; 0 for none. */
+    private static double[] first(String sensor, String other, int seed, int runs) {
+        List<String[]> alone = List.of(
+                new String[] {"sensors." + other + ".enabled", "false"},
+                new String[] {"sensors.radio.enabled", "false"});
+        return IntStream.range(seed, seed + runs)
+                .mapToDouble(i -> of(run(alone, i), sensor).stream()
+                        .filter(Observation::isDetected)
+                        .mapToDouble(Observation::range)
+                        .findFirst()
+                        .orElse(0.0))
+                .toArray();
+    }
+
+    /** As many first detections lie beyond each quantile as binomial scatter allows, four standard deviations. */
+    private static void scatter(List<Observation> looks, double[] detected, double[] first) {
         for (double share : new double[] {0.1, 0.5, 0.9}) {
             double range = FirstDetections.quantile(looks, detected, share).orElseThrow();
             int look = IntStream.range(0, detected.length)
                     .filter(i -> detected[i] >= share)
                     .findFirst()
                     .orElseThrow();
-            double farther = first.stream().filter(one -> one >= range - 1e-6).count();
-            double expected = runs * detected[look];
+            double farther =
+                    Arrays.stream(first).filter(one -> one >= range - 1e-6).count();
             assertThat(farther)
-                    .as("seeds 100 to %d, first detections beyond %.0f m", 99 + runs, range)
-                    .isCloseTo(expected, within(4.0 * Math.sqrt(runs * share * (1.0 - share))));
+                    .as("of %d seeds, first detections beyond %.0f m: %s", first.length, range, Arrays.toString(first))
+                    .isCloseTo(
+                            first.length * detected[look],
+                            within(4.0 * Math.sqrt(first.length * share * (1.0 - share))));
         }
     }
 
