@@ -149,7 +149,8 @@ final class AlarmsCommand implements Callable<Integer> {
 
     private String wanted(SceneSettings settings) {
         if (!(perHour > 0.0 && perHour <= MOST_PER_HOUR)) {
-            throw new InputException("--per-hour " + perHour + ": must be above 0 and at most 1e7");
+            throw new InputException(
+                    "--per-hour " + Quantity.NUMBER.inWords(perHour) + ": must be above 0 and at most 1e7");
         }
         SensorSettings<?> named = settings.sensors().get(sensor);
         String given = "--sensor " + PlainText.value(sensor) + ": ";

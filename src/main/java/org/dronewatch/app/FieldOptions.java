@@ -28,6 +28,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
@@ -242,7 +243,7 @@ final class FieldOptions {
     double covered() {
         double asked = covered == null ? DEFAULT_COVERED : covered;
         if (!(asked > 0.0 && asked <= 1.0)) {
-            throw new InputException(COVERED + " " + covered + ": must be above 0 and at most 1");
+            throw new InputException(COVERED + " " + Quantity.RATIO.inWords(asked) + ": must be above 0 and at most 1");
         }
         return asked;
     }

@@ -129,7 +129,8 @@ class AlarmsCommandTest {
     @Test
     void wrongUsage() {
         assertError("--sensor and --per-hour belong together: give both or neither", "--sensor", "radar");
-        assertError("--per-hour 0.0: must be above 0 and at most 1e7", "--sensor", "radar", "--per-hour", "0");
+        assertError("--per-hour 0: must be above 0 and at most 1e7", "--sensor", "radar", "--per-hour", "0");
+        assertError("--per-hour 1e9: must be above 0 and at most 1e7", "--sensor", "radar", "--per-hour", "1e9");
         assertError("--sensor nobody: no such sensor", "--sensor", "nobody", "--per-hour", "1");
         assertError(
                 "--sensor camera: is of kind camera, whose rate is set, not computed",

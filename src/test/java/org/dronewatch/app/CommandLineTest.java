@@ -66,7 +66,7 @@ class CommandLineTest extends CommandLines {
                 "coverage camera-range --heights 30,10                   | height 10.0 m | ascending order",
                 "coverage camera-range --cell 1mm                        | 500000 cells | at most 2000",
                 "coverage camera-range --heading north                   | --heading north | worst, best or inbound",
-                "coverage camera-range --covered 0                       | --covered 0.0 | above 0 and at most 1",
+                "coverage camera-range --covered 0                       | --covered 0: | above 0 and at most 1",
                 "coverage camera-range --height 10                       | --height      | needs --out FILE.png",
                 "coverage camera-range --cells 10 --out DIR/field        | --cells       | needs --out FILE.png",
                 "coverage camera-range --heights 10 --out DIR/a.png      | --heights     | a plan",

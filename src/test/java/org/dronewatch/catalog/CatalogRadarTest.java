@@ -123,9 +123,19 @@ class CatalogRadarTest {
         assertThat(dwelling.advice())
                 .containsExactly(
                         "a beam of 2 x 10 deg needs 90 positions for 90 x 20 deg: at an integrationTime of 0.02 s"
-                                + " each, a scan takes 1.8 s, not 0.142 s; lower the rate to 0.555 Hz, or the integrationTime to"
+                                + " each, a scan takes 1.8 s, not 0.1429 s; lower the rate to 0.555 Hz, or the integrationTime to"
                                 + " 0.00158 s");
         assertThat(dwelling.withRate(0.555).advice()).isEmpty();
+        // Ten pulses, each of which is integrated for 20 ms: 18 s.
+        RadarSettings pulsed = dwelling.withDetection(new RadarDetection.Chance(1e-6, 10));
+        assertThat(pulsed.advice())
+                .containsExactly(
+                        "a beam of 2 x 10 deg needs 90 positions for 90 x 20 deg: at 10 pulses with an integrationTime of"
+                                + " 0.02 s each, a scan takes 18 s, not 0.1429 s; lower the rate to 0.0555 Hz, the number"
+                                + " of pulses, or the integrationTime to 0.000158 s");
+        assertThat(pulsed.withRate(0.0555).advice()).isEmpty();
+        assertThat(pulsed.withBudget(sheet.withIntegrationTime(0.000158)).advice())
+                .isEmpty();
         assertThat(pencil.withBudget(sheet.withGain(40)).advice())
                 .containsExactly("an antenna of 40 dBi cannot have a beam of 2 x 10 deg: its gain is at most 33.1 dBi");
     }

@@ -43,7 +43,10 @@ public sealed interface LinkBudget {
     /** Gain of the narrower of its antennas, dBi, which determines the number of beams; empty if it is not stated. */
     OptionalDouble narrowerGain();
 
-    /** For how long each beam dwells on its position, s; empty if it is not stated. */
+    /**
+     * The coherent integration time of a pulse, s; empty if it is not stated. A beam dwells on its position for as many
+     * of these times as a look integrates pulses.
+     */
     OptionalDouble dwell();
 
     /** The radial speed above which an echo leaves its range cell during integration, m/s; infinity if unknown. */
@@ -58,7 +61,7 @@ public sealed interface LinkBudget {
      *
      * @param power transmitted power, 1e-9 to 1e9 W
      * @param gain gain of the antenna Gt, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
-     * @param integrationTime coherent integration time, 1e-9 to 10 s
+     * @param integrationTime coherent integration time of each pulse, 1e-9 to 10 s
      * @param sweepBandwidth bandwidth of the transmitted signal, 1 to 1e12 Hz
      * @param noiseFigure noise figure of the receiver, -20 to 60 dB
      * @param losses total system losses, 0 to 60 dB
@@ -156,7 +159,7 @@ public sealed interface LinkBudget {
      * @param fluctuation fluctuation of that target
      * @param gain gain of its antenna, -20 to 80 dBi; with integrationTime, it only serves to check that the radar has
      *     time for its scan, since the range already includes it
-     * @param integrationTime coherent integration time in each position of the beam, 1e-9 to 10 s, for the same check
+     * @param integrationTime coherent integration time of each pulse, 1e-9 to 10 s, for the same check
      */
     record DataSheet(
             @In(value = Quantity.LENGTH, from = 0.1, to = 1e6) double range,

@@ -1,13 +1,12 @@
 package org.dronewatch.sensor.radar;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
+import org.dronewatch.setting.AdvisedLimit;
+import org.dronewatch.setting.Quantity;
 
 /** Warnings about settings of a radar that contradict each other. */
 final class RadarAdvice {
@@ -23,11 +22,10 @@ final class RadarAdvice {
         return radar.beam()
                 .filter(one -> gain > one.largestGain())
                 .map(one -> String.format(
-                        "an antenna of %s dBi cannot have a beam of %s x %s deg: its gain is at most %s dBi",
-                        rounded(gain),
-                        rounded(Math.toDegrees(one.azimuthBeamwidth())),
-                        rounded(Math.toDegrees(one.elevationBeamwidth())),
-                        rounded(one.largestGain())));
+                        "an antenna of %s dBi cannot have a beam of %s: its gain is at most %s dBi",
+                        Quantity.LEVEL.inBrief(gain),
+                        degrees(one.azimuthBeamwidth(), one.elevationBeamwidth()),
+                        AdvisedLimit.inWords(one.largestGain())));
     }
 
     /** That of the transmitting antenna, dBi. */
@@ -35,48 +33,45 @@ final class RadarAdvice {
         return budget instanceof Hardware hardware ? OptionalDouble.of(hardware.gain()) : budget.narrowerGain();
     }
 
+    /** A scan that dwells in each position for all its pulses, each of which takes a whole integration time. */
     private static Optional<String> scan(RadarSettings radar) {
         OptionalDouble positions = radar.cells().beams(radar.budget().narrowerGain());
-        OptionalDouble dwell = radar.budget().dwell();
-        if (positions.isEmpty() || dwell.isEmpty()) {
+        OptionalDouble integration = radar.budget().dwell();
+        if (positions.isEmpty() || integration.isEmpty()) {
             return Optional.empty();
         }
         long beams = (long) positions.getAsDouble();
-        double scan = beams * dwell.getAsDouble();
-        if (scan * radar.rate() <= 1.0 + 1e-9) {
-            return Optional.empty();
-        }
-        return Optional.of(String.format(
-                "%s for %s x %s deg: at an integrationTime of %s s each, a scan takes %s s, not %s s; lower the rate to"
-                        + " %s Hz, or the integrationTime to %s s",
+        double scan = beams * radar.detection().pulses() * integration.getAsDouble();
+        return scan * radar.rate() <= 1.0 + 1e-9 ? Optional.empty() : Optional.of(tooLong(radar, beams, scan));
+    }
+
+    private static String tooLong(RadarSettings radar, long beams, double scan) {
+        int pulses = radar.detection().pulses();
+        return String.format(
+                "%s for %s: at %san integrationTime of %s s each, a scan takes %s s, not %s s; lower the rate to %s Hz,"
+                        + " %sor the integrationTime to %s s",
                 need(radar, beams),
-                rounded(Math.toDegrees(radar.azimuthWidth())),
-                rounded(Math.toDegrees(radar.elevationWidth())),
-                rounded(dwell.getAsDouble()),
-                rounded(scan),
-                rounded(1.0 / radar.rate()),
-                rounded(1.0 / scan),
-                rounded(1.0 / (radar.rate() * beams))));
+                degrees(radar.azimuthWidth(), radar.elevationWidth()),
+                pulses == 1 ? "" : pulses + " pulses with ",
+                Quantity.DURATION.inBrief(scan / (beams * pulses)),
+                Quantity.DURATION.inBrief(scan),
+                Quantity.DURATION.inBrief(1.0 / radar.rate()),
+                AdvisedLimit.inWords(1.0 / scan),
+                pulses == 1 ? "" : "the number of pulses, ",
+                AdvisedLimit.inWords(1.0 / (radar.rate() * beams * pulses)));
     }
 
     private static String need(RadarSettings radar, long beams) {
         return radar.beam()
                 .map(one -> String.format(
-                        "a beam of %s x %s deg needs %d position%s",
-                        rounded(Math.toDegrees(one.azimuthBeamwidth())),
-                        rounded(Math.toDegrees(one.elevationBeamwidth())),
-                        beams,
-                        beams == 1 ? "" : "s"))
+                        "a beam of %s needs %d position%s",
+                        degrees(one.azimuthBeamwidth(), one.elevationBeamwidth()), beams, beams == 1 ? "" : "s"))
                 .orElseGet(() -> String.format(
                         "an antenna of %s dBi needs at least %d beams",
-                        rounded(radar.budget().narrowerGain().orElseThrow()), beams));
+                        Quantity.LEVEL.inBrief(radar.budget().narrowerGain().orElseThrow()), beams));
     }
 
-    /** Three digits, rounded down, so that what is advised is enough. */
-    private static String rounded(double value) {
-        return new BigDecimal(value * (1.0 + 1e-12))
-                .round(new MathContext(3, RoundingMode.DOWN))
-                .stripTrailingZeros()
-                .toPlainString();
+    private static String degrees(double azimuth, double elevation) {
+        return Quantity.ANGLE.inBrief(azimuth) + " x " + Quantity.ANGLE.inBrief(elevation) + " deg";
     }
 }

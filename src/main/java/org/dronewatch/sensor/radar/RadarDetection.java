@@ -142,7 +142,7 @@ public sealed interface RadarDetection {
      *
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param pulses number of pulses per look that are integrated non-coherently, 1 to 1000; the signal-to-noise ratio
-     *     is that of one of them
+     *     is that of one of them, and each takes the whole {@code integrationTime} of the budget
      */
     record Chance(
             @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,

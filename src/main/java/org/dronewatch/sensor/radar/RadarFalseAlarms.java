@@ -61,8 +61,9 @@ public record RadarFalseAlarms(
         double all = cells(scan, budget);
         double each = probability(budget, detection);
         if (all * each > FalseAlarmRate.MOST_PER_LOOK) {
-            throw new IllegalArgumentException("falseAlarms: " + (float) all + " cells with a probability of " + each
-                    + " each raise " + (float) (all * each) + " false alarms per scan, must be at most "
+            throw new IllegalArgumentException("falseAlarms: " + Quantity.NUMBER.inWords(Math.rint(all))
+                    + " cells with a probability of " + Quantity.NUMBER.inWords(each) + " each raise "
+                    + Quantity.NUMBER.inBrief(all * each) + " false alarms per scan, must be at most "
                     + (int) FalseAlarmRate.MOST_PER_LOOK);
         }
         return new FalseAlarmRate(all * each, (long) Math.max(1.0, Math.floor(all / gate)), 1, scans);

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.dronewatch.setting.AdvisedLimit;
+import org.dronewatch.setting.Quantity;
 
 /** Warnings about settings of a receiver that contradict each other, or that change nothing. */
 final class RfAdvice {
@@ -37,20 +39,20 @@ final class RfAdvice {
     private static Optional<String> dwells(RfSettings receiver) {
         return receiver.dwell()
                 .filter(dwell -> dwell.time() * dwell.count() * receiver.rate() > 1.0 + ROUNDING)
-                .map(dwell -> dwell.count() + " x " + (float) dwell.time() + " s of dwell take longer than a look, "
-                        + (float) (1.0 / receiver.rate()) + " s: state a rate of at most "
-                        + (float) (1.0 / (dwell.time() * dwell.count())) + " Hz");
+                .map(dwell -> dwell.count() + " x " + Quantity.DURATION.inBrief(dwell.time())
+                        + " s of dwell take longer than a look, " + Quantity.DURATION.inBrief(1.0 / receiver.rate())
+                        + " s: state a rate of at most " + AdvisedLimit.inWords(1.0 / (dwell.time() * dwell.count()))
+                        + " Hz");
     }
 
     private static Optional<String> gain(RfSettings receiver) {
         return receiver.beam()
                 .filter(beam -> receiver.gain() > beam.largestGain())
                 .map(beam -> String.format(
-                        Locale.ROOT,
-                        "an antenna of %.1f dBi cannot have a beam of %.1f x %.1f deg: its gain is at most %.1f dBi",
-                        receiver.gain(),
-                        Math.toDegrees(beam.azimuthBeamwidth()),
-                        Math.toDegrees(beam.elevationBeamwidth()),
-                        beam.largestGain()));
+                        "an antenna of %s dBi cannot have a beam of %s x %s deg: its gain is at most %s dBi",
+                        Quantity.LEVEL.inBrief(receiver.gain()),
+                        Quantity.ANGLE.inBrief(beam.azimuthBeamwidth()),
+                        Quantity.ANGLE.inBrief(beam.elevationBeamwidth()),
+                        AdvisedLimit.inWords(beam.largestGain())));
     }
 }

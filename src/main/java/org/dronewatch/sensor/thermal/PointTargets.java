@@ -2,6 +2,7 @@ package org.dronewatch.sensor.thermal;
 
 import java.util.Map;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
+import org.dronewatch.setting.AdvisedLimit;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -156,8 +157,9 @@ public record PointTargets(
      */
     void checkFrames(double looks) {
         if (frameRate > MOST_FRAMES * looks) {
-            throw new IllegalArgumentException("pointTargets.frameRate " + (float) frameRate + " Hz with a rate of "
-                    + (float) looks + " Hz must be at most " + (float) (MOST_FRAMES * looks) + " Hz: "
+            throw new IllegalArgumentException("pointTargets.frameRate " + Quantity.FREQUENCY.inWords(frameRate)
+                    + " with a rate of " + Quantity.FREQUENCY.inWords(looks) + " must be at most "
+                    + AdvisedLimit.inWords(MOST_FRAMES * looks) + " Hz: "
                     + (int) MOST_FRAMES + " frames in a look");
         }
     }
@@ -171,8 +173,9 @@ public record PointTargets(
     void checkRate(double looks) {
         double most = FalseAlarmRate.MOST_PER_LOOK * SECONDS_PER_HOUR * looks / longest(looks);
         if (falseAlarmsPerHour > most) {
-            throw new IllegalArgumentException("pointTargets.falseAlarmsPerHour " + (float) falseAlarmsPerHour
-                    + " at " + (float) looks + " looks a second must be at most " + (float) most + ": "
+            throw new IllegalArgumentException("pointTargets.falseAlarmsPerHour "
+                    + Quantity.NUMBER.inWords(falseAlarmsPerHour) + " at " + Quantity.NUMBER.inWords(looks)
+                    + " looks a second must be at most " + AdvisedLimit.inWords(most) + ": "
                     + (int) FalseAlarmRate.MOST_PER_LOOK + " at a time");
         }
     }

@@ -101,9 +101,8 @@ class RadarFalseAlarmsTest {
                         .withFalseAlarms(none.withCells(10).withProbability(1e-6)))
                 .hasMessageContaining("exclude each other");
         assertThatThrownBy(() -> blighter().withFalseAlarms(none.withProbability(1e-4)))
-                .hasMessage(
-                        "falseAlarms: 5.0373696E7 cells with a probability of 1.0E-4 each raise 5037.3696 false alarms per"
-                                + " scan, must be at most 1000");
+                .hasMessage("falseAlarms: 50373696 cells with a probability of 0.0001 each raise 5037 false alarms per"
+                        + " scan, must be at most 1000");
         assertThatThrownBy(() -> none.withGate(0.5)).hasMessage("gate 0.5 must be 1 to 1e6");
     }
 }

@@ -138,12 +138,17 @@ class RfBeamTest {
         assertThat(ROUND.advice()).isEmpty();
         assertThat(EAST.withGain(16).advice())
                 .containsExactly(
-                        "an antenna of 16.0 dBi cannot have a beam of 60.0 x 20.0 deg: its gain is at most 15.4 dBi");
+                        "an antenna of 16 dBi cannot have a beam of 60 x 20 deg: its gain is at most 15.3 dBi");
         RfSettings dwelling =
                 SettingsForm.with(ROUND, "rate", 4.0).withDwell(Dwell.of(0.05).withCount(5));
         assertThat(dwelling.advice()).isEmpty();
         assertThat(SettingsForm.with(dwelling, "rate", 5.0).advice())
-                .containsExactly("5 x 0.05 s of dwell take longer than a look, 0.2 s: state a rate of at most 4.0 Hz");
+                .containsExactly("5 x 0.05 s of dwell take longer than a look, 0.2 s: state a rate of at most 4 Hz");
+        RfSettings slow = dwelling.withDwell(Dwell.of(0.03).withCount(1000));
+        assertThat(slow.advice())
+                .containsExactly(
+                        "1000 x 0.03 s of dwell take longer than a look, 0.25 s: state a rate of at most 0.0333 Hz");
+        assertThat(SettingsForm.with(slow, "rate", 0.0333).advice()).isEmpty();
         // Another sensor may hand its aim over to an omnidirectional antenna in its place: that is no mistake.
         assertThat(ROUND.withAim(new Aim.Direction(1, 0)).advice()).isEmpty();
     }

@@ -275,15 +275,14 @@ class PointTargetLooksTest {
         assertThat(settings.withRate(5.0).falseAlarmRate().orElseThrow().perHour())
                 .isCloseTo(40.0, within(1e-6));
         assertThatThrownBy(() -> settings.withRate(0.02))
-                .hasMessage("pointTargets.frameRate 25.0 Hz with a rate of 0.02 Hz must be at most 20.0 Hz: 1000 frames"
+                .hasMessage("pointTargets.frameRate 25 Hz with a rate of 0.02 Hz must be at most 20 Hz: 1000 frames"
                         + " in a look");
         FalseAlarms counted = new FalseAlarms(70.0, 5, 1.0);
         assertThat(settings.withFalseAlarms(counted).falseAlarmRate()).contains(counted.rate(25));
         assertThat(CAMERA.falseAlarmRate()).isEmpty();
         assertThatThrownBy(() -> CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9)))
-                .hasMessage(
-                        "pointTargets.falseAlarmsPerHour 1.0E9 at 25.0 looks a second must be at most 3.0E7: 1000 at"
-                                + " a time");
+                .hasMessage("pointTargets.falseAlarmsPerHour 1e9 at 25 looks a second must be at most 3e7: 1000 at"
+                        + " a time");
         assertThat(CAMERA.withFalseAlarms(counted)
                         .withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9))
                         .falseAlarmRate())

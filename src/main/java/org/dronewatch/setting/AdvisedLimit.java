@@ -1,0 +1,25 @@
+package org.dronewatch.setting;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/** An upper limit in a message, such that whoever sets exactly that value keeps within the limit. */
+public final class AdvisedLimit {
+    private static final MathContext DOWN = new MathContext(3, RoundingMode.FLOOR);
+
+    /** A limit that is a round number but for the rounding of its computation is that number. */
+    private static final double ROUNDING = 1e-12;
+
+    private AdvisedLimit() {}
+
+    /**
+     * A limit in three digits, rounded down: {@code 0.0333} for 1/30. It may exceed the limit by a fraction of 1e-12.
+     *
+     * @param limit finite
+     */
+    public static String inWords(double limit) {
+        BigDecimal rounded = new BigDecimal(limit + ROUNDING * Math.abs(limit)).round(DOWN);
+        return Quantity.NUMBER.inWords(rounded.doubleValue());
+    }
+}
