@@ -19,6 +19,9 @@ final class BuildingReport {
     /** Further above or below the ground than most foundations, m. */
     private static final double FLOATING = 3.0;
 
+    /** Roofs that are lower than the ground by less are as high, m. */
+    private static final double ROUNDED = 0.05;
+
     private static final String OPEN_STREET_MAP =
             "map data from OpenStreetMap, (c) OpenStreetMap contributors, Open Database License:"
                     + " openstreetmap.org/copyright";
@@ -35,6 +38,9 @@ final class BuildingReport {
     private int assumed;
     private int fromLevels;
     private int unusable;
+    private int buried;
+    private double deepest;
+    private String deepestBuried = "";
     private double area;
     private int woods;
     private double woodArea;
@@ -54,6 +60,27 @@ final class BuildingReport {
         doubts.computeIfAbsent(what, any -> new ArrayList<>()).add(id);
     }
 
+    /**
+     * Records the ground under a building or part that was built.
+     *
+     * @param top of its roof above the lowest ground, m
+     * @param climb of the ground under it, from the lowest to the highest, m
+     */
+    void compare(String id, double top, double climb) {
+        if (climb - top > ROUNDED) {
+            buried++;
+            if (climb - top > deepest) {
+                deepest = climb - top;
+                deepestBuried = String.format(
+                        Locale.ROOT,
+                        "%s is %.1f m high on ground that climbs by %.1f m",
+                        id,
+                        tenths(top),
+                        tenths(climb));
+            }
+        }
+    }
+
     /** Records a building or part that was built. */
     void add(Building building, Dimensions dimensions, double squareMetres) {
         if (building.isPart()) {
@@ -63,7 +90,7 @@ final class BuildingReport {
         }
         assumed += dimensions.isAssumed() ? 1 : 0;
         unusable += dimensions.isAssumed() && isAnyStated(building) ? 1 : 0;
-        fromLevels += !dimensions.isAssumed() && !isHeightStated(building) ? 1 : 0;
+        fromLevels += dimensions.basis() == Dimensions.Basis.LEVELS ? 1 : 0;
         area += squareMetres;
         outlines.add(BuildingOutline.of(building, dimensions));
     }
@@ -88,12 +115,9 @@ final class BuildingReport {
         Collections.sort(floors);
     }
 
-    private static boolean isHeightStated(Building building) {
-        return building.tags().containsKey("height") || building.tags().containsKey("building:height");
-    }
-
     private static boolean isAnyStated(Building building) {
-        return isHeightStated(building)
+        return building.tags().containsKey("height")
+                || building.tags().containsKey("building:height")
                 || building.tags().containsKey("building:levels")
                 || building.tags().containsKey("levels");
     }
@@ -204,6 +228,16 @@ final class BuildingReport {
                     count(),
                     unusable == 0 ? "" : String.format(Locale.ROOT, ", or one that cannot be used (%,d)", unusable),
                     Quantity.LENGTH.inWords(settings.height())));
+        }
+        if (buried > 0) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%s: buildings whose roofs lie below the highest ground under them: %,d of %,d; %s; heights are measured from"
+                            + " the lowest ground",
+                    file,
+                    buried,
+                    count(),
+                    deepestBuried));
         }
         if (!floors.isEmpty() && Math.abs(floors.get(floors.size() / 2)) > FLOATING) {
             warnings.add(String.format(

@@ -76,7 +76,7 @@ final class BuildingSite {
             List<double[]> inners = new ArrayList<>();
             feature.outers().forEach(ring -> outers.add(inWorld(ring, transform, isPlain)));
             feature.inners().forEach(ring -> inners.add(inWorld(ring, transform, isPlain)));
-            if (outers.stream().anyMatch(this::isNear)) {
+            if (Rings.isWithin(settings.radius(), outers, inners)) {
                 add(feature, outers, inners, buildings);
             }
         }
@@ -95,7 +95,8 @@ final class BuildingSite {
                         .toList();
                 feature.outers().stream()
                         .map(ring -> inWorld(ring, transform, isPlain))
-                        .filter(outer -> outer.length >= 6 && isNear(outer))
+                        .filter(outer -> outer.length >= 6
+                                && Rings.isWithin(settings.radius(), List.of(outer), courts(outer, inners)))
                         .map(outer -> Footprint.of(outer, courts(outer, inners)))
                         .forEach(woods::add);
             }
@@ -147,15 +148,6 @@ final class BuildingSite {
         return flat;
     }
 
-    private boolean isNear(double[] ring) {
-        for (int i = 0; i < ring.length; i += 2) {
-            if (Math.hypot(ring[i], ring[i + 1]) <= settings.radius()) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     private void add(MapFeature feature, List<double[]> outers, List<double[]> inners, List<Building> target) {
         String part = feature.tags().get("building:part");
         boolean isPart = part != null && !part.equals("no");
@@ -164,12 +156,8 @@ final class BuildingSite {
                 report.leave("outline without an area");
                 continue;
             }
-            List<double[]> courts = inners.stream()
-                    .filter(inner -> inner.length >= 6
-                            && Math.abs(Rings.signedArea(inner)) >= SMALLEST
-                            && Rings.contains(outer, inner[0], inner[1]))
-                    .toList();
-            Building building = new Building(feature.id(), Footprint.of(outer, courts), feature.tags(), isPart);
+            Building building =
+                    new Building(feature.id(), Footprint.of(outer, courts(outer, inners)), feature.tags(), isPart);
             if (building.isUnderground()) {
                 report.leave("building underground");
             } else {
@@ -195,8 +183,7 @@ final class BuildingSite {
             }
         }
         Footprint there = building.footprint();
-        double width = 2.0 * Rectangle.about(there.outer()).halfWidth();
-        Dimensions dimensions = Dimensions.of(building.tags(), settings, width);
+        Dimensions dimensions = Dimensions.of(building.tags(), settings, there.outer());
         dimensions.doubts().forEach(doubt -> report.doubt(doubt, building.id()));
         if (dimensions.top() <= dimensions.bottom()) {
             report.leave("building no higher than its lowest point");
@@ -206,6 +193,9 @@ final class BuildingSite {
         solids.begin(upright, BuildingMaterials.name(building.tags(), settings.material(), dimensions.isAssumed()));
         solid(building.id(), relativeTo(there.outer()[0], there.outer()[1], there), dimensions, solids);
         report.add(building, dimensions, there.area());
+        if (ground.isPresent()) {
+            report.compare(building.id(), dimensions.top(), ground.get().range(there)[1] - level);
+        }
     }
 
     /** The vertical through a corner of an outline, which lies at the level of the origin. */

@@ -1,7 +1,6 @@
 package org.dronewatch.buildings;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.buildings.io.CityModel;
@@ -76,10 +75,13 @@ final class CityBuildings {
     }
 
     private boolean isNear(CityModel.Solid solid) {
-        return solid.surfaces().stream()
-                .flatMap(List::stream)
-                .flatMapToInt(Arrays::stream)
-                .anyMatch(vertex -> Math.hypot(vertices[3 * vertex], vertices[3 * vertex + 1]) <= settings.radius());
+        return solid.surfaces().stream().anyMatch(surface -> {
+            List<double[]> rings = surface.stream()
+                    .map(corners -> CitySolid.flat(corners, vertices))
+                    .toList();
+            return !rings.isEmpty()
+                    && Rings.isWithin(settings.radius(), rings.subList(0, 1), rings.subList(1, rings.size()));
+        });
     }
 
     /** The area of what faces upwards, as seen from above, m2. */

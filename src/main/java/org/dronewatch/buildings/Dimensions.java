@@ -15,7 +15,7 @@ import org.dronewatch.buildings.io.MapLength;
  *
  * @param bottom height of its lowest point, 0 for what stands on the ground, m
  * @param top height of its highest point, m
- * @param isAssumed whether the map does not state how high it is
+ * @param basis what its height is taken from
  * @param roof the shape of its roof
  * @param rise of the roof from its eaves to its highest point, m; 0 for a flat one
  * @param direction in which the roof slopes down, rad clockwise from north, if the map states it
@@ -26,13 +26,23 @@ import org.dronewatch.buildings.io.MapLength;
 record Dimensions(
         double bottom,
         double top,
-        boolean isAssumed,
+        Basis basis,
         RoofShape roof,
         double rise,
         OptionalDouble direction,
         boolean isAcross,
         boolean isOpen,
         List<String> doubts) {
+    /** What the height of a building is taken from. */
+    enum Basis {
+        /** A height that the map states. */
+        STATED,
+        /** The number of levels that the map states. */
+        LEVELS,
+        /** The settings. */
+        ASSUMED
+    }
+
     /** Nothing built is higher. */
     private static final double HIGHEST = 1000.0;
 
@@ -87,7 +97,7 @@ record Dimensions(
                 String text = tags.get(key);
                 if (text != null) {
                     String plain = text.strip().replace(',', '.');
-                    double value = plain.matches("\\d{1,3}(\\.\\d{1,9})?") ? Double.parseDouble(plain) : Double.NaN;
+                    double value = plain.matches("\\d{1,3}(\\.\\d+)?") ? Double.parseDouble(plain) : Double.NaN;
                     if (value <= most) {
                         return OptionalDouble.of(value);
                     }
@@ -126,10 +136,13 @@ record Dimensions(
      *
      * @param tags of a building or a part
      * @param settings for what they do not state
-     * @param width of the building across the ridge, for roofs whose angle is stated, m
+     * @param outer the outline, on which the rise of a roof depends whose angle is stated, m
      */
-    static Dimensions of(Map<String, String> tags, BuildingSettings settings, double width) {
+    static Dimensions of(Map<String, String> tags, BuildingSettings settings, double[] outer) {
         Reader reader = new Reader(tags);
+        double width = 2.0 * Rectangle.about(outer).halfWidth();
+        OptionalDouble direction = reader.direction();
+        boolean isAcross = "across".equals(tags.get("roof:orientation"));
         OptionalDouble height = reader.length("height", "building:height");
         OptionalDouble levels = reader.number(MOST_LEVELS, "building:levels", "levels");
         OptionalDouble roofLevels = reader.number(MOST_LEVELS, "roof:levels");
@@ -137,8 +150,8 @@ record Dimensions(
         OptionalDouble leastLevel = reader.number(MOST_LEVELS, "building:min_level", "min_level");
         double bottom = least.orElse(leastLevel.orElse(0.0) * settings.levelHeight());
         RoofShape roof = reader.roof();
-        boolean isAssumed = height.isEmpty() && levels.isEmpty();
-        double rise = roof == RoofShape.FLAT ? 0.0 : rise(reader, roof, roofLevels, width, settings);
+        double run = run(roof, RoofPlanes.rectangle(outer, direction, isAcross), width);
+        double rise = roof == RoofShape.FLAT ? 0.0 : rise(reader, roof, roofLevels, width, run, settings);
         double top;
         if (height.isPresent()) {
             top = height.getAsDouble();
@@ -159,13 +172,18 @@ record Dimensions(
         return new Dimensions(
                 bottom,
                 top,
-                isAssumed,
+                height.isPresent() ? Basis.STATED : levels.isPresent() ? Basis.LEVELS : Basis.ASSUMED,
                 rise > 0.0 ? roof : RoofShape.FLAT,
                 rise,
-                reader.direction(),
-                "across".equals(tags.get("roof:orientation")),
+                direction,
+                isAcross,
                 "roof".equals(tags.get("building")) || "roof".equals(tags.get("building:part")),
                 List.copyOf(reader.doubts));
+    }
+
+    /** Whether the map does not state how high the building is. */
+    boolean isAssumed() {
+        return basis == Basis.ASSUMED;
     }
 
     /** What states how high the roof is, if anything does. */
@@ -187,8 +205,23 @@ record Dimensions(
                 : List.of();
     }
 
+    /** From the eaves to the highest point along the slope whose angle a map states, in plan, m. */
+    private static double run(RoofShape roof, Rectangle about, double width) {
+        return switch (roof) {
+            case GABLED -> about.halfWidth();
+            case SKILLION -> 2.0 * about.halfWidth();
+            case HIPPED -> Math.min(about.halfWidth(), about.halfLength());
+            case FLAT, PYRAMIDAL, DOME -> 0.5 * width;
+        };
+    }
+
     private static double rise(
-            Reader reader, RoofShape roof, OptionalDouble roofLevels, double width, BuildingSettings settings) {
+            Reader reader,
+            RoofShape roof,
+            OptionalDouble roofLevels,
+            double width,
+            double run,
+            BuildingSettings settings) {
         OptionalDouble height = reader.length("roof:height");
         if (height.isPresent()) {
             return height.getAsDouble();
@@ -198,8 +231,7 @@ record Dimensions(
         }
         OptionalDouble angle = reader.number(80.0, "roof:angle");
         if (angle.isPresent() && roof != RoofShape.DOME) {
-            double over = roof == RoofShape.SKILLION ? width : 0.5 * width;
-            return over * Math.tan(Math.toRadians(angle.getAsDouble()));
+            return run * Math.tan(Math.toRadians(angle.getAsDouble()));
         }
         return roof == RoofShape.DOME ? 0.5 * width : settings.levelHeight();
     }

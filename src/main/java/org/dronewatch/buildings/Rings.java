@@ -1,6 +1,8 @@
 package org.dronewatch.buildings;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
 
 /** Closed lines on a plane: x and y of each corner in turn, without the first one again. */
 final class Rings {
@@ -61,6 +63,32 @@ final class Rings {
             last = i;
         }
         return isInside;
+    }
+
+    /** Whether anything of an area lies within a distance of the origin, even if none of its corners does. */
+    static boolean isWithin(double distance, List<double[]> outers, List<double[]> inners) {
+        if (Stream.concat(outers.stream(), inners.stream()).anyMatch(ring -> distance(ring) <= distance)) {
+            return true;
+        }
+        // No line comes near: the origin is in the middle of the area, of a courtyard, or outside.
+        return outers.stream().filter(ring -> contains(ring, 0.0, 0.0)).count()
+                > inners.stream().filter(ring -> contains(ring, 0.0, 0.0)).count();
+    }
+
+    /** From the origin to the nearest point of the line, m; infinite if there is no corner. */
+    private static double distance(double[] ring) {
+        double nearest = Double.POSITIVE_INFINITY;
+        int last = ring.length - 2;
+        for (int i = 0; i < ring.length; i += 2) {
+            double sideX = ring[i] - ring[last];
+            double sideY = ring[i + 1] - ring[last + 1];
+            double square = sideX * sideX + sideY * sideY;
+            double along = square > 0.0 ? -(ring[last] * sideX + ring[last + 1] * sideY) / square : 0.0;
+            double part = Math.max(0.0, Math.min(1.0, along));
+            nearest = Math.min(nearest, Math.hypot(ring[last] + part * sideX, ring[last + 1] + part * sideY));
+            last = i;
+        }
+        return nearest;
     }
 
     /** Whether all corners turn left, or none turns. */

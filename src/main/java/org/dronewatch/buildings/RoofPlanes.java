@@ -48,7 +48,7 @@ record RoofPlanes(List<Slope> planes) {
      * @param dimensions with a roof that is not flat
      */
     static RoofPlanes of(double[] outer, Dimensions dimensions) {
-        Rectangle rectangle = rectangle(outer, dimensions);
+        Rectangle rectangle = rectangle(outer, dimensions.direction(), dimensions.isAcross());
         double rise = dimensions.rise();
         List<Slope> all =
                 switch (dimensions.roof()) {
@@ -71,14 +71,14 @@ record RoofPlanes(List<Slope> planes) {
     }
 
     /** The rectangle whose first side the ridge runs along. */
-    static Rectangle rectangle(double[] outer, Dimensions dimensions) {
-        if (dimensions.direction().isPresent()) {
-            double down = dimensions.direction().getAsDouble();
+    static Rectangle rectangle(double[] outer, OptionalDouble direction, boolean isAcross) {
+        if (direction.isPresent()) {
+            double down = direction.getAsDouble();
             // The ridge is at right angles to the way down.
             return Rectangle.about(outer, Math.cos(down), -Math.sin(down));
         }
         Rectangle about = Rectangle.about(outer);
-        return dimensions.isAcross() ? about.turned() : about;
+        return isAcross ? about.turned() : about;
     }
 
     private static List<Slope> sides(Rectangle about, double rise, double run, boolean hasHips) {

@@ -41,8 +41,9 @@ class TutorialTest {
             assertThat(outcome.code()).as("%s%n%s", command, outcome.err()).isZero();
             assertThat(outcome.err().lines().filter(line -> line.startsWith("warning")))
                     .as(command)
-                    .allMatch(line ->
-                            line.contains("no height in the map") || line.contains("its heights may include roofs"));
+                    .allMatch(line -> line.contains("no height in the map")
+                            || line.contains("its heights may include roofs")
+                            || line.contains("lie below the highest ground under them"));
         }
         assertThat(directory.resolve("harbour/results/report.html")).exists();
         assertThat(Files.readString(directory.resolve("harbour/results/result.json")))

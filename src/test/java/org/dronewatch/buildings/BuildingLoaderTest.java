@@ -222,6 +222,12 @@ class BuildingLoaderTest {
     @ParameterizedTest
     @CsvSource({
         "height=12, 12, 0",
+        "height=5.234123456789, 5.234123, 0",
+        "height=5.00000000000000044408920985006, 5, 0",
+        "'height=9,123456789012~m', 9.123457, 0",
+        "height=39.370078740157481~ft, 12, 0",
+        "building:levels=3.3333333333333335, 10, 0",
+        "height=5.~m, 9, 1",
         "height=12~m, 12, 0",
         "'height=9,5', 9.5, 0",
         "height=40~ft, 12.192, 0",
@@ -244,6 +250,81 @@ class BuildingLoaderTest {
         assertThat(loaded.assumed()).isEqualTo(assumed);
         assertThat(loaded.mesh().materialNames())
                 .containsExactly(assumed == 1 ? "brick_rendered:assumed-height" : "brick_rendered");
+    }
+
+    /**
+     * 40 m x 10 m, the eaves at 12 m, at 30 degrees: half the way across the ridge, or all of it for a single slope,
+     * times tan 30. Hips of one pitch all round end at the middle of the shorter side. At 45 degrees to the walls the
+     * house is 50 / sqrt 2 m wide.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "gabled, '', 14.88675",
+        "gabled, roof:orientation=along, 14.88675",
+        "gabled, roof:orientation=across, 23.54701",
+        "gabled, roof:direction=E, 23.54701",
+        "gabled, roof:direction=180, 14.88675",
+        "gabled, roof:direction=45, 22.20621",
+        "skillion, '', 17.77350",
+        "skillion, roof:orientation=across, 35.09401",
+        "skillion, roof:direction=W, 35.09401",
+        "hipped, roof:orientation=across, 14.88675",
+        "pyramidal, roof:orientation=across, 14.88675",
+    })
+    void theAngleOfARoofIsMeasuredAcrossItsRidge(String shape, String ridge, double top) throws IOException {
+        way(
+                box(0, 0, 40, 10),
+                ("building=yes building:levels=4 roof:angle=30 roof:shape=" + shape + " " + ridge).strip());
+        LoadedBuildings loaded = load();
+        assertThat(highest(loaded.mesh())).isCloseTo(top, within(1e-3));
+        assertThat(loaded.warnings()).isEmpty();
+        assertClosed(loaded.mesh());
+    }
+
+    /** What is counted as stated is what was used. */
+    @Test
+    void aHeightThatCannotBeUsedIsNotStatedWhereLevelsAre() throws IOException {
+        way(box(0, 0, 20, 10), "building=yes height=about~12 building:levels=4");
+        way(box(30, 0, 50, 10), "building=yes height=high building:height=7");
+        way(box(60, 0, 80, 10), "building=yes height=7 building:levels=4");
+        way(box(90, 0, 99, 10), "building=yes height=high");
+        assertThat(load().description())
+                .anyMatch(line -> line.contains("heights: 2 stated, 1 from levels of 3 m, 1 assumed to be 9 m"));
+    }
+
+    /** No corner lies within 100 m of the origin: a hall is over it, a bar crosses the rim, a ring is round it. */
+    @ParameterizedTest
+    @CsvSource({
+        "-145 -145 145 145, '', 1",
+        "-300 60 300 80, '', 1",
+        "-300 101 300 120, '', 0",
+        "-145 -145 145 145, -120 -120 120 120, 0",
+        "-145 -145 145 145, -120 -120 120 99, 1",
+        "-145 -145 145 145, 0 -20 20 20, 1",
+        "110 -20 145 20, '', 0",
+        "110 -300 145 300, '', 0",
+    })
+    void whatLiesPartlyWithinTheRadiusIsIncluded(String outline, String court, int count) throws IOException {
+        way(box(50, 0, 60, 10), "building=yes height=5");
+        for (String tags : new String[] {"building=yes height=9", "natural=wood"}) {
+            int outer = way(box(outline), "");
+            String members = court.isEmpty() ? "" : " inner=" + way(box(court), "");
+            relation("outer=" + outer + members, "type=multipolygon " + tags);
+        }
+        BuildingSettings settings =
+                BuildingSettings.of("map.osm").withRadius(100).withWoodHeight(15);
+        LoadedBuildings loaded = load(settings, Optional.empty());
+        assertThat(loaded.count()).isEqualTo(1 + count);
+        assertThat(loaded.woods().triangleCount() > 0).isEqualTo(count == 1);
+    }
+
+    private static double[] box(String corners) {
+        String[] at = corners.split(" ");
+        return box(
+                Double.parseDouble(at[0]),
+                Double.parseDouble(at[1]),
+                Double.parseDouble(at[2]),
+                Double.parseDouble(at[3]));
     }
 
     /** From the second of five levels of 3 m up, over 200 m2; a stated height or least height counts before levels. */
@@ -406,6 +487,23 @@ class BuildingLoaderTest {
 
         assertThat(highest(loaded.mesh())).isCloseTo(3.0 + 12.0, within(1e-3));
         assertThat(volume(loaded.mesh())).isCloseTo(200 * 13, within(0.05));
+    }
+
+    /** At 45 degrees the ground climbs by the length of a house: 20 m, 25 m and 9 m, for roofs of 9 m. */
+    @Test
+    void roofsBelowTheHighestGroundAreNamedOnce() throws IOException {
+        way(box(-40, 0, -20, 10), "building=yes height=9");
+        int worst = way(box(0, 0, 25, 10), "building=yes height=9");
+        way(box(40, 0, 49, 10), "building=yes height=9");
+        way(box(60, 0, 69, 10), "building=yes height=12");
+        float[] corners = {-100, -100, -100, 100, -100, 100, 100, 100, 100, -100, 100, -100};
+        TriangleMesh slope = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        assertThat(load(BuildingSettings.of("map.osm"), Optional.of(new TerrainGround(slope)))
+                        .warnings())
+                .containsExactly("map.osm: buildings whose roofs lie below the highest ground under them: 2 of 4; way/"
+                        + worst + " is 9.0 m high on ground that climbs by 25.0 m; heights are measured from the lowest"
+                        + " ground");
+        assertThat(load().warnings()).isEmpty();
     }
 
     /** A dip between the corners of the house counts as well. */

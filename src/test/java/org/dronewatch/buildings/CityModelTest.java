@@ -64,6 +64,31 @@ class CityModelTest {
         return new BuildingLoader(directory).load(settings, ORIGIN, terrain);
     }
 
+    /** The box, enlarged 30 times, is 300 m x 240 m; the origin is 120 m or more from each of its walls, or 20 m. */
+    @ParameterizedTest
+    @CsvSource({"150, 120, true", "150, -20, true", "150, -101, false"})
+    void aSolidAroundTheOriginIsIncluded(double west, double south, boolean isIn) throws IOException {
+        StringBuilder corners = new StringBuilder();
+        for (int z : new int[] {0, 6}) {
+            for (int[] at : new int[][] {{0, 0}, {300, 0}, {300, 240}, {0, 240}}) {
+                corners.append(String.format(
+                        Locale.ROOT,
+                        "%s[%.0f,%.0f,%d]",
+                        corners.isEmpty() ? "" : ",",
+                        1000 * (at[0] - west),
+                        1000 * (at[1] - south),
+                        1000 * z));
+            }
+        }
+        String text = city(corners.toString(), solid(WALLS));
+        BuildingSettings settings = BuildingSettings.of("city.json").withRadius(100);
+        if (isIn) {
+            assertThat(load(text, settings, Optional.empty()).count()).isEqualTo(1);
+        } else {
+            assertThatThrownBy(() -> load(text, settings, Optional.empty())).hasMessageContaining("no building within");
+        }
+    }
+
     @Test
     void aMissingFloorIsAdded() throws IOException {
         LoadedBuildings open = load(city(BOX, solid(WALLS)));

@@ -11,9 +11,9 @@ public final class MapLength {
     private static final double INCHES = 12.0;
 
     private static final Pattern METRES =
-            Pattern.compile("(-?\\d{1,6}(?:[.,]\\d{1,9})?)\\s*(?:m|metres|meters|metre|meter)?");
+            Pattern.compile("(-?\\d{1,6}(?:[.,]\\d+)?)\\s*(?:m|metres|meters|metre|meter)?");
     private static final Pattern FEET = Pattern.compile(
-            "(-?\\d{1,6}(?:[.,]\\d{1,9})?)\\s*(?:ft|feet|foot|')\\s*(?:(\\d{1,2}(?:[.,]\\d{1,9})?)\\s*(?:in|\"|''))?");
+            "(-?\\d{1,6}(?:[.,]\\d+)?)\\s*(?:ft|feet|foot|')\\s*(?:(\\d{1,2}(?:[.,]\\d+)?)\\s*(?:in|\"|''))?");
 
     private MapLength() {}
 
