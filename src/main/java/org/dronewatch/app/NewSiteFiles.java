@@ -75,7 +75,7 @@ record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<String>
 
     /** The system to state for the elevations; empty if all files state their own. */
     Optional<String> terrainCrs() {
-        return crs(TERRAIN, terrain.stream(), file -> open(file).crs().isEmpty());
+        return crs(TERRAIN, terrain.stream(), file -> open(file).needsCrs());
     }
 
     /** The system to state for the map; empty if it states its own. */

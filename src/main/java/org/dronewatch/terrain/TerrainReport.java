@@ -3,6 +3,7 @@ package org.dronewatch.terrain;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.terrain.io.ElevationFile;
@@ -10,6 +11,9 @@ import org.dronewatch.terrain.io.ElevationFile;
 /** Describes in lines what was read of a terrain, and warns of anything suspicious. */
 record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile> files) {
     private static final double KILOMETRE = 1000.0;
+
+    /** Feet of all kinds are shorter than this, m, and metres longer. */
+    private static final double LONGEST_FOOT = 0.31;
 
     List<String> lines(Posts posts, Heights heights, int all, PostTriangles kept, double level, Origin origin) {
         List<String> lines = new ArrayList<>();
@@ -108,10 +112,11 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
             warnings.add(file.name() + ": nothing of it lies within " + settings.radius() + " m of the origin");
         }
         settings.crs()
-                .ifPresent(given -> files.forEach(file -> file.crs()
-                        .filter(own -> !own.equals(mosaic.crs()))
+                .ifPresent(given -> files.forEach(file -> file.statedCrs()
+                        .filter(own -> !own.equals(mosaic.crs().name()))
                         .ifPresent(own -> warnings.add(file.name() + ": states " + own + "; world.terrain.crs takes "
                                 + mosaic.crs() + " instead"))));
+        doubtUnit(warnings);
         for (ElevationFile file : files) {
             if (file.isSurfaceModel() && settings.surface() == ElevationSurface.DTM) {
                 warnings.add(
@@ -123,5 +128,22 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
         if (Double.isNaN(level)) {
             warnings.add("terrain: there is no ground at the origin");
         }
+    }
+
+    /** Where maps are in feet, heights often are, too, and nothing else would show it. */
+    private void doubtUnit(List<String> warnings) {
+        CoordinateReferenceSystem crs = mosaic.crs();
+        if (crs.isGeographic() || crs.unitLength() > LONGEST_FOOT) {
+            return;
+        }
+        files.stream()
+                .filter(file -> !file.statesUnit())
+                .findFirst()
+                .ifPresent(file -> warnings.add(String.format(
+                        Locale.ROOT,
+                        "%s: %s is a grid in feet, but the unit of the heights is not stated: they are taken as metres; if"
+                                + " they are in US survey feet, state it, as in gdal_translate -a_srs %2$s+6360",
+                        file.name(),
+                        crs)));
     }
 }

@@ -363,6 +363,43 @@ class TerrainLoaderTest {
         assertThat(load(TerrainSettings.of("own.tif").withCrs("EPSG:25833"), at(5, 5, 1))
                         .warnings())
                 .contains("own.tif: states EPSG:32633; world.terrain.crs takes EPSG:25833 instead");
+        // A code that is not known is replaced likewise, as the message without crs says.
+        own.keys.put(3072, 9999);
+        write("odd.tif", own);
+        assertThatThrownBy(() -> load(TerrainSettings.of("odd.tif"), at(5, 5, 1)))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("'EPSG:9999' is not known")
+                .hasMessageEndingWith("; world.terrain.crs can name another");
+        assertThat(load(TerrainSettings.of("odd.tif").withCrs("EPSG:32633"), at(5, 5, 1))
+                        .warnings())
+                .contains("odd.tif: states EPSG:9999; world.terrain.crs takes EPSG:32633 instead");
+    }
+
+    /** Long Island's grid is in US survey feet; its heights may be in metres all the same. */
+    @Test
+    void heightsWithoutAUnitOnAGridInFeetAreDoubted() throws IOException {
+        TiffFixture feet = grid(20, 20, i -> 100.0);
+        feet.keys.put(3072, 2263);
+        feet.tie = new double[] {0, 0, 0, 981_000, 199_000, 0};
+        feet.scale = new double[] {30, 30, 0};
+        GeoPoint place = new MapTransform(CoordinateReferenceSystem.of("EPSG:2263"), Origin.at(0.71, -1.29))
+                .onEarth(981_300, 198_700, 0.0);
+        Origin origin = Origin.at(Math.toRadians(place.latitude()), Math.toRadians(place.longitude()));
+        write("silent.tif", feet);
+        String doubt = "EPSG:2263 is a grid in feet, but the unit of the heights is not stated";
+        assertThat(load(TerrainSettings.of("silent.tif"), origin).warnings())
+                .filteredOn(line -> line.contains(doubt))
+                .singleElement()
+                .asString()
+                .startsWith("silent.tif: ")
+                .contains("gdal_translate -a_srs EPSG:2263+6360");
+        feet.keys.put(4096, 5703);
+        write("metres.tif", feet);
+        assertThat(load(TerrainSettings.of("metres.tif"), origin).warnings()).noneMatch(line -> line.contains(doubt));
+        feet.keys.remove(4096);
+        feet.keys.put(4099, 9001);
+        write("units.tif", feet);
+        assertThat(load(TerrainSettings.of("units.tif"), origin).warnings()).noneMatch(line -> line.contains(doubt));
     }
 
     @Test

@@ -81,6 +81,10 @@ final class AsciiGridFile implements ElevationFile {
     }
 
     private double number(String word, int line) {
+        if (word.equalsIgnoreCase("nan")) {
+            // As GDAL writes it.
+            return Double.NaN;
+        }
         try {
             return Double.parseDouble(word);
         } catch (NumberFormatException e) {
@@ -145,6 +149,11 @@ final class AsciiGridFile implements ElevationFile {
     @Override
     public Optional<CoordinateReferenceSystem> crs() {
         return Optional.empty();
+    }
+
+    @Override
+    public boolean statesUnit() {
+        return false;
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.dronewatch.terrain.io;
 import java.io.IOException;
 import java.util.Optional;
 import org.dronewatch.geo.CoordinateReferenceSystem;
+import org.dronewatch.setting.InputException;
 
 /**
  * A file of elevation posts, whose positions are known and whose heights are read when they are needed. One thread at a
@@ -21,15 +22,36 @@ public interface ElevationFile {
     /** The positions of its posts. */
     Lattice lattice();
 
-    /** The coordinate reference system that the file states, if it does. */
+    /**
+     * The coordinate reference system that the file states, if it does.
+     *
+     * @throws InputException when it states a code that is not known
+     */
     Optional<CoordinateReferenceSystem> crs();
+
+    /** The code of the system that the file states, known or not, such as {@code EPSG:25832}. */
+    default Optional<String> statedCrs() {
+        return crs().map(CoordinateReferenceSystem::name);
+    }
+
+    /** Whether the scene has to say in which system the posts are: the file does not, or not in a known way. */
+    default boolean needsCrs() {
+        try {
+            return crs().isEmpty();
+        } catch (InputException e) {
+            return true;
+        }
+    }
+
+    /** Whether the unit of its heights is known: the file states it, or its format prescribes it. */
+    boolean statesUnit();
 
     /**
      * The heights of some posts, row by row, m; NaN for those without one.
      *
      * @param window within the file
      * @throws IOException when the file ends early, or cannot be read
-     * @throws org.dronewatch.setting.InputException when it is damaged
+     * @throws InputException when it is damaged
      */
     float[] heights(Window window) throws IOException;
 

@@ -18,10 +18,17 @@ final class GeoKeys {
     private static final int PIXEL_IS_POINT = 2;
     private static final int GEOGRAPHIC = 2048;
     private static final int PROJECTED = 3072;
+    private static final int VERTICAL = 4096;
     private static final int VERTICAL_UNITS = 4099;
     private static final int USER_DEFINED = 32767;
     private static final int METRE = 9001;
-    private static final Map<Integer, Double> UNITS = Map.of(METRE, 1.0, 9002, 0.3048, 9003, 1200.0 / 3937.0);
+    private static final int FOOT = 9002;
+    private static final int US_SURVEY_FOOT = 9003;
+    private static final Map<Integer, Double> UNITS = Map.of(METRE, 1.0, FOOT, 0.3048, US_SURVEY_FOOT, 1200.0 / 3937.0);
+
+    /** The units of vertical systems whose heights are in feet (EPSG register); those of others are metres. */
+    private static final Map<Integer, Integer> SYSTEMS_IN_FEET =
+            Map.of(5702, US_SURVEY_FOOT, 6360, US_SURVEY_FOOT, 8052, US_SURVEY_FOOT, 8050, FOOT, 8228, FOOT);
 
     private final String name;
     private final TiffDirectory tags;
@@ -40,20 +47,29 @@ final class GeoKeys {
 
     /** The system of the map, if it has a code. */
     Optional<CoordinateReferenceSystem> crs() {
-        int code = keys.getOrDefault(PROJECTED, keys.getOrDefault(GEOGRAPHIC, 0));
-        if (code == 0 || code == USER_DEFINED) {
-            return Optional.empty();
-        }
         try {
-            return Optional.of(CoordinateReferenceSystem.of("EPSG:" + code));
+            return statedCrs().map(CoordinateReferenceSystem::of);
         } catch (InputException e) {
             throw new InputException(name + ": " + e.getMessage() + "; world.terrain.crs can name another", e);
         }
     }
 
-    /** Metres of a unit of height. */
+    /** The code of that system, whether it is known or not. */
+    Optional<String> statedCrs() {
+        int code = keys.getOrDefault(PROJECTED, keys.getOrDefault(GEOGRAPHIC, 0));
+        return code == 0 || code == USER_DEFINED ? Optional.empty() : Optional.of("EPSG:" + code);
+    }
+
+    /** Whether the unit of heights is stated, by itself or by the vertical system. */
+    boolean statesUnit() {
+        int system = keys.getOrDefault(VERTICAL, 0);
+        return keys.containsKey(VERTICAL_UNITS) || system != 0 && system != USER_DEFINED;
+    }
+
+    /** Metres of a unit of height, which takes precedence over that of the vertical system. */
     double unit() {
-        int code = keys.getOrDefault(VERTICAL_UNITS, METRE);
+        int ofSystem = SYSTEMS_IN_FEET.getOrDefault(keys.getOrDefault(VERTICAL, 0), METRE);
+        int code = keys.getOrDefault(VERTICAL_UNITS, ofSystem);
         Double metres = UNITS.get(code);
         if (metres == null) {
             throw new InputException(

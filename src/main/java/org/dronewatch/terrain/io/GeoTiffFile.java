@@ -6,8 +6,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.InputException;
 
@@ -86,8 +84,9 @@ final class GeoTiffFile implements ElevationFile {
         this.keys = new GeoKeys(bytes.name(), tags);
         this.lattice = keys.lattice();
         this.nodata = nodata();
-        this.scale = factor("scale", 1.0);
-        this.offset = factor("offset", 0.0);
+        GdalMetadata metadata = new GdalMetadata(bytes.name(), tags.text(METADATA));
+        this.scale = metadata.factor("scale", 1.0);
+        this.offset = metadata.factor("offset", 0.0);
     }
 
     private int number(int tag, String what, int from, int to) throws IOException {
@@ -170,25 +169,6 @@ final class GeoTiffFile implements ElevationFile {
         }
     }
 
-    /** A factor with which GDAL's programs store heights as whole numbers; it is in a text of their own. */
-    private double factor(String role, double otherwise) throws IOException {
-        Matcher matcher = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>")
-                .matcher(tags.text(METADATA));
-        if (!matcher.find()) {
-            return otherwise;
-        }
-        try {
-            double value = Double.parseDouble(matcher.group(1).strip());
-            if (Double.isFinite(value)) {
-                return value;
-            }
-        } catch (NumberFormatException e) {
-            // Reported below, as for a number that is not finite.
-        }
-        throw new InputException(
-                bytes.name() + ": " + role + " (tag 42112) '" + matcher.group(1) + "' must be a finite number");
-    }
-
     @Override
     public String name() {
         return bytes.name();
@@ -212,6 +192,16 @@ final class GeoTiffFile implements ElevationFile {
     @Override
     public Optional<CoordinateReferenceSystem> crs() {
         return keys.crs();
+    }
+
+    @Override
+    public Optional<String> statedCrs() {
+        return keys.statedCrs();
+    }
+
+    @Override
+    public boolean statesUnit() {
+        return keys.statesUnit();
     }
 
     @Override

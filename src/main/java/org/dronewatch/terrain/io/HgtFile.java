@@ -85,6 +85,11 @@ final class HgtFile implements ElevationFile {
     }
 
     @Override
+    public boolean statesUnit() {
+        return true;
+    }
+
+    @Override
     public float[] heights(Window window) throws IOException {
         float[] heights = new float[(int) window.posts()];
         for (int row = 0; row < window.rows(); row++) {

@@ -49,6 +49,13 @@ class AsciiGridFileTest {
         assertThat(all(open(HEADER + "0 -9999 3 4 -9.999e+03 6"))).containsExactly(0, Float.NaN, 3, 4, Float.NaN, 6);
     }
 
+    /** GDAL writes them in lower case, others as Java does. */
+    @Test
+    void nodataMayBeNotANumber() throws IOException {
+        assertThat(all(open(HEADER + "NODATA_value nan\n0 nan 3\n4 NaN -9999")))
+                .containsExactly(0, Float.NaN, 3, 4, Float.NaN, -9999);
+    }
+
     @ParameterizedTest
     @CsvSource({
         "1 2 3 4 5, ends after 5 of 6 heights",

@@ -165,6 +165,15 @@ class GeoTiffFileTest {
         TiffFixture feet = fixture();
         feet.keys.put(4099, 9002);
         assertThat(all(open(feet))[9]).isEqualTo((float) (feet.samples[9] * 0.3048));
+        // A vertical system in feet states them, too: NAVD88 in US survey feet, and in international ones.
+        TiffFixture survey = fixture();
+        survey.keys.put(4096, 6360);
+        assertThat(all(open(survey))[9]).isEqualTo((float) (survey.samples[9] * (1200.0 / 3937.0)));
+        survey.keys.put(4096, 8228);
+        assertThat(all(open(survey))[9]).isEqualTo((float) (survey.samples[9] * 0.3048));
+        // The unit takes precedence over that of the system.
+        survey.keys.put(4099, 9001);
+        assertThat(all(open(survey))[9]).isEqualTo((float) survey.samples[9]);
         TiffFixture decimetres = fixture(16, 2);
         decimetres.metadata = "<GDALMetadata>\n  <Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.1</Item>\n"
                 + "  <Item name=\"OFFSET\" sample=\"0\" role=\"offset\">500</Item>\n</GDALMetadata>";
