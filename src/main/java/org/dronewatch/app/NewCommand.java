@@ -122,7 +122,7 @@ final class NewCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new InputException(asked() + ": cannot be written: " + e.getMessage(), e);
         } finally {
-            delete(staging);
+            delete(staging.getParent());
         }
         String file = PlainText.value(Path.of(directory).resolve(scene.name() + ".yaml"));
         spec.commandLine().getOut().println("scene in " + file);
@@ -191,9 +191,11 @@ final class NewCommand implements Callable<Integer> {
         return path;
     }
 
+    /** A new directory inside a temporary one: that alone is closed to others, and only its content will be moved. */
     private Path staging(Path target) {
         try {
-            return Files.createTempDirectory(target.resolveSibling(""), ".new-");
+            return Files.createDirectory(Files.createTempDirectory(target.resolveSibling(""), ".new-")
+                    .resolve("site"));
         } catch (IOException e) {
             throw new InputException(asked() + ": no permission to write there", e);
         }

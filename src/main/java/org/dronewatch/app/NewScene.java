@@ -1,5 +1,6 @@
 package org.dronewatch.app;
 
+import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -218,7 +219,7 @@ record NewScene(
 
     private static String place(Position at, double above) {
         return String.format(
-                Locale.ROOT, "{east: %s m, north: %s m, above: %.0f m}", number(at.x()), number(at.y()), above);
+                Locale.ROOT, "{east: %s m, north: %s m, above: %.0f m}", metres(at.x()), metres(at.y()), above);
     }
 
     private static String middle(World world) {
@@ -226,7 +227,12 @@ record NewScene(
     }
 
     private static String number(double value) {
-        return Double.toString(value + 0.0).replaceFirst("\\.0$", "");
+        return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+    }
+
+    /** To the centimetre. */
+    private static String metres(double value) {
+        return number(Math.rint(100.0 * value) / 100.0);
     }
 
     private static void line(StringBuilder text, String pattern, Object... values) {

@@ -8,6 +8,7 @@ import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.ConditionAdvice;
+import org.dronewatch.scenario.OriginAdvice;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SensorAdvice;
 import org.dronewatch.setting.InputException;
@@ -64,6 +65,8 @@ final class SceneModels {
 
     /** Reads the models of the site alone, likewise. */
     void loadSite(SceneSettings settings) {
+        // First, because a site that is not where its files are does not load.
+        settings.world().origin().ifPresent(origin -> new OriginAdvice(origin).giveTo(models::warn));
         placing("world.terrain", () -> models.readTerrain(settings.world()));
         placing("world.buildings", () -> models.readBuildings(settings.world()));
         for (int i = 0; i < settings.world().models().size(); i++) {

@@ -1,6 +1,7 @@
 package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,6 +17,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.terrain.io.TiffFixture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,7 +74,8 @@ class NewCommandTest {
         assertThat(Files.readString(directory.resolve("town/town.yaml")))
                 .contains("of the path is hidden.")
                 .contains("elevation: 0 deg}")
-                .doesNotContain("-0 ");
+                .doesNotContain("-0 ")
+                .doesNotContainPattern("\\.\\d{3,} m\\b");
     }
 
     /** A map alone, or elevations alone, make a site as well; a directory may exist if it is empty. */
@@ -192,6 +195,68 @@ class NewCommandTest {
         assertThat(outcome.err())
                 .contains(
                         "warning: --crs EPSG:32632 has no effect: all files state their coordinate reference systems");
+    }
+
+    /** A file whose code is not known needs --crs, and gets it. */
+    @Test
+    void theGivenSystemReplacesACodeThatIsNotKnown() throws IOException {
+        TiffFixture grid = new TiffFixture(80, 80, new double[80 * 80]);
+        grid.keys.put(3072, 9999);
+        grid.tie = new double[] {0, 0, 0, 372_740, 4_844_424, 0};
+        Path file = Files.write(directory.resolve("odd.tif"), grid.bytes());
+        String options = "--at 43.7384,7.4246 --radius 300m --terrain " + file;
+        Outcome without = make(options);
+        assertThat(without.code()).isEqualTo(2);
+        assertThat(without.err()).contains("does not state a known coordinate reference system: add --crs");
+        Outcome with = make(options + " --crs EPSG:32632");
+        assertThat(with.code()).as(with.err()).isZero();
+        assertThat(with.err()).contains("states EPSG:9999").doesNotContain("has no effect");
+        assertThat(settings().world().terrain().orElseThrow().crs()).contains("EPSG:32632");
+    }
+
+    /** Others can read what the command creates if they can read what its user creates elsewhere. */
+    @Test
+    void theDirectoryHasTheUsualPermissions() throws IOException {
+        Path usual = Files.createDirectory(directory.resolve("usual"));
+        assumeTrue(Files.getFileStore(usual).supportsFileAttributeView("posix"));
+        Outcome outcome = make("--at 43.7384,7.4246 --buildings " + house(7.4246, 43.7384, 2e-4));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(Files.getPosixFilePermissions(directory.resolve("town")))
+                .isEqualTo(Files.getPosixFilePermissions(usual));
+        assertThat(left()).containsExactlyInAnyOrder("usual", "house.geojson", "town");
+    }
+
+    /** A latitude that was meant in degrees is far from the data; the hint comes before what is then missing. */
+    @Test
+    void aLatitudeWithoutAUnitIsDoubtedThoughTheSiteDoesNotLoad() throws IOException {
+        house(-78.48, -0.18, 2e-4);
+        Path scene = directory.resolve("quito.yaml");
+        Files.writeString(
+                scene,
+                """
+                world:
+                  origin: {latitude: -0.18, longitude: -78.48 deg, height: 0}
+                  buildings: {file: house.geojson}
+                sensors: {c: {kind: camera, position: [0, 0, 30]}}
+                run: {duration: 2 s}
+                """);
+        for (String command : List.of("check", "run")) {
+            Outcome outcome = Program.run(command, scene.toString());
+            assertThat(outcome.code()).isEqualTo(2);
+            assertThat(outcome.err())
+                    .contains("has no building within")
+                    .containsOnlyOnce(
+                            "world.origin.latitude is -10.31324 deg (-0.18 rad); for degrees, write -0.18 deg");
+        }
+    }
+
+    /** No powers of ten. */
+    @Test
+    void coordinatesAreWrittenAsAPersonWould() throws IOException {
+        Outcome outcome = make("--at 0.0001,0.0001 --buildings " + house(0.0, 0.0, 2.0e-4));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(Files.readString(directory.resolve("town/town.yaml")))
+                .contains("latitude: 0.0001 deg, longitude: 0.0001 deg");
     }
 
     @Test
