@@ -223,7 +223,7 @@ final class FieldOptions {
         }
         List<Double> parsed = new ArrayList<>();
         for (String one : heights.split(",", -1)) {
-            parsed.add((double) value("heights", one.strip(), CoverageGrid.class, "height"));
+            parsed.add((Double) value("heights", one.strip(), CoverageGrid.class, "height"));
         }
         return parsed;
     }

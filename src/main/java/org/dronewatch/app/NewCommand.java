@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
@@ -122,7 +123,7 @@ final class NewCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new InputException(asked() + ": cannot be written: " + e.getMessage(), e);
         } finally {
-            delete(staging.getParent());
+            delete(Objects.requireNonNull(staging.getParent()));
         }
         String file = PlainText.value(Path.of(directory).resolve(scene.name() + ".yaml"));
         spec.commandLine().getOut().println("scene in " + file);

@@ -71,7 +71,7 @@ public record FieldTerms(
         if (sensor.chance() == Chance.PER_ENCOUNTER) {
             detected = ofObservers(looks, share, number / sensor.rate(), sensor);
         } else {
-            detected = mean == 1.0 ? 1.0 : Math.min(Math.nextDown(1.0), 1.0 - StrictMath.pow(1.0 - mean, number));
+            detected = mean >= 1.0 ? 1.0 : Math.min(Math.nextDown(1.0), 1.0 - StrictMath.pow(1.0 - mean, number));
         }
         return Math.max(Double.MIN_VALUE, detected);
     }

@@ -44,6 +44,6 @@ final class OwnCode {
         CodeSource source = type.getProtectionDomain().getCodeSource();
         return source == null
                 ? type.getClassLoader() == null || type.getClassLoader() == ClassLoader.getPlatformClassLoader()
-                : HERE != null && source.getLocation().equals(HERE.getLocation());
+                : HERE != null && String.valueOf(source.getLocation()).equals(String.valueOf(HERE.getLocation()));
     }
 }
