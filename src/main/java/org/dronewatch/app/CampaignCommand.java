@@ -10,7 +10,6 @@ import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.CaseRun;
-import org.dronewatch.parallel.Workers;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
@@ -83,14 +82,7 @@ final class CampaignCommand implements Callable<Integer> {
         Path directory = given.toAbsolutePath().normalize().getParent();
         CampaignPlan plan = new CampaignPlan(settings, directory, loaded::note);
         loaded.done();
-        try (Workers workers = new Workers(threads.number())) {
-            if (only != null) {
-                runOne(plan, workers);
-            } else {
-                runAll(plan, name(given), workers);
-            }
-        }
-        return 0;
+        return threads.call(() -> only == null ? runAll(plan, name(given)) : runOne(plan));
     }
 
     private CampaignSettings settings(Path given) {
@@ -117,7 +109,7 @@ final class CampaignCommand implements Callable<Integer> {
         return String.valueOf(given.getFileName()).replaceFirst("(?i)(\\.campaign)?\\.ya?ml$", "");
     }
 
-    private void runOne(CampaignPlan plan, Workers workers) {
+    private int runOne(CampaignPlan plan) {
         if (only < 0 || only >= plan.settings().runs()) {
             throw new InputException(
                     "--case " + only + ": must be 0 to " + (plan.settings().runs() - 1));
@@ -125,22 +117,20 @@ final class CampaignCommand implements Callable<Integer> {
         PrintWriter target = spec.commandLine().getOut();
         CampaignLines.printValues(plan, only, target);
         for (String variant : plan.variants()) {
-            CaseResult result = workers.call(() -> CaseRun.of(plan, only, variant));
+            CaseResult result = CaseRun.of(plan, only, variant);
             CampaignLines.print(result, target);
         }
+        return 0;
     }
 
-    private void runAll(CampaignPlan plan, String name, Workers workers) {
+    private int runAll(CampaignPlan plan, String name) {
         PrintWriter err = spec.commandLine().getErr();
         Path directory = out == null ? Path.of("target", "campaigns", name) : path("--out", out);
         Interruption interruption = main.interruption();
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             boolean whole = true;
             try (CaseProgress progress = new CaseProgress(name, plan.settings().runs(), err)) {
-                workers.call(() -> {
-                    new CampaignRun(plan).run(files, progress::add);
-                    return null;
-                });
+                new CampaignRun(plan).run(files, progress::add);
             } catch (CancellationException e) {
                 if (!interruption.happened()) {
                     throw e;
@@ -154,6 +144,7 @@ final class CampaignCommand implements Callable<Integer> {
             }
             err.println("results in " + directory);
         }
+        return 0;
     }
 
     /** Prints notes while scenes are loaded; later ones concern single cases and are dropped. */

@@ -32,7 +32,8 @@ public interface BoundingSensor extends AssessableSensor {
      * Bounds for a state of a drone; other parameters as for {@link #boundAtAllHeadings}.
      *
      * @param state where and how it is assumed to fly: level
-     * @param steps probabilities with the same step need not be told apart; it grows with the probability
+     * @param steps gives the step of a probability, which never falls as the probability grows; those of one step
+     *     count as equal
      * @return empty where it is faster to assess the drone
      */
     Optional<AssessmentBounds> bound(

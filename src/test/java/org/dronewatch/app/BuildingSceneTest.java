@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.buildings.BuildingSettings;
+import org.dronewatch.buildings.OsmHouse;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
@@ -59,21 +60,10 @@ class BuildingSceneTest {
         Files.writeString(directory.resolve("ground.asc"), text);
         Files.writeString(
                 directory.resolve("map.osm"),
-                "<osm>" + house(10, 50.0004, "<tag k='height' v='12'/><tag k='building:material' v='concrete'/>")
-                        + house(20, 50.0008, "") + "</osm>");
-    }
-
-    private static String house(int first, double south, String tags) {
-        double[][] corners = {{0, -0.0001}, {0, 0.0001}, {0.0001, 0.0001}, {0.0001, -0.0001}};
-        StringBuilder text = new StringBuilder();
-        StringBuilder refs = new StringBuilder();
-        for (int i = 0; i < 4; i++) {
-            text.append("<node id='").append(first + i).append("' lat='").append(south + corners[i][0]);
-            text.append("' lon='").append(15.0 + corners[i][1]).append("'/>");
-            refs.append("<nd ref='").append(first + i).append("'/>");
-        }
-        return text + "<way id='" + first + "'>" + refs + "<nd ref='" + first + "'/><tag k='building' v='yes'/>" + tags
-                + "</way>";
+                "<osm>"
+                        + OsmHouse.text(
+                                10, 50.0004, "<tag k='height' v='12'/><tag k='building:material' v='concrete'/>")
+                        + OsmHouse.text(20, 50.0008, "") + "</osm>");
     }
 
     private Path scene(String text) throws IOException {
@@ -169,7 +159,7 @@ class BuildingSceneTest {
     void aWoodHidesAsVegetation() throws IOException {
         Files.writeString(
                 directory.resolve("map.osm"),
-                "<osm>" + house(10, 50.0004, "").replace("building' v='yes", "natural' v='wood") + "</osm>");
+                "<osm>" + OsmHouse.text(10, 50.0004, "").replace("building' v='yes", "natural' v='wood") + "</osm>");
         SceneRunner runner =
                 new SceneRunner(new SceneFile(scene(SITE.replace("map.osm", "map.osm, woodHeight: 20 m"))));
         World world = runner.stage(runner.settings()).world();

@@ -11,7 +11,7 @@ import org.dronewatch.sensor.Assessment;
  * between two that differ, more; those between two that hardly differ are interpolated.
  */
 final class LookSeries {
-    /** The least number of looks of a pass through the field of view that are assessed, if it has so many or more. */
+    /** How many looks of a pass through the field of view are assessed, at least; all if there are fewer. */
     private static final int LEAST = 12;
 
     /** The greatest difference of two probabilities between which those of the looks are interpolated. */

@@ -81,7 +81,7 @@ final class CameraBounds {
     /**
      * Bounds for a level state.
      *
-     * @param steps probabilities with the same step need not be told apart
+     * @param steps gives the step of a probability; those of one step count as equal
      * @return empty where it is faster to draw the drone
      */
     Optional<AssessmentBounds> of(

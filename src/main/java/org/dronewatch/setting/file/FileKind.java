@@ -12,7 +12,7 @@ public enum FileKind {
     TIFF("a TIFF file", "world.terrain", (name, start) -> start.matches("(?s)(II[*+]\0|MM\0[*+]).*")),
     /** ESRI's text format of elevations. */
     ASCII_GRID("an ESRI ASCII grid", "world.terrain", (name, start) -> start.matches("(?is)\\s*(ncols|nrows)\\s.*")),
-    /** A tile of SRTM has no beginning of its own. */
+    /** A tile of SRTM has no signature at its beginning. */
     SRTM("an SRTM tile", "world.terrain", (name, start) -> name.endsWith(".hgt")),
     /** Models of buildings, by the exchange format of STEP. */
     IFC("an IFC model", "world.models", (name, start) -> start.startsWith("ISO-10303-21")),

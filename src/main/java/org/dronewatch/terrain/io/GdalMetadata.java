@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import org.dronewatch.setting.InputException;
 
 /**
- * What GDAL's programs write about a GeoTIFF's samples in a tag of their own (42112).
+ * What GDAL writes about a GeoTIFF's samples, in its private tag 42112.
  *
  * @param name of the file in messages
  * @param text of the tag, XML; empty if there is none

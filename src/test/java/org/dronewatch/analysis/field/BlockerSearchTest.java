@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.dronewatch.buildings.BuildingOutline;
+import org.dronewatch.buildings.OsmHouse;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scene.SceneFile;
@@ -31,8 +32,8 @@ class BlockerSearchTest {
                 "ncols 3\nnrows 3\nxllcenter 499800\nyllcenter 5538430.74\ncellsize 200\n" + "200 200 200\n".repeat(3));
         Files.writeString(
                 directory.resolve("map.osm"),
-                "<osm>" + house(10, 50.0004, "<tag k='name' v='Depot'/><tag k='height' v='12'/>")
-                        + house(20, 50.0008, "<tag k='height' v='20'/>") + "</osm>");
+                "<osm>" + OsmHouse.text(10, 50.0004, "<tag k='name' v='Depot'/><tag k='height' v='12'/>")
+                        + OsmHouse.text(20, 50.0008, "<tag k='height' v='20'/>") + "</osm>");
         Path file = Files.writeString(
                 directory.resolve("site.yaml"),
                 """
@@ -47,19 +48,6 @@ class BlockerSearchTest {
                 """);
         SceneRunner runner = new SceneRunner(new SceneFile(file));
         stage = runner.stage(runner.settings());
-    }
-
-    private static String house(int first, double south, String tags) {
-        double[][] corners = {{0, -0.0001}, {0, 0.0001}, {0.0001, 0.0001}, {0.0001, -0.0001}};
-        StringBuilder text = new StringBuilder();
-        StringBuilder refs = new StringBuilder();
-        for (int i = 0; i < 4; i++) {
-            text.append("<node id='").append(first + i).append("' lat='").append(south + corners[i][0]);
-            text.append("' lon='").append(15.0 + corners[i][1]).append("'/>");
-            refs.append("<nd ref='").append(first + i).append("'/>");
-        }
-        return text + "<way id='" + first + "'>" + refs + "<nd ref='" + first + "'/><tag k='building' v='yes'/>" + tags
-                + "</way>";
     }
 
     private static Optional<BuildingOutline> between(Position sensor, Position drone) {

@@ -1,6 +1,5 @@
 package org.dronewatch.sensor.acoustic.level;
 
-import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
@@ -43,17 +42,6 @@ final class DecisiveRays {
     }
 
     private boolean isDirectedAtSensor(AcousticRay ray) {
-        return IntersectionHandler.raySphere(
-                        ray.originX,
-                        ray.originY,
-                        ray.originZ,
-                        ray.directionX,
-                        ray.directionY,
-                        ray.directionZ,
-                        sensor.x(),
-                        sensor.y(),
-                        sensor.z(),
-                        radius)
-                < Double.POSITIVE_INFINITY;
+        return ray.entry(sensor, radius) < Double.POSITIVE_INFINITY;
     }
 }

@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.acoustic.level;
 
 import java.util.random.RandomGenerator;
-import org.dronewatch.geometry.IntersectionHandler;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
@@ -85,18 +84,7 @@ final class RayChunk {
     }
 
     private boolean reachesSensor(double surface) {
-        double entry = IntersectionHandler.raySphere(
-                ray.originX,
-                ray.originY,
-                ray.originZ,
-                ray.directionX,
-                ray.directionY,
-                ray.directionZ,
-                sensor.x(),
-                sensor.y(),
-                sensor.z(),
-                radius);
-        return entry < surface;
+        return ray.entry(sensor, radius) < surface;
     }
 
     /** Heard at the distance of the sensor's centre, so that the range does not grow by the radius. */

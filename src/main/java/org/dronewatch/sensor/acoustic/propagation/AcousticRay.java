@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
+import org.dronewatch.geometry.IntersectionHandler;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
@@ -77,5 +79,20 @@ public final class AcousticRay {
         directionX -= twice * normal[0];
         directionY -= twice * normal[1];
         directionZ -= twice * normal[2];
+    }
+
+    /** Where the ray enters a sphere: a distance from its origin, m; 0 inside it, infinite if it misses the sphere. */
+    public double entry(Position centre, double radius) {
+        return IntersectionHandler.raySphere(
+                originX,
+                originY,
+                originZ,
+                directionX,
+                directionY,
+                directionZ,
+                centre.x(),
+                centre.y(),
+                centre.z(),
+                radius);
     }
 }
