@@ -110,9 +110,8 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     private int runOne(CampaignPlan plan) {
-        if (only < 0 || only >= plan.settings().runs()) {
-            throw new InputException(
-                    "--case " + only + ": must be 0 to " + (plan.settings().runs() - 1));
+        if (only < 0 || only >= plan.runs()) {
+            throw new InputException("--case " + only + ": must be 0 to " + (plan.runs() - 1));
         }
         PrintWriter target = spec.commandLine().getOut();
         CampaignLines.printValues(plan, only, target);
@@ -129,7 +128,7 @@ final class CampaignCommand implements Callable<Integer> {
         Interruption interruption = main.interruption();
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             boolean whole = true;
-            try (CaseProgress progress = new CaseProgress(name, plan.settings().runs(), err)) {
+            try (CaseProgress progress = new CaseProgress(name, plan.runs(), err)) {
                 new CampaignRun(plan).run(files, progress::add);
             } catch (CancellationException e) {
                 if (!interruption.happened()) {
@@ -138,7 +137,7 @@ final class CampaignCommand implements Callable<Integer> {
                 whole = false;
             }
             interruption.letFinish();
-            CampaignLines.print(files.finish(), spec.commandLine().getOut());
+            CampaignLines.print(plan, files.finish(), spec.commandLine().getOut());
             if (!whole) {
                 err.println("interrupted: --resume runs the cases that are missing");
             }

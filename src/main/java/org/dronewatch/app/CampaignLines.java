@@ -1,17 +1,22 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
 import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.Stopping;
+import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
 
 /** What the command {@code campaign} prints. */
@@ -22,7 +27,8 @@ final class CampaignLines {
     private CampaignLines() {}
 
     /** What came of all cases. */
-    static void print(CampaignSummary summary, PrintWriter out) {
+    static void print(CampaignPlan plan, CampaignResult result, PrintWriter out) {
+        CampaignSummary summary = result.summary();
         int width =
                 summary.variants().keySet().stream().mapToInt(String::length).reduce("variant".length(), Math::max);
         out.println("in % of the cases, with 95 % confidence intervals:");
@@ -49,6 +55,34 @@ final class CampaignLines {
                 .forEach((name, one) -> out.printf(
                         "%-" + width + "s %31s %31s%n", name, quantiles(one.ranges()), quantiles(one.warnings())));
         printPairs(summary.comparisons(), out);
+        plan.settings().until().ifPresent(until -> printPrecision(plan, until, result.stopping(), out));
+    }
+
+    private static void printPrecision(CampaignPlan plan, UntilSettings until, Stopping stopping, PrintWriter out) {
+        Proportion proportion = stopping.proportion();
+        Proportion.Interval interval = until.rule().interval(proportion);
+        String asked = word(until.of()) + " of " + plan.observed() + " to within "
+                + number(PERCENT * until.halfWidth()) + " points with a confidence of "
+                + number(PERCENT * until.confidence()) + " %";
+        out.println();
+        out.println(
+                stopping.isPrecise()
+                        ? String.format(
+                                Locale.ROOT,
+                                "%s: %.1f (%.1f to %.1f) %% after %,d cases",
+                                asked,
+                                PERCENT * proportion.share(),
+                                PERCENT * interval.low(),
+                                PERCENT * interval.high(),
+                                proportion.of())
+                        : String.format(Locale.ROOT, "%s: not reached after %,d cases", asked, proportion.of()));
+    }
+
+    private static String number(double value) {
+        return BigDecimal.valueOf(value)
+                .round(new MathContext(6))
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     private static void printPairs(List<VariantComparison> pairs, PrintWriter out) {

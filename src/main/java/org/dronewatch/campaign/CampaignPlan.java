@@ -74,6 +74,18 @@ public final class CampaignPlan {
         return settings;
     }
 
+    /** The number of cases, or, if it depends on their outcomes, the largest number. */
+    public int runs() {
+        return settings.most();
+    }
+
+    /** The variant whose outcomes decide when the campaign ends, if they do. */
+    public String observed() {
+        return settings.until()
+                .flatMap(UntilSettings::variant)
+                .orElseGet(() -> variants.keySet().iterator().next());
+    }
+
     /** The names of the variants, in the order of the campaign. */
     public List<String> variants() {
         return List.copyOf(variants.keySet());

@@ -3,12 +3,14 @@ package org.dronewatch.campaign;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntConsumer;
 import org.dronewatch.parallel.Workers;
 
 /**
  * Runs the cases of a campaign in chunks of neighbouring cases. Each chunk is handed over whole, so that an
- * interrupted campaign can be resumed: chunks that were kept are not run again.
+ * interrupted campaign can be resumed: chunks that were kept are not run again. If the outcomes decide how many cases
+ * there are, they are considered in the order of the cases; some cases of the last chunk may then be superfluous.
  */
 public final class CampaignRun {
     /** Cases of a chunk: some seconds of work, and few files. */
@@ -18,8 +20,8 @@ public final class CampaignRun {
 
     /** Where the results of chunks are kept. */
     public interface Chunks {
-        /** Whether a chunk's results are there. */
-        boolean has(int chunk);
+        /** The results of a chunk, by case, then variant; empty if they are not there. */
+        Optional<List<CaseResult>> find(int chunk);
 
         /**
          * Keeps the results of a chunk, all or none of them.
@@ -33,9 +35,9 @@ public final class CampaignRun {
         this.plan = plan;
     }
 
-    /** The number of chunks. */
+    /** The number of chunks; the largest number if the outcomes decide how many cases there are. */
     public int chunks() {
-        return (plan.settings().runs() + CHUNK - 1) / CHUNK;
+        return (plan.runs() + CHUNK - 1) / CHUNK;
     }
 
     /**
@@ -47,13 +49,18 @@ public final class CampaignRun {
      *     kept
      */
     public void run(Chunks kept, IntConsumer progress) {
-        for (int chunk = 0; chunk < chunks(); chunk++) {
+        Stopping stopping = new Stopping(plan);
+        for (int chunk = 0; chunk < chunks() && !stopping.isReached(); chunk++) {
             int first = chunk * CHUNK;
-            int cases = Math.min(CHUNK, plan.settings().runs() - first);
-            if (kept.has(chunk)) {
+            int cases = Math.min(CHUNK, plan.runs() - first);
+            Optional<List<CaseResult>> there = kept.find(chunk);
+            if (there.isPresent()) {
                 progress.accept(cases);
+                stopping.add(there.get());
             } else {
-                kept.put(chunk, results(first, cases, progress));
+                List<CaseResult> results = results(first, cases, progress);
+                kept.put(chunk, results);
+                stopping.add(results);
             }
         }
     }

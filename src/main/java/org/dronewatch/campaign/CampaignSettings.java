@@ -3,10 +3,12 @@ package org.dronewatch.campaign;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 
 /**
@@ -16,14 +18,16 @@ import org.dronewatch.setting.Quantity;
  * @param vary how settings vary from case to case, by their paths, such as {@code drones.intruder.speed}
  * @param variants what differs between the variants, by their names: settings by their paths with values, as for
  *     {@code --set}, and {@code scene} for another scene; without any there is one variant, the scene as it is
- * @param runs number of cases, 1 to a million
+ * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
+ * @param until how precisely a probability is to be known, instead of a fixed number of cases
  * @param seed seed of what is drawn for the cases, and of their runs
  */
 public record CampaignSettings(
         String scene,
         Map<String, Variation> vary,
         Map<String, Map<String, String>> variants,
-        @In(value = Quantity.NUMBER, from = 1, to = 1e6) int runs,
+        @In(value = Quantity.NUMBER, from = 1, to = 1e6) Optional<Integer> runs,
+        Optional<UntilSettings> until,
         long seed) {
     /** Name of the variant of a campaign that states none. */
     public static final String ALONE = "scene";
@@ -31,6 +35,7 @@ public record CampaignSettings(
     /** Under this name a variant states another scene. */
     public static final String SCENE = "scene";
 
+    private static final int RUNS = 1000;
     private static final int MOST_VARIANTS = 100;
 
     /** Checks the limits and copies the maps. */
@@ -38,7 +43,9 @@ public record CampaignSettings(
         Check.present("scene", scene);
         vary = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("vary", vary)));
         variants = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("variants", variants)));
-        Limits.check(CampaignSettings.class, scene, vary, variants, runs, seed);
+        Check.present("runs", runs);
+        Check.present("until", until);
+        Limits.check(CampaignSettings.class, scene, vary, variants, runs, until, seed);
         if (variants.size() > MOST_VARIANTS) {
             throw new IllegalArgumentException("variants has " + variants.size() + " entries, must have at most 100");
         }
@@ -46,12 +53,30 @@ public record CampaignSettings(
         for (Map.Entry<String, Map<String, String>> variant : variants.entrySet()) {
             checkVariant(variant.getKey(), variant.getValue(), vary);
         }
+        if (until.isPresent() && until.get().variant().isPresent()) {
+            checkNamed("until.variant", until.get().variant().get(), variants);
+        }
+        if (until.isPresent() && until.get().variant().isEmpty() && variants.size() > 1) {
+            throw new IllegalArgumentException("until needs 'variant': one of " + String.join(", ", variants.keySet()));
+        }
     }
 
-    /** A campaign of a scene as it is, with seed 1. */
-    @Defaults({"scene", "vary", "runs"})
-    public static CampaignSettings of(String scene, Map<String, Variation> vary, int runs) {
-        return new CampaignSettings(scene, vary, Map.of(), runs, 1L);
+    /** A campaign of 1,000 cases of a scene as it is, with seed 1. */
+    @Defaults("scene")
+    public static CampaignSettings of(String scene) {
+        return new CampaignSettings(scene, Map.of(), Map.of(), Optional.empty(), Optional.empty(), 1L);
+    }
+
+    /** The number of cases, or, if it depends on their outcomes, the largest number. */
+    public int most() {
+        return runs.orElseGet(() -> until.map(one -> one.rule().most()).orElse(RUNS));
+    }
+
+    private static void checkNamed(String setting, String name, Map<String, ?> variants) {
+        if (!variants.containsKey(name) && !(variants.isEmpty() && name.equals(ALONE))) {
+            throw new IllegalArgumentException(setting + " " + PlainText.value(name) + ": no such variant; there is "
+                    + (variants.isEmpty() ? ALONE : String.join(", ", variants.keySet())));
+        }
     }
 
     private static void checkVariation(String path, Variation variation) {

@@ -47,10 +47,10 @@ public final class SettingText {
         if (plain == double.class || plain == Double.class) {
             return quantity.parse(text);
         }
-        if (plain == int.class) {
+        if (plain == int.class || plain == Integer.class) {
             return wholeNumber(quantity, text);
         }
-        if (plain == long.class) {
+        if (plain == long.class || plain == Long.class) {
             return longNumber(text);
         }
         if (plain == boolean.class || plain == Boolean.class) {

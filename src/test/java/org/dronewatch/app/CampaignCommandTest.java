@@ -114,6 +114,37 @@ class CampaignCommandTest {
         assertThat(Files.list(chunks)).hasSize(2);
     }
 
+    /** At most 104 cases, in three chunks; those of the last chunk that are not needed are left out. */
+    @Test
+    void aCampaignEndsAsSoonAsTheProbabilityIsKnown() throws IOException {
+        Path file = Files.writeString(
+                directory.resolve("precise.campaign.yaml"),
+                CampaignSite.TWO_RANGES.replace(
+                        "runs: 60", "until: {of: in_time, variant: far, halfWidth: 0.12, confidence: 0.9}"));
+        String[] command = {"campaign", file.toString(), "--out=" + directory.resolve("precise"), "--threads=3"};
+        Outcome precise = Program.run(command);
+        JsonNode until = json("precise/campaign.json").get("until");
+        List<String> rows = Files.readAllLines(directory.resolve("precise/runs.csv"));
+        List<String> before = bytes("precise");
+
+        assertThat(precise.code()).as(precise.err()).isZero();
+        assertThat(until.get("reached").asBoolean()).isTrue();
+        assertThat(until.get("n").asInt()).isBetween(51, 104).isEqualTo((rows.size() - 1) / 2);
+        assertThat(rows.stream().filter(row -> row.contains(",far,") && row.contains(",true,")))
+                .hasSize(until.get("k").asInt());
+        assertThat(precise.out())
+                .containsPattern("in time of far to within 12 points with a confidence of 90 %: .* after \\d+ cases");
+
+        Files.delete(directory.resolve("precise/chunks/000001.csv"));
+        Files.delete(directory.resolve("precise/runs.csv"));
+        assertThat(Program.run(command).code()).isEqualTo(2);
+        Outcome resumed = Program.run(
+                Stream.concat(Stream.of(command), Stream.of("--resume")).toArray(String[]::new));
+        assertThat(resumed.code()).isZero();
+        assertThat(bytes("precise")).isEqualTo(before);
+        assertThat(resumed.out()).isEqualTo(precise.out());
+    }
+
     @Test
     void aCaseAloneIsThatOfTheCampaign() throws IOException {
         Outcome alone = campaign("none", "--case", "7");

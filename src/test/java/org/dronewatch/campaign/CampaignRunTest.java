@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.setting.InputException;
@@ -32,8 +33,8 @@ class CampaignRunTest {
         Map<Integer, List<CaseResult>> chunks = new TreeMap<>();
         CampaignRun.Chunks kept = new CampaignRun.Chunks() {
             @Override
-            public boolean has(int chunk) {
-                return false;
+            public Optional<List<CaseResult>> find(int chunk) {
+                return Optional.empty();
             }
 
             @Override

@@ -9,6 +9,8 @@ import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
 import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.Stopping;
+import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
 import org.dronewatch.campaign.VariantSummary;
 import org.dronewatch.report.Numbers;
@@ -26,12 +28,12 @@ final class CampaignFile {
 
     private final CampaignPlan plan;
     private final CampaignSummary summary;
-    private final boolean complete;
+    private final Stopping stopping;
 
-    CampaignFile(CampaignPlan plan, CampaignSummary summary, boolean complete) {
+    CampaignFile(CampaignPlan plan, CampaignSummary summary, Stopping stopping) {
         this.plan = plan;
         this.summary = summary;
-        this.complete = complete;
+        this.stopping = stopping;
     }
 
     ObjectNode toJson() {
@@ -39,14 +41,32 @@ final class CampaignFile {
         root.put("format", FORMAT);
         root.put("scene", plan.settings().scene());
         root.put("seed", plan.settings().seed());
-        root.put("runs", plan.settings().runs());
+        root.put("runs", plan.runs());
         root.put("confidence", CONFIDENCE);
+        plan.settings().until().ifPresent(until -> add(root.putObject("until"), until));
         ObjectNode variants = root.putObject("variants");
         summary.variants().forEach((name, variant) -> add(variants.putObject(name), variant));
         ArrayNode pairs = root.putArray("pairs");
         summary.comparisons().forEach(pair -> add(pairs.addObject(), pair));
-        root.put("complete", complete);
+        root.put("complete", stopping.isReached());
         return root;
+    }
+
+    private void add(ObjectNode node, UntilSettings until) {
+        Proportion proportion = stopping.proportion();
+        Proportion.Interval interval = until.rule().interval(proportion);
+        node.put("of", key(until.of()));
+        node.put("variant", plan.observed());
+        node.put("half_width", Numbers.rounded(until.halfWidth()));
+        node.put("confidence", Numbers.rounded(until.confidence()));
+        node.put("reached", stopping.isPrecise());
+        node.put("k", proportion.count());
+        node.put("n", proportion.of());
+        if (stopping.isPrecise()) {
+            node.put("share", Numbers.rounded(proportion.share()));
+            node.put("low", Numbers.rounded(interval.low()));
+            node.put("high", Numbers.rounded(interval.high()));
+        }
     }
 
     private static void add(ObjectNode node, VariantSummary variant) {

@@ -5,18 +5,19 @@ import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.Stopping;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
@@ -128,20 +129,21 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
 
     /** A file that is damaged is no chunk: its cases are run again. */
     @Override
-    public boolean has(int number) {
+    public Optional<List<CaseResult>> find(int number) {
         if (!Files.isRegularFile(chunk(number))) {
-            return false;
+            return Optional.empty();
         }
         try {
-            return isWhole(number, table.read(chunk(number)));
+            List<CaseResult> results = table.read(chunk(number));
+            return isWhole(number, results) ? Optional.of(results) : Optional.empty();
         } catch (IOException e) {
-            return false;
+            return Optional.empty();
         }
     }
 
     private boolean isWhole(int number, List<CaseResult> results) {
         int first = number * CampaignRun.CHUNK;
-        int cases = Math.min(CampaignRun.CHUNK, plan.settings().runs() - first);
+        int cases = Math.min(CampaignRun.CHUNK, plan.runs() - first);
         List<String> variants = plan.variants();
         if (results.size() != cases * variants.size()) {
             return false;
@@ -169,33 +171,27 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
      *
      * @return what came of the campaign so far
      */
-    public CampaignSummary finish() {
+    public CampaignResult finish() {
         CampaignSummary summary = new CampaignSummary(plan.variants());
-        List<Integer> there = new ArrayList<>();
-        int chunks = new CampaignRun(plan).chunks();
-        for (int number = 0; number < chunks; number++) {
-            if (has(number)) {
-                there.add(number);
-            }
-        }
+        Stopping stopping = new Stopping(plan);
         new WholeFile("--out", directory.resolve("runs.csv").toString())
-                .write(stream -> copyAll(there, stream, summary));
-        writeJson("campaign.json", new CampaignFile(plan, summary, there.size() == chunks).toJson());
-        return summary;
+                .write(stream -> copyAll(stream, summary, stopping));
+        writeJson("campaign.json", new CampaignFile(plan, summary, stopping).toJson());
+        return new CampaignResult(summary, stopping);
     }
 
-    private void copyAll(List<Integer> there, OutputStream stream, CampaignSummary summary) throws IOException {
+    /** Copies the cases that are there, up to the one with which the campaign ends. */
+    private void copyAll(OutputStream stream, CampaignSummary summary, Stopping stopping) throws IOException {
         int variants = plan.variants().size();
-        String header = null;
-        for (int number : there) {
-            List<CaseResult> results = table.read(chunk(number));
-            for (int i = 0; i < results.size(); i += variants) {
-                summary.add(results.subList(i, i + variants));
+        int chunks = new CampaignRun(plan).chunks();
+        table.write(stream, List.of());
+        for (int number = 0; number < chunks && !stopping.isReached(); number++) {
+            List<CaseResult> results = find(number).orElse(List.of());
+            int cases = stopping.add(results);
+            for (int i = 0; i < cases; i++) {
+                summary.add(results.subList(i * variants, (i + 1) * variants));
             }
-            String text = Files.readString(chunk(number), StandardCharsets.UTF_8);
-            int end = text.indexOf('\n') + 1;
-            stream.write(text.substring(header == null ? 0 : end).getBytes(StandardCharsets.UTF_8));
-            header = text.substring(0, end);
+            table.writeRows(stream, results.subList(0, cases * variants));
         }
     }
 

@@ -53,10 +53,19 @@ final class CaseTable {
 
     /** Writes rows with their header; the stream stays open. */
     void write(OutputStream stream, List<CaseResult> results) throws IOException {
+        writeRecords(stream, List.of(header()));
+        writeRows(stream, results);
+    }
+
+    /** Writes rows alone; the stream stays open. */
+    void writeRows(OutputStream stream, List<CaseResult> results) throws IOException {
+        writeRecords(stream, results.stream().map(CaseTable::row).toList());
+    }
+
+    private static void writeRecords(OutputStream stream, List<List<String>> records) throws IOException {
         OutputStreamWriter text = new OutputStreamWriter(stream, StandardCharsets.UTF_8);
         CsvWriter writer = CsvWriter.builder().lineDelimiter(LineDelimiter.LF).build(text);
-        writer.writeRecord(header());
-        results.forEach(result -> writer.writeRecord(row(result)));
+        records.forEach(writer::writeRecord);
         writer.flush();
         text.flush();
     }
