@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.zip.GZIPOutputStream;
 import org.dronewatch.terrain.io.TiffFixture;
 
-/** Files of elevations: GeoTIFF in many ways, ASCII grids and packed tiles, damaged and with sizes that lie. */
+/** Files of elevations: GeoTIFF in many ways, ASCII grids and compressed tiles, damaged and with sizes that lie. */
 final class TerrainTarget implements FuzzTarget {
     private static final List<Integer> TAGS = List.of(
             256, 257, 258, 259, 262, 273, 277, 278, 279, 317, 322, 323, 324, 325, 339, 33550, 33922, 34735, 42112,

@@ -43,7 +43,7 @@ public final class Coverage {
     }
 
     /**
-     * Evaluates all sensors of a scene at all points, on the threads of the {@link Workers} that call; the same for any
+     * Evaluates all sensors of a scene at all points, on the {@link Workers} of the calling thread; the same for any
      * number of them.
      *
      * @param settings settings of one run
@@ -163,8 +163,8 @@ public final class Coverage {
     }
 
     /**
-     * The number of cells for each cause, by sensor, as given by {@link #causes(String)}; computed on the threads of
-     * the {@link Workers} that call, and the same for any number of them.
+     * The number of cells for each cause, by sensor, as given by {@link #causes(String)}; computed on the
+     * {@link Workers} of the calling thread, and the same for any number of them.
      */
     public Map<String, Map<Cause, Integer>> causes() {
         List<String> ids = List.copyOf(sensors.keySet());

@@ -29,7 +29,7 @@ import org.dronewatch.world.WorldSettings;
  */
 record FreeSight(World world, Drone drone, String sensor, long seed) {
 
-    /** The conditions of a scene's world: what belongs to its place is left out. */
+    /** The conditions of a scene's world, without its models and noise sources. */
     static FreeSight in(WorldSettings site, Drone drone, String sensor, long seed) {
         TriangleMesh nothing = new TriangleMesh(new float[0], new int[0], new int[0], new int[0], List.of());
         World free = new World(KDTree.of(nothing), site.noise(), site.surfaces(), site.atmosphere())

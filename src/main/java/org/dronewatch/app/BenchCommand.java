@@ -123,7 +123,8 @@ final class BenchCommand implements Callable<Integer> {
                 "--query occluded needs --rays: segments are not generated");
         require(
                 query == RaySet.Query.NEAREST || hits == null && width == null,
-                "--query occluded takes neither --hits nor --width: it does not find out which triangle hides a segment");
+                "--query occluded takes neither --hits nor --width: it does not determine which triangle hides a"
+                        + " segment");
         require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
     }
 

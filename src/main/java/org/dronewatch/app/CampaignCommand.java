@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
             "  dronewatch campaign scenes/two-radars.campaign.yaml --case 10"
         })
 final class CampaignCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "FILE.yaml", description = "What is run, and what varies.")
+    @Parameters(index = "0", paramLabel = "FILE.yaml", description = "Campaign file: what is run, and what varies.")
     private String file;
 
     @Option(names = "--runs", paramLabel = "N", description = "Number of cases instead of that in the file.")

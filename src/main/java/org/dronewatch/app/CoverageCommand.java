@@ -117,7 +117,7 @@ final class CoverageCommand implements Callable<Integer> {
         return isPlan ? drawPlan() : assessField();
     }
 
-    /** The options of the two forms exclude each other. */
+    /** The options of the two forms are mutually exclusive. */
     private void checkForm(boolean isPlan) {
         if (isPlan && field.given() != null) {
             throw new InputException(field.given() + ": has no effect on a plan: name a directory with --out, not "

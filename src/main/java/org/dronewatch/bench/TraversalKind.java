@@ -13,7 +13,7 @@ public enum TraversalKind {
     TILES,
     /** One ray at a time, ordered, with a stack. */
     STACK,
-    /** One ray at a time, eight boxes per step by vector instructions; if these cannot be used, as STACK. */
+    /** One ray at a time, eight boxes per step with vector instructions; if these cannot be used, as STACK. */
     BVH,
     /** One ray at a time, stackless, leaf by leaf from the root. */
     SEQUENTIAL;

@@ -73,7 +73,7 @@ record Dimensions(
             this.tags = tags;
         }
 
-        /** A length of 0 to {@link #HIGHEST}; what is none counts as not stated. */
+        /** A length of 0 to {@link #HIGHEST}; anything else counts as not stated. */
         OptionalDouble length(String... keys) {
             for (String key : keys) {
                 String text = tags.get(key);
@@ -107,7 +107,7 @@ record Dimensions(
             return OptionalDouble.empty();
         }
 
-        /** Degrees, or the name of a wind. */
+        /** Degrees, or the name of a compass point. */
         OptionalDouble direction() {
             String text = tags.get("roof:direction");
             int wind = text == null ? -1 : WINDS.indexOf(text.strip().toLowerCase(Locale.ROOT));

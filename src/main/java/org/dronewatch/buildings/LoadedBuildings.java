@@ -44,7 +44,7 @@ public record LoadedBuildings(
         warnings = List.copyOf(warnings);
     }
 
-    /** The attribution as short as it may be in a picture. */
+    /** The attribution, in the shortest form that is permitted in a picture. */
     public Optional<String> credit() {
         return attribution.map(text -> "© OpenStreetMap contributors");
     }

@@ -3,13 +3,13 @@ package org.dronewatch.buildings;
 /** The shapes of roofs that are built; all others are flat, at the full height of the building. */
 enum RoofShape {
     FLAT,
-    /** Two slopes to both sides of a ridge. */
+    /** Two slopes, one on either side of a ridge. */
     GABLED,
     /** Four slopes of the same pitch. */
     HIPPED,
     /** Slopes from each side to one point. */
     PYRAMIDAL,
-    /** Round about a point. */
+    /** Round, about one point. */
     DOME,
     /** One slope. */
     SKILLION

@@ -15,8 +15,8 @@ import org.dronewatch.setting.file.FileHash;
 
 /**
  * The cases of a campaign, and its variants with their models. Case k depends only on the campaign's seed, on k and on
- * the paths of the settings that vary, not on the number of cases, on the variants, or on what else varies. Immutable;
- * for all threads.
+ * the paths of the settings that vary, not on the number of cases, on the variants, or on what else varies. Immutable
+ * and thread-safe.
  */
 public final class CampaignPlan {
     /** Purpose of the draws of settings that vary; the path takes the place of the sensor's name. */
@@ -29,8 +29,8 @@ public final class CampaignPlan {
     private final Map<String, Quantity> quantities = new LinkedHashMap<>();
 
     /**
-     * Reads the scenes of all variants, loads their models, and checks that the least and greatest values of all that
-     * varies fit.
+     * Reads the scenes of all variants, loads their models, and checks that the least and greatest values of all
+     * settings that vary are valid.
      *
      * @param directory of the campaign file
      * @param notes receives a line for each file read, and each warning

@@ -1,7 +1,7 @@
 package org.dronewatch.campaign;
 
 /**
- * What came of a campaign so far.
+ * The results of a campaign so far.
  *
  * @param summary of its variants and of their comparison
  * @param stopping whether all cases were run, and what decided how many there are

@@ -6,7 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What came of a campaign: of each variant, and of each pair of them. Cases are added in any order; for one thread. */
+/**
+ * The results of a campaign: of each variant, and of each pair of them. Cases are added in any order; for one thread.
+ */
 public final class CampaignSummary {
     private final Map<String, VariantSummary> variants = new LinkedHashMap<>();
     private final List<VariantComparison> comparisons = new ArrayList<>();

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What came of one case with one variant.
+ * The result of one case with one variant.
  *
  * @param number of the case, from 0
  * @param variant name of the variant
@@ -14,10 +14,10 @@ import java.util.OptionalDouble;
  * @param error why there is no result, in one line; empty where there is one
  * @param bearing from the middle of what is protected, or of the sensors, to the first attacking drone at the start,
  *     clockwise from north, rad; empty in a case that failed or has no drone
- * @param firstDetected when the first attacking drone was first detected, s; empty for never
- * @param firstSensor the sensor that did; empty for never
- * @param range its distance from that sensor then, m; empty for never
- * @param alert when the first alert was raised for an attacking drone, s; empty for never
+ * @param firstDetected when the first attacking drone was first detected, s; empty if never
+ * @param firstSensor the sensor that did; empty if never
+ * @param range its distance from that sensor then, m; empty if never
+ * @param alert when the first alert was raised for an attacking drone, s; empty if never
  * @param warning the warning time of that alert, s; empty without alert or zone
  * @param inTime whether it came in time; empty where nothing is protected or no response time is required
  */

@@ -12,11 +12,11 @@ public enum Outcome {
     IN_TIME(one -> one.inTime().isPresent(), one -> one.inTime().orElse(false));
 
     private final Predicate<CaseResult> known;
-    private final Predicate<CaseResult> had;
+    private final Predicate<CaseResult> met;
 
-    Outcome(Predicate<CaseResult> known, Predicate<CaseResult> had) {
+    Outcome(Predicate<CaseResult> known, Predicate<CaseResult> met) {
         this.known = known;
-        this.had = had;
+        this.met = met;
     }
 
     /** Whether the question makes sense for a case: a case that failed has no outcome. */
@@ -24,8 +24,8 @@ public enum Outcome {
         return !result.isFailed() && known.test(result);
     }
 
-    /** Whether a case has it. */
-    public boolean isHad(CaseResult result) {
-        return isKnown(result) && had.test(result);
+    /** Whether a case has it: false for a case in which it is not known. */
+    public boolean isMetBy(CaseResult result) {
+        return isKnown(result) && met.test(result);
     }
 }

@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
  * When a sequence of cases is long enough: Chen's rule (X. Chen, Sequential Analysis 31, 2012, as applied by Jegourel,
  * Sun and Dong, ACM Transactions on Modeling and Computer Simulation 29, 2019). With the share s of n cases, it stops
  * as soon as (|s - 1/2| - 2h/3)^2 is at least 1/4 - n h^2 / (2 ln(2/d)), for the half-width h and the confidence 1 - d.
- * The interval s - h to s + h then contains the probability at least with that confidence, although the number of
+ * The interval s - h to s + h then contains the probability with at least that confidence, although the number of
  * cases depends on their outcomes. A test after every case with an ordinary interval would not ensure that.
  *
  * @param halfWidth half the width of the interval, 0.002 to 0.5

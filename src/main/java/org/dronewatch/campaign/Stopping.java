@@ -32,7 +32,7 @@ public final class Stopping {
     }
 
     /**
-     * Adds results, unless the end is reached before.
+     * Adds results, up to the end of the campaign.
      *
      * @param results by case, then variant
      * @return how many of the cases belong to the campaign
@@ -54,7 +54,7 @@ public final class Stopping {
             for (CaseResult result : results) {
                 if (result.variant().equals(variant) && until.of().isKnown(result)) {
                     known++;
-                    count += until.of().isHad(result) ? 1 : 0;
+                    count += until.of().isMetBy(result) ? 1 : 0;
                 }
             }
         });

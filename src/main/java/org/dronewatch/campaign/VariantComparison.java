@@ -27,11 +27,11 @@ public final class VariantComparison {
             return;
         }
         both++;
-        if (outcome.isHad(ofA) == outcome.isHad(ofB)) {
+        if (outcome.isMetBy(ofA) == outcome.isMetBy(ofB)) {
             return;
         }
-        onlyA += outcome.isHad(ofA) ? 1 : 0;
-        onlyB += outcome.isHad(ofB) ? 1 : 0;
+        onlyA += outcome.isMetBy(ofA) ? 1 : 0;
+        onlyB += outcome.isMetBy(ofB) ? 1 : 0;
         if (deciding.size() < MOST_CASES) {
             deciding.add(ofA.number());
         }

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** What came of all cases of one variant. Results are added one by one; for one thread. */
+/** The results of all cases of one variant. Results are added one by one; for one thread. */
 public final class VariantSummary {
     /** The sectors of the bearings, the first centred on north. */
     public static final int SECTORS = 8;
@@ -48,7 +48,7 @@ public final class VariantSummary {
         for (Outcome outcome : Outcome.values()) {
             if (outcome.isKnown(result)) {
                 int[] count = counts.computeIfAbsent(outcome, unseen -> new int[2]);
-                count[0] += outcome.isHad(result) ? 1 : 0;
+                count[0] += outcome.isMetBy(result) ? 1 : 0;
                 count[1]++;
             }
         }

@@ -148,7 +148,7 @@ public record DroneSettings(
                 && !name.equals(DroneSounds.SMALL_QUADROTOR)
                 && DroneSounds.find(name).isPresent()) {
             throw new IllegalArgumentException("spectrum and sound '" + name
-                    + "' exclude each other, since the table has a spectrum of that name: omit one of them");
+                    + "' are mutually exclusive, since the table has a spectrum of that name: omit one of them");
         }
         try {
             if (!own) {

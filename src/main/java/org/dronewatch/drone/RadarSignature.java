@@ -89,7 +89,7 @@ public record RadarSignature(
     }
 
     private static IllegalArgumentException twoAnswers(String one, String other) {
-        return new IllegalArgumentException(one + " and " + other + " exclude each other: omit one of them");
+        return new IllegalArgumentException(one + " and " + other + " are mutually exclusive: omit one of them");
     }
 
     /** This signature with another mean cross-section, m2. */

@@ -33,7 +33,7 @@ public record RotorTones(
     /**
      * Checks the limits and copies the list.
      *
-     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave have more than all its
+     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave have more than its whole
      *     power
      */
     public RotorTones {

@@ -6,8 +6,8 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
- * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made once
- * several pictures could have been drawn instead, or a large one: a few small pictures cost less than a mask.
+ * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made only when it
+ * has been requested in place of several pictures, or of a large one: a few small pictures cost less than a mask.
  * Thread-safe.
  */
 public final class SilhouetteTable {
@@ -51,8 +51,8 @@ public final class SilhouetteTable {
      *
      * @param azimuth of the line of sight, from the camera to the drone, relative to the drone's nose, clockwise, rad
      * @param elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
-     * @param pixels how many pixels a picture would have, which the mask may save
-     * @return null until several pictures would have been drawn from the mask's directions, or a large one
+     * @param pixels number of pixels of the picture that the mask may save
+     * @return null until masks for its directions have been requested in place of several pictures, or of a large one
      */
     public SilhouetteMask mask(double azimuth, double elevation, int pixels) {
         int column = Math.floorMod((int) Math.floor(azimuth / AZIMUTH_STEP), AZIMUTHS);

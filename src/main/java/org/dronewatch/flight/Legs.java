@@ -40,10 +40,10 @@ public final class Legs {
 
     /**
      * The legs of a flight. A flight that consists of legs returns these, without the drone's tilt. Any other flight is
-     * sampled at even steps: samples on a straight line at constant speed are joined to one leg, which is exact except
-     * for rounding. In a bend, or with an acceleration a, the flight is divided at each step, and the position between
-     * two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end, so that the legs also state
-     * the end of the known flight.
+     * sampled at even steps: samples on a straight line at constant speed are joined into one leg, which is exact
+     * except for rounding. In a bend, or with an acceleration a, the flight is divided at each step, and the position
+     * between two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end, so that the legs also
+     * state the end of the known flight.
      *
      * @param path the flight
      * @param until its end, s

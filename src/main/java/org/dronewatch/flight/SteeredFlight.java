@@ -126,7 +126,7 @@ public final class SteeredFlight implements FlownPath {
         double from = time <= looked ? Math.nextUp(looked) : time;
         if (!(time >= looked && from >= now)) {
             throw new IllegalArgumentException("a command at " + time + " s must not be before " + now
-                    + " s, up to when the flight is already known");
+                    + " s, up to which the flight is already known");
         }
         return from;
     }

@@ -11,7 +11,7 @@ import org.dronewatch.world.SurfaceColumn;
 import org.dronewatch.world.World;
 
 /**
- * A protected area on its ground: an upright prism or cylinder in the world frame.
+ * A protected area placed on the ground: an upright prism or cylinder in the world frame.
  *
  * @param name of the area
  * @param settings of the area

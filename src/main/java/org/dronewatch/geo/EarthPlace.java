@@ -29,7 +29,7 @@ public record EarthPlace(
     public EarthPlace {
         Limits.check(EarthPlace.class, latitude, longitude, above, height);
         if (above.isPresent() && height.isPresent()) {
-            throw new IllegalArgumentException("above and height exclude each other: omit one of them");
+            throw new IllegalArgumentException("above and height are mutually exclusive: omit one of them");
         }
     }
 

@@ -30,7 +30,7 @@ public record FeaturePlace(
     public FeaturePlace {
         Limits.check(FeaturePlace.class, feature, file, above, height);
         if (above.isPresent() && height.isPresent()) {
-            throw new IllegalArgumentException("above and height exclude each other: omit one of them");
+            throw new IllegalArgumentException("above and height are mutually exclusive: omit one of them");
         }
     }
 

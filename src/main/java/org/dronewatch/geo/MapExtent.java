@@ -57,7 +57,8 @@ public record MapExtent(double west, double east, double south, double north) {
     }
 
     /**
-     * Where the points are, as the end of a sentence: in latitude and longitude, on a grid in its coordinates as well.
+     * Where the points are, as the end of a sentence: in latitude and longitude and, for a grid, in its coordinates as
+     * well.
      *
      * @param map from which the points are
      */

@@ -16,7 +16,7 @@ enum RasterMode {
      */
     MANY(79),
     /**
-     * Like MANY, with triangles and pixels four at a time by vector instructions. The leaves have to be the same as
+     * Like MANY, with triangles and pixels four at a time with vector instructions. The leaves have to be the same as
      * without vectors, since threads change over at different times: more leaves at a time would meet other rounding
      * errors of triangles seen edge-on.
      */

@@ -6,7 +6,7 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Rasterises triangles of few columns four pixels at a time, by vector instructions; others as
+ * Rasterises triangles of few columns four pixels at a time, with vector instructions; others as
  * {@link ScanlineRasteriser} does. All pixels of its rectangle are tested, without a branch for any: where triangles
  * are small most of them are inside.
  *

@@ -43,7 +43,7 @@ final class Moves {
     }
 
     /**
-     * Removes a directory, if nothing is in it, and those that hold it and become empty by that, up to but not
+     * Removes a directory if it is empty, and the directories above it that become empty as a result, up to but not
      * including one.
      */
     void removeIfEmpty(Path directory, Path last) throws IOException {

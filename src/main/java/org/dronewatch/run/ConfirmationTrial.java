@@ -10,7 +10,7 @@ import org.dronewatch.fusion.Confirmation;
  * The alerts that another confirmation would have raised with the looks of a run.
  *
  * @param confirm the confirmation
- * @param alerts time at which the alert for each drone would have been raised, by name of the drone, s; empty for never
+ * @param alerts time at which the alert for each drone would have been raised, by name of the drone, s; empty if never
  */
 public record ConfirmationTrial(Confirmation confirm, Map<String, OptionalDouble> alerts) {
     /** Copies the map: later changes by the caller have no effect. */

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  * @param sensor name of the sensor
  * @param kind its kind
  * @param drone name of the drone
- * @param firstDetected when it was first detected, s; empty for never
+ * @param firstDetected when it was first detected, s; empty if never
  * @param range its distance then, m
  * @param isUnknown whether the line of sight to it left the known ground at that time, so that something may have
  *     hidden it

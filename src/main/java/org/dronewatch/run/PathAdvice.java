@@ -9,7 +9,7 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.World;
 
 /**
- * Warns of a flight that leads under the ground or through a solid building, where every sensor would look for the
+ * Warns of a flight that passes below the ground or through a solid building, where every sensor would look for the
  * drone behind a wall: one line a drone.
  *
  * @param id name of the drone
@@ -46,8 +46,8 @@ record PathAdvice(String id, World world, Ground ground, double duration) {
         if (first != null) {
             target.accept(String.format(
                     Locale.ROOT,
-                    "drone '%s' flies under the ground or through a solid building: first at %s, at most %.1f m below the"
-                            + " surface above it",
+                    "drone '%s' flies below the ground or through a solid building: first at %s, at most %.1f m below"
+                            + " the surface above it",
                     id,
                     first,
                     deepest));

@@ -67,7 +67,7 @@ public record RunResult(
                 changed, settings.enabledSensors(), settings.world().weather());
     }
 
-    /** The observation with which a sensor first detected a drone; empty for never. */
+    /** The observation with which a sensor first detected a drone; empty if never. */
     public Optional<Observation> firstDetection(String sensor) {
         return events.stream()
                 .filter(DetectionEvent::gained)

@@ -49,7 +49,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
     }
 
     /**
-     * Distance at which a sensor first detected a drone in the first run, m; empty for never.
+     * Distance at which a sensor first detected a drone in the first run, m; empty if never.
      *
      * @throws IllegalArgumentException when the scene has no such pair
      */
@@ -58,7 +58,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
     }
 
     /**
-     * Distance at which a sensor first detected a drone in one run of a sweep, m; empty for never.
+     * Distance at which a sensor first detected a drone in one run of a sweep, m; empty if never.
      *
      * @param run number of the run, from 0
      * @throws IllegalArgumentException when there is no such run or pair

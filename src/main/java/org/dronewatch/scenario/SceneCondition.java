@@ -17,7 +17,7 @@ import org.dronewatch.setting.file.SettingsFile;
  * @param changes one or more, in the order of the file
  */
 public record SceneCondition(String name, List<Change> changes) {
-    /** The most conditions of a file. */
+    /** Maximum number of conditions in a file. */
     public static final int MOST = 12;
 
     /** The longest name. */

@@ -76,7 +76,7 @@ public final class DroneInFlight {
     }
 
     /**
-     * Flies with a velocity until the next command, level and with the nose in the direction of flight; straight up,
+     * Flies at a velocity until the next command, level and with the nose in the direction of flight; straight up,
      * straight down and at rest it keeps its heading.
      *
      * @param velocity east, north and up, m/s
@@ -88,7 +88,7 @@ public final class DroneInFlight {
     }
 
     /**
-     * Flies with a velocity and an attitude until the next command.
+     * Flies at a velocity and with an attitude until the next command.
      *
      * @param velocity east, north and up, m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** An upper limit in a message, such that whoever sets exactly that value keeps within the limit. */
+/** An upper limit in a message, rounded so that a user who enters exactly that value stays within the limit. */
 public final class AdvisedLimit {
     private static final MathContext DOWN = new MathContext(3, RoundingMode.FLOOR);
 
@@ -14,7 +14,7 @@ public final class AdvisedLimit {
     private AdvisedLimit() {}
 
     /**
-     * A limit in three digits, rounded down: {@code 0.0333} for 1/30. It may exceed the limit by a fraction of 1e-12.
+     * A limit to three digits, rounded down: {@code 0.0333} for 1/30. It may exceed the limit by a fraction of 1e-12.
      *
      * @param limit finite
      */

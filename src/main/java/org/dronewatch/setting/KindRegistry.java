@@ -53,7 +53,7 @@ public final class KindRegistry {
                         && other.kind().name().equals(one.kind().name()));
         return "kind '" + one.kind().name() + "' of " + one.kind().type().getSimpleName() + " is in "
                 + String.join(" and in ", places)
-                + (taken ? ": the library's own kinds keep their names" : ": take one of them off the class path");
+                + (taken ? ": the library's own kinds keep their names" : ": remove one of them from the class path");
     }
 
     /**

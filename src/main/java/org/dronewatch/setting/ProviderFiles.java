@@ -89,7 +89,7 @@ final class ProviderFiles {
         places.forEach((provider, where) -> {
             if (where.size() > 1 && !provider.startsWith("org.dronewatch.")) {
                 throw new InputException("class path: provider " + PlainText.value(provider) + " is in "
-                        + String.join(" and in ", where) + ": take one of them off the class path");
+                        + String.join(" and in ", where) + ": remove one of them from the class path");
             }
         });
     }

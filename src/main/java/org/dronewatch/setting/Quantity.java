@@ -43,7 +43,7 @@ public enum Quantity {
     TEMPERATURE("K", unit -> AbsoluteTemperature.valueOf(unit).si),
     /** Kelvin, between two temperatures. */
     TEMPERATURE_DIFFERENCE("K", unit -> Temperature.valueOf(unit).si),
-    /** Pascal. */
+    /** Pascals. */
     PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
     /** Kilograms. */
     MASS("kg", unit -> Mass.valueOf(unit).si),
@@ -116,7 +116,7 @@ public enum Quantity {
         return new BigDecimal(Math.toDegrees(value)).round(DISPLAYED).doubleValue();
     }
 
-    /** A value as shown in tables and plots, without its unit: whole numbers whole, others in four digits. */
+    /** A value as shown in tables and plots, without its unit: whole numbers whole, others to four digits. */
     public String inBrief(double value) {
         double shown = displayed(value);
         return shown == Math.rint(shown) || !Double.isFinite(shown)

@@ -19,7 +19,7 @@ import org.dronewatch.setting.file.PackagedSite;
  * (.asc). Its centre is the scene's geographic origin, {@code world.origin}, which such a scene must state.
  *
  * @param file the elevation file, or {@code packaged:NAME} for one of the library
- * @param files several files instead, which are joined to one terrain; they must have the same grid of posts. Where
+ * @param files several files instead, which are joined into one terrain; they must have the same grid of posts. Where
  *     they overlap, the first one that has a height there is used
  * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it to use the one that
  *     the files state

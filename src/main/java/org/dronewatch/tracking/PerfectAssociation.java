@@ -18,8 +18,8 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * A perfect association of measurements with contacts, which reads the truth: all looks at one drone are one contact.
  * It takes the place of a tracker, which this library does not have, and is an upper bound on the performance of one.
  * False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as
- * long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 on in
- * the order in which they appear; the numbers carry no information about drones. A false contact is loose. One per run.
+ * long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 in the
+ * order in which they appear; the numbers carry no information about drones. A false contact is loose. One per run.
  */
 public class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();

@@ -71,7 +71,7 @@ final class ViewerPane extends JPanel {
         world().onHint(status::write);
         site.onFocus(() -> {
             if (selected == null) {
-                status.write("First click on a sensor or a drone: Focus zooms in on the selection");
+                status.write("Click on a sensor or a drone first: Focus zooms in on the selection");
             }
             site.focusOn(selected, playback.time());
         });

@@ -68,14 +68,14 @@ class OwnSoundRunTest {
     @Test
     void aSoundOfTheTableBesideASpectrumIsRefused() throws IOException {
         String own = "spectrum: [0, -60, -60, -60, -60, -60, -60, -60]";
-        String refusal = "drones.buzzer: spectrum and sound 'petrol-fixed-wing' exclude each other, since the"
+        String refusal = "drones.buzzer: spectrum and sound 'petrol-fixed-wing' are mutually exclusive, since the"
                 + " table has a spectrum of that name: omit one of them";
         assertThat(run(own + "\n    sound: petrol-fixed-wing", directory.resolve("both")))
                 .isEqualTo(2);
         assertThat(said.toString().lines()).singleElement().asString().endsWith(refusal);
         assertThat(run(own, directory.resolve("set"), "--set", "drones.buzzer.sound=petrol-fixed-wing"))
                 .isEqualTo(2);
-        assertThat(said.toString().lines()).last().asString().contains("exclude each other");
+        assertThat(said.toString().lines()).last().asString().contains("are mutually exclusive");
         assertThat(directory.resolve("both")).doesNotExist();
     }
 

@@ -191,7 +191,7 @@ class MapCoordinatesTest {
         assertThatThrownBy(() -> load(drawn.osm(), Optional.of("EPSG:28992")))
                 .isInstanceOf(InputException.class)
                 .hasMessage(
-                        "map: has longitude and latitude, as all maps of OpenStreetMap, but crs is EPSG:28992: leave"
+                        "map: has longitude and latitude, like all maps of OpenStreetMap, but crs is EPSG:28992: leave"
                                 + " out crs");
         assertAtOrigin(load(drawn.osm(), Optional.of("EPSG:4326")));
         assertThat(new MapFiles(directory).needsCrs("map")).isFalse();

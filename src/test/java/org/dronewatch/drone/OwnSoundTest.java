@@ -81,7 +81,7 @@ class OwnSoundTest {
         double louder = packaged.level() + 3;
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> DRONE.withSound(mine(packaged.name(), louder)))
-                .withMessageContaining("spectrum and sound 'hexacopter' exclude each other");
+                .withMessageContaining("spectrum and sound 'hexacopter' are mutually exclusive");
         DroneSettings drone = DRONE.withSound(mine("my hexacopter", louder));
         assertThat(drone.spectrum()).contains(BandLevels.flat(0.0));
         assertThat(drone.soundPower()).isEqualTo(mine("any", louder).octaves(louder));

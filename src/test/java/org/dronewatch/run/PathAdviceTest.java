@@ -47,7 +47,7 @@ class PathAdviceTest {
                 .singleElement()
                 .asString()
                 .matches(
-                        "drone 'guest' flies under the ground or through a solid building: first at (9[.]0|9[.]2) s, at"
+                        "drone 'guest' flies below the ground or through a solid building: first at (9[.]0|9[.]2) s, at"
                                 + " \\(-(10[.]0|9[.]\\d|8[.]\\d), 0[.]0, 7[.]0\\) m, at most 3[.]0 m below the surface above it");
     }
 
@@ -57,7 +57,7 @@ class PathAdviceTest {
         assertThat(on(new Position(0, 300, 20), new Position(0, 200, -4)))
                 .singleElement()
                 .asString()
-                .contains("flies under the ground")
+                .contains("flies below the ground")
                 .endsWith("at most 4.0 m below the surface above it");
     }
 

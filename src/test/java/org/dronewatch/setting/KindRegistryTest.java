@@ -52,7 +52,7 @@ class KindRegistryTest {
                         found("arc", Bulb.class, "/lib/one.jar", false),
                         found("arc", Candle.class, "/lib/two.jar", false))))
                 .withMessage(
-                        "kind 'arc' of Lamp is in /lib/one.jar and in /lib/two.jar: take one of them off the class path");
+                        "kind 'arc' of Lamp is in /lib/one.jar and in /lib/two.jar: remove one of them from the class path");
     }
 
     @Test
@@ -149,7 +149,7 @@ class KindRegistryTest {
             assertThatExceptionOfType(InputException.class)
                     .isThrownBy(() -> KindRegistry.load(loader))
                     .withMessage("class path: provider org.example.Twice is in " + older + " and in " + newer
-                            + ": take one of them off the class path");
+                            + ": remove one of them from the class path");
         }
     }
 

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.IntConsumer;
 
 /**
- * The coverage under a condition, such as night or rain, and what it takes away.
+ * The coverage under a condition, such as night or rain, and what is lost under it.
  *
  * @param name of the condition; empty for the scene as it is
  * @param heights from the lowest to the highest

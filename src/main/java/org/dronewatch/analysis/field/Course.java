@@ -11,7 +11,7 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * How a drone flies through a cell: level, at its cruise speed, with its nose ahead; or it hovers.
+ * How a drone flies through a cell: level, at its cruise speed, nose first; or it hovers.
  *
  * @param kind what determines the heading
  * @param angle added to the heading, or for {@link Kind#COMPASS} and {@link Kind#HOVER} the heading itself, clockwise,

@@ -58,8 +58,8 @@ public final class DetectionField {
     }
 
     /**
-     * Assesses all enabled sensors of a scene in all cells, on the threads of the {@link Workers} that call; the same
-     * for any number of them.
+     * Assesses all enabled sensors of a scene in all cells, on the {@link Workers} of the calling thread; the same for
+     * any number of them.
      *
      * @param settings of one run
      * @param stage its world and drones
@@ -100,7 +100,7 @@ public final class DetectionField {
     }
 
     /**
-     * As {@link #of}, but if this thread is interrupted, with those heights alone for which all cells have been
+     * As {@link #of}, but if this thread is interrupted, with only those heights for which all cells have been
      * assessed: empty if there are none. Its interrupt status is kept.
      *
      * @param store of assessments that were made before

@@ -43,7 +43,7 @@ final class FieldColumns {
         }
     }
 
-    /** The columns of a grid, on the threads of the {@link Workers} that call. */
+    /** The columns of a grid, on the {@link Workers} of the calling thread. */
     static FieldColumns of(World world, FieldGrid grid) {
         return square(world, grid, grid.heights().size(), (level, column, row) -> grid.heights()
                 .get(level));
@@ -84,7 +84,7 @@ final class FieldColumns {
         return new FieldColumns(world, grid.columns(), grid.columns(), levels, square);
     }
 
-    /** Columns of several cells anywhere, on the threads of the {@link Workers} that call. */
+    /** Columns of several cells anywhere, on the {@link Workers} of the calling thread. */
     FieldColumns(World world, int columns, int rows, int levels, Plan plan) {
         this.columns = columns;
         this.rows = rows;

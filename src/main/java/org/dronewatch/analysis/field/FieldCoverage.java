@@ -36,7 +36,7 @@ public final class FieldCoverage {
     private final boolean[] unknown;
 
     /**
-     * Evaluates a field on the threads of the {@link Workers} that call; the same for any number of them.
+     * Evaluates a field on the {@link Workers} of the calling thread; the same for any number of them.
      *
      * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
      */

@@ -30,10 +30,10 @@ public record FieldGrid(
      */
     public static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0, 150.0);
 
-    /** The most cells along a side. */
+    /** Maximum number of cells along a side. */
     public static final int MOST_CELLS = 2000;
 
-    /** The most heights. */
+    /** Maximum number of heights. */
     public static final int MOST_HEIGHTS = 50;
 
     /** The greatest height, m. */

@@ -44,7 +44,7 @@ public record FieldSurvey(
     }
 
     /**
-     * Carries out a survey on the threads of the {@link Workers} that call; the same for any number of them.
+     * Carries out a survey on the {@link Workers} of the calling thread; the same for any number of them.
      *
      * @param conditions under which the site is assessed again, perhaps none
      * @param store of assessments of the site as it is that were made before

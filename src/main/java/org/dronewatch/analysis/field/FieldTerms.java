@@ -96,7 +96,7 @@ public record FieldTerms(
         return detected;
     }
 
-    /** The probability of a look from which on all probabilities below 1 count as equal. */
+    /** The probability of a look at and above which all probabilities below 1 count as equal. */
     double high(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
         return isAnyAlike ? (SensorLayer.STEPS - 1.0) / SensorLayer.STEPS : 1.0;

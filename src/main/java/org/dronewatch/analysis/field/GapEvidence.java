@@ -18,11 +18,11 @@ import org.dronewatch.sensor.Cause;
  * @param sensor name of the sensor
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} stands for a
  *     probability that is too low
- * @param examined cells that were assessed anew, for each cause some that are spread evenly over its cells: with what
+ * @param examined a few cells for each cause, spread evenly over the cells with that cause and assessed anew: with what
  *     hides the drone, and by how much its signal is too weak
  */
 public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examined> examined) {
-    /** The most cells of a gap that are assessed anew for each cause. */
+    /** Maximum number of cells of a gap that are assessed anew for each cause. */
     public static final int MOST_EXAMINED = 8;
 
     /** Copies map and list: later changes by the caller have no effect. */
@@ -40,8 +40,8 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
     public record Examined(Assessment assessment, Optional<Blocker> blocker) {}
 
     /**
-     * The evidence of each sensor for a gap, on the threads of the {@link Workers} that call; the same for any number
-     * of them.
+     * The evidence of each sensor for a gap, on the {@link Workers} of the calling thread; the same for any number of
+     * them.
      *
      * @param gap its number in the map
      */

@@ -23,7 +23,7 @@ public record GapSpan(int lowest, int highest, int height, int number, Gap gap) 
 
     /**
      * The gaps of a coverage over all heights, the largest first, by the area of the largest part; among equals, the
-     * lowest first. Of each height, only its eight largest gaps are considered.
+     * lowest first. At each height, only the eight largest gaps are considered.
      */
     public static List<GapSpan> of(FieldCoverage coverage) {
         List<Part> parts = new ArrayList<>();

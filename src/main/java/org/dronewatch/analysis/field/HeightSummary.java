@@ -16,7 +16,7 @@ import org.dronewatch.sensor.Cause;
  * @param covered those known ones that a sensor covers
  * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
  * @param causes known cells by their dominant cause, in the order of {@link Cause}
- * @param counts known cells by the number of sensors that cover them, from none on
+ * @param counts known cells by the number of sensors that cover them, from none upwards
  * @param lost by sensor, the number of cells that are covered with it, but not without it; without it another course
  *     may count, so that a number below 0 is possible for the best course
  * @param gap the largest gap; empty if there is none

@@ -47,7 +47,7 @@ public record InboundWarnings(Position target, double reach, double response, bo
     }
 
     /**
-     * The warnings of the enabled sensors of a scene, on the threads of the {@link Workers} that call; the same for any
+     * The warnings of the enabled sensors of a scene, on the {@link Workers} of the calling thread; the same for any
      * number of them. Flights begin half a side of the grid away from their target; if the grid is that of an area,
      * 250 m beyond its farthest corner; if any of them would begin in a protected zone, 250 m beyond the farthest
      * corner of all zones.

@@ -62,7 +62,7 @@ final class SensorLayer {
 
     /**
      * Assesses a drone with one sensor in every cell of one height in which it can be, except for those that a former
-     * slice holds, on the threads of the {@link Workers} that call; the same for any number of them.
+     * slice holds, on the {@link Workers} of the calling thread; the same for any number of them.
      *
      * @param progress receives the number of cells done since the last call; from any thread
      * @return whether there were any that it does not hold

@@ -29,8 +29,8 @@ public final class VisibleHeights {
     }
 
     /**
-     * Finds the heights for all enabled sensors of a scene, on the threads of the {@link Workers} that call; the same
-     * for any number of them.
+     * Finds the heights for all enabled sensors of a scene, on the {@link Workers} of the calling thread; the same for
+     * any number of them.
      *
      * @param grid the grid, whose greatest height is where the search ends
      */

@@ -57,7 +57,7 @@ final class GeoJsonFile {
         if (!List.of("FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection")
                 .contains(type)) {
             throw new InputException(file + ": 'type' is '" + PlainText.value(type)
-                    + "', must be FeatureCollection or CityJSON: no map with areas");
+                    + "', must be FeatureCollection or CityJSON: not a map with areas");
         }
         reader.object(root, "geometry", Map.of(), 0);
         MapSystem system = new MapSystem(

@@ -137,7 +137,7 @@ public final class MapFiles {
     }
 
     /**
-     * Whether the scene has to say in which coordinates a map is, since neither its format nor the file does.
+     * Whether the scene has to state the coordinate system of a map, since neither its format nor the file does.
      *
      * @param name of the file
      * @throws InputException in one line when the file is missing, of no known format, or damaged

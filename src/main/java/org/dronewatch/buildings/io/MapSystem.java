@@ -9,14 +9,14 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * In which coordinates a map is: by its format, by a statement of the file, or by that of the scene, which takes
- * precedence over the file's.
+ * The coordinate system of a map, as determined by its format, by a statement in the file, or by one in the scene,
+ * which takes precedence over the file.
  *
  * @param rule what the format requires
  * @param stated what the file states about its coordinates: a code, a URN or an address; not checked yet
  * @param member of the file that states it
  * @param extent of its coordinates
- * @param foreign the first point that cannot be a longitude and latitude, with its place in the file, in words
+ * @param foreign the first point that cannot be a longitude and latitude, with its location in the file, in words
  */
 public record MapSystem(Rule rule, Optional<String> stated, String member, MapExtent extent, Optional<String> foreign) {
     private static final Pattern CODE = Pattern.compile(".*EPSG(?:/[^/]*/|:[^:]*:|:)(\\d{4,6})");
@@ -34,7 +34,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
         STATED
     }
 
-    /** Whether the scene has to say in which system the coordinates are: the file does not, or not in a known way. */
+    /** Whether the scene has to state the system of the coordinates: the file states none, or one that is not known. */
     public boolean isUnknown() {
         if (stated.isEmpty()) {
             return rule == Rule.STATED || foreign.isPresent();
@@ -59,7 +59,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
         if (rule == Rule.ALWAYS_DEGREES) {
             given.filter(grid -> !grid.isGeographic()).ifPresent(grid -> {
                 throw new InputException(
-                        file + ": has longitude and latitude, as all maps of OpenStreetMap, but crs is " + grid
+                        file + ": has longitude and latitude, like all maps of OpenStreetMap, but crs is " + grid
                                 + ": leave out crs");
             });
             return CoordinateReferenceSystem.WGS_84;

@@ -6,10 +6,10 @@ import java.util.Map;
 
 /** Receives the elements of an OpenStreetMap file in its order. */
 interface OsmElements {
-    /** More tags than any element of the map has; they are kept in a table. */
+    /** Maximum number of tags of an element, which no element of OpenStreetMap reaches; they are kept in a table. */
     int MOST_TAGS = 10_000;
 
-    /** More ways than any relation of the map has. */
+    /** Maximum number of members of a relation, which no relation of OpenStreetMap reaches. */
     int MOST_MEMBERS = 100_000;
 
     /** Refuses elements with more tags. */

@@ -97,9 +97,9 @@ final class PbfBlocks {
                 case 2 -> size = reader.number();
                 case 3 -> deflated = reader.copy();
                 case 4, 5, 6, 7 ->
-                    throw new InputException(file + ": its blocks are packed with "
+                    throw new InputException(file + ": its blocks are compressed with "
                             + List.of("LZMA", "bzip2", "LZ4", "Zstandard").get(reader.field() - 4)
-                            + "; 'osmium cat -f pbf' writes one that is packed with zlib");
+                            + "; 'osmium cat -f pbf' writes one that is compressed with zlib");
                 default -> reader.skip();
             }
         }

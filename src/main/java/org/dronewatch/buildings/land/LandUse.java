@@ -1,7 +1,7 @@
 package org.dronewatch.buildings.land;
 
 /**
- * What a shape of a map is as land cover.
+ * The land cover that a shape on a map represents.
  *
  * @param land its class
  * @param layer what is drawn over what

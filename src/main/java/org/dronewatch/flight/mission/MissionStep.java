@@ -21,7 +21,7 @@ sealed interface MissionStep {
     /**
      * A height, m.
      *
-     * @param frame what it counts from
+     * @param frame what it is measured from
      */
     record Height(Frame frame, double metres) {}
 

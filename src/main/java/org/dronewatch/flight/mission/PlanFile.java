@@ -229,8 +229,8 @@ record PlanFile(
                 case MissionCommands.LAND, MissionCommands.VTOL_LAND ->
                     steps.add(new MissionStep.Land(where, numbers.placeIfAny(params, where)));
                 case MissionCommands.RETURN_TO_LAUNCH -> {
-                    warnings.add(where
-                            + ": the drone returns at the height that it has, since the plan does not state another");
+                    warnings.add(
+                            where + ": the drone returns at its current height, since the plan does not state another");
                     steps.add(new MissionStep.Return(where));
                 }
                 case MissionCommands.DELAY -> {

@@ -80,7 +80,7 @@ public final class Features {
         switch (begins) {
             case '<' -> new KmlFeatures(file, found).read(bytes);
             case '{' -> new GeoJsonFeatures(file, found).read(bytes);
-            case 'P' -> throw new InputException(file + ": is packed: unpack the .kml in it");
+            case 'P' -> throw new InputException(file + ": is compressed: extract the .kml file from it");
             default -> throw new InputException(file + ": is neither GeoJSON nor KML");
         }
         return new Features(file, found.all);

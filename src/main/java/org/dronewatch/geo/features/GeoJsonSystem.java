@@ -4,7 +4,7 @@ import java.util.Optional;
 import tools.jackson.databind.JsonNode;
 
 /**
- * What a GeoJSON file states about its coordinates. The format of today (RFC 7946) allows longitude and latitude only;
+ * What a GeoJSON file states about its coordinates. The current format (RFC 7946) allows longitude and latitude only;
  * that of 2008 and the one before had a member {@code crs}, which most programs still write for coordinates of a grid.
  */
 public final class GeoJsonSystem {

@@ -125,7 +125,7 @@ final class GltfBuffers {
             throw wrong(name + " is '" + PlainText.value(accessor.path("type").asString("")) + "', must be " + type);
         }
         if (accessor.has("sparse")) {
-            throw wrong(name + " is sparse, which is not read: 'gltf-transform copy' writes a file without");
+            throw wrong(name + " is sparse, which is not read: 'gltf-transform copy' writes a file without it");
         }
         int component = accessor.path("componentType").asInt(0);
         int size = size(component, name);

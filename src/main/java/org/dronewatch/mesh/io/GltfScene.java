@@ -54,8 +54,8 @@ final class GltfScene {
         }
         for (JsonNode extension : root.path("extensionsRequired")) {
             if (PACKED.contains(extension.asString(""))) {
-                throw new InputException(file.name() + ": is packed by " + extension.asString()
-                        + ": 'gltf-transform copy' writes a file without");
+                throw new InputException(file.name() + ": is compressed by " + extension.asString()
+                        + ": 'gltf-transform copy' writes a file without it");
             }
             if (!HARMLESS.matcher(extension.asString("")).matches()) {
                 throw new InputException(file.name() + ": requires the extension '"

@@ -35,7 +35,7 @@ public final class MeshReaders {
                 if (former != null) {
                     throw new InputException("files '." + extension + "' are read by "
                             + FoundKind.placeOf(former.getClass()) + " and by " + FoundKind.placeOf(reader.getClass())
-                            + ": take one of them off the class path");
+                            + ": remove one of them from the class path");
                 }
             }
         }

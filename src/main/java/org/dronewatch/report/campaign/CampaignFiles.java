@@ -127,7 +127,7 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
         return directory.resolve(CHUNKS).resolve(String.format(Locale.ROOT, "%06d.csv", number));
     }
 
-    /** A file that is damaged is no chunk: its cases are run again. */
+    /** A damaged file does not count as a chunk: its cases are run again. */
     @Override
     public Optional<List<CaseResult>> find(int number) {
         if (!Files.isRegularFile(chunk(number))) {
@@ -169,7 +169,7 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
     /**
      * Writes {@code runs.csv} and {@code campaign.json} from the chunks that are there.
      *
-     * @return what came of the campaign so far
+     * @return the results of the campaign so far
      */
     public CampaignResult finish() {
         CampaignSummary summary = new CampaignSummary(plan.variants());

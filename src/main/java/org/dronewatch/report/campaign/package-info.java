@@ -1,2 +1,2 @@
-/** The files of a campaign: its plan, its cases as they are run, and what came of them. */
+/** The files of a campaign: its plan, its cases as they are run, and their results. */
 package org.dronewatch.report.campaign;

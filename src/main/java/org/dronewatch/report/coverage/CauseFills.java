@@ -29,7 +29,7 @@ final class CauseFills {
     /** A cell outside the area that counts: its ground, paler. */
     static final MapSheet.Fill OUTSIDE = (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.5);
 
-    /** A cell in which a sensor detects the drone, but not in the time that it has. */
+    /** A cell in which a sensor detects the drone, but not within the time allowed. */
     static final MapSheet.Fill LATER = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);
 
     private CauseFills() {}
@@ -57,7 +57,7 @@ final class CauseFills {
         return DARK;
     }
 
-    /** The colour of what is detected, but not in the time that there is. */
+    /** The colour of what is detected, but not within the time allowed. */
     static Color laterColour() {
         return MapSheet.mixed(LIGHT_BLUE, Color.BLACK, 0.3);
     }

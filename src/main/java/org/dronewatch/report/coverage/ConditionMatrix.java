@@ -56,7 +56,7 @@ final class ConditionMatrix {
         write(
                 TEXT,
                 Color.BLACK,
-                "covered % of the known cells, drone '" + inputs.drone() + "' " + inputs.headingInWords()
+                "% of the known cells covered, drone '" + inputs.drone() + "' " + inputs.headingInWords()
                         + inputs.within()
                                 .map(time -> ", within " + inputs.timeInWords())
                                 .orElse(""),

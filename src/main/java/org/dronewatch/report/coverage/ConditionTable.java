@@ -85,7 +85,7 @@ public final class ConditionTable {
                 : CoverageTable.percent(cells, height.summary().known());
     }
 
-    /** The band of heights in which a condition takes away at least half of what is covered. */
+    /** The bands of heights in which at least half of the coverage is lost under a condition. */
     static String words(ConditionCoverage asItIs, ConditionCoverage condition) {
         List<String> bands = new ArrayList<>();
         int first = -1;

@@ -43,7 +43,7 @@ public final class CoverageDirectory implements AutoCloseable {
     }
 
     /**
-     * Writes all files, on the threads of the {@link org.dronewatch.parallel.Workers} that call. If the survey was
+     * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread. If the survey was
      * interrupted, writes the complete files, without the report, and removes the other files of an earlier survey.
      *
      * @param site the scene that was assessed

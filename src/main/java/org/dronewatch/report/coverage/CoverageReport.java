@@ -74,7 +74,7 @@ final class CoverageReport {
         SensorTables sensors = new SensorTables(site.settings());
         page.section("Sensors", sensors.sensors());
         page.section("Sources of the settings", sensors.sources());
-        page.section("What these results hold for", list(conditions(sensors)));
+        page.section("Scope of these results", list(conditions(sensors)));
         if (!provenance.isEmpty()) {
             page.section("Provenance", Html.definitions(provenance));
         }
@@ -174,7 +174,7 @@ final class CoverageReport {
                 .skip(1)
                 .map(one -> ConditionTable.words(conditions.get(0), one) + ".")
                 .toList();
-        return Html.plain("p", "Covered % of the known area, and the sensor that covers most with its %.")
+        return Html.plain("p", "The % of the known area that is covered, and the sensor that covers most, with its %.")
                 + Html.table(head, rows)
                 + list(words);
     }

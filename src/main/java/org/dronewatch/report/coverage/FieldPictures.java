@@ -41,7 +41,7 @@ final class FieldPictures {
     private final CoverageInputs inputs;
 
     /**
-     * Maps of one site, whose ground is drawn on the threads of the {@link org.dronewatch.parallel.Workers} that call.
+     * Maps of one site, whose ground is drawn on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param inputs what the coverage was asked for
      * @param grid of the maps
@@ -138,8 +138,8 @@ final class FieldPictures {
     }
 
     /**
-     * Where straight inbound flights are first detected, a line for each height, and where they have to be if the
-     * response is to be in time.
+     * Where straight inbound flights are first detected, a line for each height, and where they must be detected for
+     * the response to be in time.
      */
     MapSheet warnings(FieldGrid grid, InboundWarnings warnings) {
         FieldGrid shown = grid.area().isEmpty() ? grid : around(warnings);

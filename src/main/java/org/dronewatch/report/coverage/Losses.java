@@ -126,8 +126,8 @@ final class Losses {
         String names = "'" + String.join("', '", idle) + "'";
         return idle.size() == 1
                 ? names
-                        + " adds nothing: without it, the coverage is the same at every height. It is still a reserve if"
-                        + " another sensor fails, and may confirm what others detect."
+                        + " adds nothing: without it, the coverage is the same at every height. It still serves as a"
+                        + " backup if another sensor fails, and may confirm what others detect."
                 : names + " each add nothing: without any one of them, the coverage is the same at every height."
                         + " Without several of them, it may not be.";
     }

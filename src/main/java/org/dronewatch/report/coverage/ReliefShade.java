@@ -27,8 +27,8 @@ final class ReliefShade {
     private final double above;
 
     /**
-     * The ground of a square area, on the threads of the {@link Workers} that call: red, green and blue of each pixel,
-     * row by row from the north-west.
+     * The ground of a square area, on the {@link Workers} of the calling thread: red, green and blue of each pixel, row
+     * by row from the north-west.
      *
      * @param east of the middle, m
      * @param north of the middle, m

@@ -45,7 +45,7 @@ public final class Html {
         return "<div class=\"wide\">" + element("table", element("tbody", rows.toString())) + "</div>\n";
     }
 
-    /** What a reader may open, and what print shows in any case. */
+    /** A section that a reader can expand; print always shows it. */
     public static String fold(String summary, String inside, boolean open) {
         return "<details" + (open ? " open=\"open\"" : "") + ">\n<summary>" + text(summary) + "</summary>\n" + inside
                 + "</details>\n";

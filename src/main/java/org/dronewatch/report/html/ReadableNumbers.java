@@ -12,7 +12,7 @@ public final class ReadableNumbers {
 
     private ReadableNumbers() {}
 
-    /** One decimal at most; none for whole numbers and from 100 on. */
+    /** One decimal at most; none for whole numbers and for 100 and above. */
     public static String number(double value) {
         return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
     }

@@ -10,7 +10,7 @@ interface DrawnFeatures {
     /** A description of the map and its height reference. */
     String description();
 
-    /** The features, those drawn first at the beginning. */
+    /** The features, in the order in which they are drawn. */
     List<StyledFeature> features();
 
     /** The titles of the folders, in their order. */

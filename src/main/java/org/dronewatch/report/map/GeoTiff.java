@@ -83,7 +83,7 @@ public final class GeoTiff {
     }
 
     /**
-     * Writes classes, and their names beside it.
+     * Writes classes, and their names into a file beside theirs.
      *
      * @param cells the numbers of their classes, row by row from the north-west; {@link #NO_CLASS} for none
      * @param classes by their numbers

@@ -23,8 +23,8 @@ import java.util.stream.Stream;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Keeps what took long to prepare in files of one directory, each named by the hash of all that it depends on. Files
- * that cannot be read, or are damaged, are as good as none; that a file cannot be written is noted once. Several
+ * Keeps what took a long time to prepare, in the files of one directory, each named by the hash of all that it depends
+ * on. Files that cannot be read, or are damaged, are ignored; a failure to write one is reported only once. Several
  * processes may use the same directory: a file is written under another name, and then renamed.
  */
 public final class SiteStore {
@@ -53,8 +53,8 @@ public final class SiteStore {
      * A store.
      *
      * @param directory created when it is first needed; empty to keep nothing
-     * @param mostBytes the largest number of bytes of all files
-     * @param worth what takes less to prepare is not kept, s
+     * @param mostBytes maximum total size of all files, bytes
+     * @param worth what takes less time than this to prepare is not kept, s
      * @param notes receives at most one line, when a file cannot be written
      */
     public SiteStore(Optional<Path> directory, long mostBytes, double worth, Consumer<String> notes) {
@@ -72,7 +72,7 @@ public final class SiteStore {
     /**
      * The store of this process, see {@link StorePlace}.
      *
-     * @param worth what takes less to prepare is not kept, s
+     * @param worth what takes less time than this to prepare is not kept, s
      * @param notes receives at most one line, when a file cannot be written
      */
     public static SiteStore standard(double worth, Consumer<String> notes) {

@@ -22,7 +22,7 @@ public record StoreKey(String kind, String sha256) {
     private static final int CHUNK = 1 << 15;
 
     /**
-     * The key of what is made of files.
+     * The key of what is made from files.
      *
      * @param files as read
      * @param parts texts of everything else that it depends on

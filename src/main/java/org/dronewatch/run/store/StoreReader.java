@@ -51,7 +51,7 @@ public final class StoreReader {
         return buffer.getDouble();
     }
 
-    /** The next bytes, whose number is before them. */
+    /** The next bytes, preceded by their number. */
     public byte[] nextBytes() throws IOException {
         byte[] values = new byte[length(1)];
         for (int i = 0; i < values.length; i++) {
@@ -74,7 +74,7 @@ public final class StoreReader {
         return texts;
     }
 
-    /** The next whole numbers, whose number is before them. */
+    /** The next whole numbers, preceded by their count. */
     public int[] nextInts() throws IOException {
         int[] values = new int[length(Integer.BYTES)];
         inChunks(values.length, Integer.BYTES, (start, some) -> buffer.asIntBuffer()
@@ -96,7 +96,7 @@ public final class StoreReader {
         return values;
     }
 
-    /** The next numbers, whose number is before them. */
+    /** The next numbers, preceded by their count. */
     public double[] nextDoubles() throws IOException {
         double[] values = new double[length(Double.BYTES)];
         for (int i = 0; i < values.length; i++) {

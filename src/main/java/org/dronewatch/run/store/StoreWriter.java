@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.zip.CRC32C;
 
 /**
- * Writes arrays and texts one after another, little-endian, each with its length before it, and a checksum of all of
- * them at the end. {@link StoreReader} reads them.
+ * Writes arrays and texts one after another, little-endian, each preceded by its length, and a checksum of all of them
+ * at the end. {@link StoreReader} reads them.
  */
 public final class StoreWriter {
     private final WritableByteChannel target;
@@ -30,7 +30,7 @@ public final class StoreWriter {
         room(Double.BYTES).putDouble(value);
     }
 
-    /** Adds bytes with their number before them. */
+    /** Adds bytes, preceded by their number. */
     public void addBytes(byte[] values) throws IOException {
         addInt(values.length);
         for (byte value : values) {
@@ -49,7 +49,7 @@ public final class StoreWriter {
         }
     }
 
-    /** Adds whole numbers with their number before them. */
+    /** Adds whole numbers, preceded by their count. */
     public void addInts(int[] values) throws IOException {
         addInt(values.length);
         for (int value : values) {
@@ -71,7 +71,7 @@ public final class StoreWriter {
         }
     }
 
-    /** Adds numbers with their number before them. */
+    /** Adds numbers, preceded by their count. */
     public void addDoubles(double[] values) throws IOException {
         addInt(values.length);
         for (double value : values) {

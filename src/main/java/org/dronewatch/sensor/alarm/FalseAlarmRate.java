@@ -20,7 +20,7 @@ public record FalseAlarmRate(double perLook, long cells, int looks, double rate)
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when there are too many of them, or none of cells or looks
+     * @throws IllegalArgumentException when there are too many of them, or no cells or no looks
      */
     public FalseAlarmRate {
         if (!(perLook >= 0.0 && perLook * looks <= MOST_PER_LOOK)) {

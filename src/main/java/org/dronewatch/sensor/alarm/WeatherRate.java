@@ -34,12 +34,12 @@ public record WeatherRate(
         return new WeatherRate(perHour, 0.0, 0.0, 1e6, 200_000.0);
     }
 
-    /** This rate in rain only, from a rain rate on, mm/h. */
+    /** This rate in rain only, at and above a rain rate, mm/h. */
     public WeatherRate withRain(double millimetresPerHour) {
         return SettingsForm.with(this, "rain", millimetresPerHour);
     }
 
-    /** This rate in wind only, from a speed on, m/s. */
+    /** This rate in wind only, at and above a speed, m/s. */
     public WeatherRate withWind(double metresPerSecond) {
         return SettingsForm.with(this, "wind", metresPerSecond);
     }

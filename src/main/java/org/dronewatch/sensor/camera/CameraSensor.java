@@ -227,8 +227,8 @@ public final class CameraSensor implements BoundingSensor {
     }
 
     /**
-     * The whole image along the camera's own aim, traced on the threads of the
-     * {@link org.dronewatch.parallel.Workers} that call; the same for any number of them.
+     * The whole image along the camera's own aim, traced on the {@link org.dronewatch.parallel.Workers} of the calling
+     * thread; the same for any number of them.
      */
     public DepthImage depthImage(World site, List<Drone> drones) {
         return ownAim.depthImage(site, drones);

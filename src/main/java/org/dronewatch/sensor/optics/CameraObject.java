@@ -71,7 +71,7 @@ public final class CameraObject {
      * @param width pixels in a row
      * @param height rows
      * @param focalLength in pixels
-     * @param lens position of its axis in the image, and its planes
+     * @param lens position of its axis in the image, and its near and far planes
      */
     public CameraObject(
             Position position,

@@ -25,7 +25,7 @@ public interface PictureSettings extends Aimed, Imaging {
         return 0.0;
     }
 
-    /** The position of its axis in the image, and its planes. */
+    /** The position of its axis in the image, and its near and far planes. */
     default Projection projection() {
         return Projection.DEFAULT;
     }

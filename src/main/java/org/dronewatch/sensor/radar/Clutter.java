@@ -66,7 +66,7 @@ public record Clutter(
         boolean hasOwn = budget instanceof LinkBudget.Hardware;
         if (hasOwn && bandwidth.isPresent()) {
             throw new IllegalArgumentException(
-                    "clutter.bandwidth and budget.sweepBandwidth exclude each other: omit clutter.bandwidth");
+                    "clutter.bandwidth and budget.sweepBandwidth are mutually exclusive: omit clutter.bandwidth");
         }
         if (!hasOwn && bandwidth.isEmpty()) {
             throw new IllegalArgumentException("clutter needs a bandwidth: the budget states none");

@@ -74,7 +74,7 @@ public record RadarFalseAlarms(
         if (detection instanceof RadarDetection.Chance chance) {
             if (probability.isPresent()) {
                 throw new IllegalArgumentException(
-                        "falseAlarms.probability and detection.falseAlarm exclude each other:"
+                        "falseAlarms.probability and detection.falseAlarm are mutually exclusive:"
                                 + " omit falseAlarms.probability");
             }
             return chance.falseAlarm();

@@ -170,7 +170,7 @@ public record RadarSettings(
     /**
      * A radar that scans all round once per second, over 20 degrees of elevation with a horizontal axis, at 10 GHz with
      * horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a threshold of 15 dB; its
-     * errors of position are 5 m and one degree.
+     * position errors are 5 m and one degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {

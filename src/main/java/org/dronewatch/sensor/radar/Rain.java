@@ -83,7 +83,7 @@ public final class Rain {
      * wavelength, with {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal
      * of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Compared
      * with Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h;
-     * at millimetre waves it is far too high.
+     * at millimetre wavelengths the cross-section is far too high.
      *
      * @param frequency Hz
      * @param rate rate of the rain, 0 or more, mm/h

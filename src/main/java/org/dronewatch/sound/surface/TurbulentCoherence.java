@@ -31,8 +31,8 @@ public record TurbulentCoherence(double strength, double scale) {
      */
     public TurbulentCoherence {
         if (!(strength >= 0.0) || !(scale > 0.0)) {
-            throw new IllegalArgumentException(
-                    "turbulence of strength " + strength + " and scale " + scale + " m must be 0 or more, and above 0");
+            throw new IllegalArgumentException("turbulence of strength " + strength + " and scale " + scale
+                    + " m: the strength must be 0 or" + " more, the scale above 0");
         }
     }
 

@@ -34,7 +34,7 @@ public interface ElevationFile {
         return crs().map(CoordinateReferenceSystem::name);
     }
 
-    /** Whether the scene has to say in which system the posts are: the file does not, or not in a known way. */
+    /** Whether the scene has to state the system of the posts: the file states none, or one that is not known. */
     default boolean needsCrs() {
         try {
             return crs().isEmpty();

@@ -197,7 +197,7 @@ class MapFilesTest {
                 "<osm><node id='1' lon='1'/></osm> | map:1: <node> lat is missing, must be a number",
                 "<osm><node id='1' lat='91' lon='1'/></osm> | map:1: <node> lat='91', must be -90.0 to 90.0",
                 "<osm><node id='1' lat='NaN' lon='1'/></osm> | map:1: <node> lat='NaN', must be -90.0 to 90.0",
-                "{\"type\": \"Topology\"} | map: 'type' is 'Topology', must be FeatureCollection or CityJSON: no map with areas",
+                "{\"type\": \"Topology\"} | map: 'type' is 'Topology', must be FeatureCollection or CityJSON: not a map with areas",
                 "{\"type\": \"Polygon\", \"coordinates\": [[[1]]]} | map: geometry: corner 0 of an outline is [1], must be numbers:"
                         + " [longitude, latitude]",
                 "hello | map: is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson map'"

@@ -220,7 +220,7 @@ class MissionTest {
         assertAt(path.at(up + toFirst + toSecond + 6.9), second);
         assertThat(plan.warnings)
                 .containsExactly(
-                        "a.plan: mission.items.3: the drone returns at the height that it has, since the plan does not state another",
+                        "a.plan: mission.items.3: the drone returns at its current height, since the plan does not state another",
                         "a.plan: mission.items.1.TransectStyleComplexItem.Items.1 and 1 more: DO_SET_CAM_TRIGG_DIST (206)"
                                 + " does not move the drone, and is left out");
 

@@ -164,7 +164,7 @@ class FeaturesTest {
 
     @Test
     void otherFilesAreRefused() {
-        assertThatThrownBy(() -> read("PK\u0003\u0004")).hasMessageContaining("unpack the .kml");
+        assertThatThrownBy(() -> read("PK\u0003\u0004")).hasMessageContaining("extract the .kml");
         assertThatThrownBy(() -> read("")).hasMessageContaining("is neither GeoJSON nor KML");
         assertThatThrownBy(() -> read("<kml>" + "<a>".repeat(100_000)))
                 .hasMessageContaining("nested more than 64 deep");

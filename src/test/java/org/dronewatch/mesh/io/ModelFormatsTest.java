@@ -445,7 +445,7 @@ class ModelFormatsTest {
                 "\"count\":6 | \"count\":5 | accessor 1: vertex index 5 must be 0 to 4",
                 "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"] | requires the extension 'EXT_mesh_gpu_instancing', which is not read",
                 "\"nodes\":[0] | \"nodes\":[5] | node 5 does not exist",
-                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"] | is packed by",
+                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"] | is compressed by",
                 "\"count\":6 | \"sparse\":{},\"count\":6 | accessor 0 is sparse",
             })
     void gltfThatLiesIsRefused(String part, String lie, String message) {

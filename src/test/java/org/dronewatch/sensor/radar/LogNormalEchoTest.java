@@ -137,7 +137,7 @@ class LogNormalEchoTest {
         RadarSignature small = RadarSignature.of(DroneClass.SMALL_UAV);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> small.withCrossSection(1))
-                .withMessage("droneClass and crossSection exclude each other: omit one of them");
+                .withMessage("droneClass and crossSection are mutually exclusive: omit one of them");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> small.withSpread(3))
                 .withMessageContaining("spread");

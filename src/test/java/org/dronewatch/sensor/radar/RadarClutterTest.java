@@ -307,7 +307,7 @@ class RadarClutterTest {
                 .withMessageContaining("clutter needs a beam");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> PLAIN.withClutter(farmland.withBandwidth(5e6)))
-                .withMessageContaining("exclude each other");
+                .withMessageContaining("are mutually exclusive");
         RadarSettings sheet = PLAIN.withBudget(DataSheet.of(1000, 0.01));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> sheet.withClutter(farmland))

@@ -99,7 +99,7 @@ class RadarFalseAlarmsTest {
                 .hasMessageStartingWith("falseAlarms.probability is missing");
         assertThatThrownBy(() -> sheet.withDetection(RadarDetection.Chance.DEFAULT)
                         .withFalseAlarms(none.withCells(10).withProbability(1e-6)))
-                .hasMessageContaining("exclude each other");
+                .hasMessageContaining("are mutually exclusive");
         assertThatThrownBy(() -> blighter().withFalseAlarms(none.withProbability(1e-4)))
                 .hasMessage("falseAlarms: 50373696 cells with a probability of 0.0001 each raise 5037 false alarms per"
                         + " scan, must be at most 1000");

@@ -15,7 +15,7 @@ import org.dronewatch.world.World;
  * several it is the path of the standards, which treat propagation in separate planes. A path through an opening that
  * none of the planes intersects is not found.
  *
- * <p>Short detours are searched first, so that only obstacles near the straight line are examined if that suffices.
+ * <p>Short detours are tried first, so that only obstacles near the straight line are examined if that suffices.
  * Exchanging the points gives the same path. One per thread.
  */
 public final class EdgePath {

@@ -42,7 +42,7 @@ public final class NearEdges {
     private final double[] normal = new double[3];
     private double curvature;
 
-    /** Searches the edges of a world. */
+    /** Searches among the edges of a world. */
     public NearEdges(World world) {
         this.mesh = world.mesh();
         this.query = new EllipsoidQuery(world.tree());

@@ -80,7 +80,7 @@ public final class LevelHearing implements SoundTracer {
         return straightLevel(drone) >= threshold;
     }
 
-    /** The level model knows no directions; an emission of another kind may depend on the flight. */
+    /** The level model does not depend on direction; an emission of another kind may depend on the flight. */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {
         return drone.settings().emission() instanceof SteadyEmission;

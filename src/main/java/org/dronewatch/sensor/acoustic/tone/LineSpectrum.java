@@ -60,7 +60,7 @@ public final class LineSpectrum {
     }
 
     /**
-     * The tones at the microphone, from the lowest harmonic on.
+     * The tones at the microphone, the lowest harmonic first.
      *
      * @param energies received in each octave band, relative to 20 uPa squared
      * @param noise sound pressure levels in the octave bands, dB
