@@ -6,17 +6,15 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.CaseRun;
 import org.dronewatch.report.campaign.CampaignFiles;
-import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
-import org.dronewatch.setting.file.Kinds;
-import org.dronewatch.setting.file.SettingsFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -86,7 +84,7 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     private CampaignSettings settings(Path given) {
-        CampaignSettings settings = SettingsFile.read(given, CampaignSettings.class, Kinds.FOUND, new FormerNames());
+        CampaignSettings settings = CampaignReader.read(given);
         if (runs == null) {
             return settings;
         }

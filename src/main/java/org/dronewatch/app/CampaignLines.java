@@ -146,7 +146,7 @@ final class CampaignLines {
         out.println("case " + number + ", seed " + plan.seed(number));
         List<String> values = plan.values(number);
         int i = 0;
-        for (String path : plan.settings().vary().keySet()) {
+        for (String path : plan.paths()) {
             out.println("  " + path + "=" + values.get(i++));
         }
     }

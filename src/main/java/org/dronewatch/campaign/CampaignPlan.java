@@ -2,9 +2,12 @@ package org.dronewatch.campaign;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Draws;
@@ -25,6 +28,7 @@ public final class CampaignPlan {
     private static final String CASE = "case";
 
     private final CampaignSettings settings;
+    private final FactorTable table;
     private final Map<String, CampaignVariant> variants = new LinkedHashMap<>();
     private final Map<String, Quantity> quantities = new LinkedHashMap<>();
 
@@ -38,6 +42,9 @@ public final class CampaignPlan {
      */
     public CampaignPlan(CampaignSettings settings, Path directory, Consumer<String> notes) {
         this.settings = settings;
+        this.table =
+                settings.table().map(name -> FactorTable.read(directory, name)).orElse(FactorTable.NONE);
+        checkPaths();
         Map<String, Map<String, String>> named =
                 settings.variants().isEmpty() ? Map.of(CampaignSettings.ALONE, Map.of()) : settings.variants();
         named.forEach((name, changes) -> {
@@ -48,12 +55,28 @@ public final class CampaignPlan {
                     changes,
                     variants.values().stream().findFirst(),
                     notes);
-            check(variant);
+            checkDrawn(variant);
+            checkTable(variant);
             variants.put(name, variant);
         });
     }
 
-    private void check(CampaignVariant variant) {
+    /** The table, too, may not hold what a variant sets, or what is drawn. */
+    private void checkPaths() {
+        try {
+            settings.variants().forEach((name, changes) -> CampaignSettings.checkFixed(name, changes, table.paths()));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(e.getMessage(), e);
+        }
+        for (String path : table.paths()) {
+            if (settings.vary().containsKey(path)) {
+                throw new InputException("vary." + path + ": is also a column of "
+                        + settings.table().orElseThrow());
+            }
+        }
+    }
+
+    private void checkDrawn(CampaignVariant variant) {
         settings.vary().forEach((path, variation) -> {
             try {
                 new SettingsPath(path).read(variant.settings());
@@ -63,10 +86,35 @@ public final class CampaignPlan {
                     variant.with(variant.settings(), path, value);
                 }
             } catch (IllegalArgumentException | InputException e) {
-                String where = settings.variants().isEmpty() ? "" : " (variant " + variant.name() + ")";
-                throw new InputException("vary." + path + where + ": " + e.getMessage(), e);
+                throw new InputException("vary." + path + of(variant) + ": " + e.getMessage(), e);
             }
         });
+    }
+
+    private void checkTable(CampaignVariant variant) {
+        List<String> columns = table.paths();
+        for (int column = 0; column < columns.size(); column++) {
+            Set<String> checked = new HashSet<>();
+            for (int row = 0; row < table.size(); row++) {
+                String value = table.row(row).get(column);
+                if (checked.add(value)) {
+                    check(variant, columns.get(column), value, table.location(row, column));
+                }
+            }
+        }
+    }
+
+    private void check(CampaignVariant variant, String path, String value, String location) {
+        try {
+            new SettingsPath(path).read(variant.settings());
+            variant.with(variant.settings(), path, value);
+        } catch (IllegalArgumentException | InputException e) {
+            throw new InputException(location + of(variant) + ": " + e.getMessage(), e);
+        }
+    }
+
+    private String of(CampaignVariant variant) {
+        return settings.variants().isEmpty() ? "" : " (variant " + variant.name() + ")";
     }
 
     /** The campaign. */
@@ -76,7 +124,21 @@ public final class CampaignPlan {
 
     /** The number of cases, or, if it depends on their outcomes, the largest number. */
     public int runs() {
-        return settings.most();
+        boolean isStated = settings.runs().isPresent() || settings.until().isPresent();
+        int rows = table.size() == 0 ? Integer.MAX_VALUE : table.size();
+        return isStated || rows == Integer.MAX_VALUE ? Math.min(settings.most(), rows) : rows;
+    }
+
+    /** The paths of the settings that vary: the columns of the table, then those whose values are drawn. */
+    public List<String> paths() {
+        List<String> paths = new ArrayList<>(table.paths());
+        paths.addAll(settings.vary().keySet());
+        return paths;
+    }
+
+    /** SHA-256 of the table; empty without one. */
+    public Optional<String> tableHash() {
+        return settings.table().map(name -> table.hash());
     }
 
     /** The variant whose outcomes decide when the campaign ends, if they do. */
@@ -101,9 +163,9 @@ public final class CampaignPlan {
         return variants.get(variant).models().files();
     }
 
-    /** The texts of the values of a case, in the order of the campaign. */
+    /** The texts of the values of a case, in the order of {@link #paths()}. */
     public List<String> values(int number) {
-        List<String> values = new ArrayList<>();
+        List<String> values = new ArrayList<>(table.size() == 0 ? List.of() : table.row(number));
         settings.vary().forEach((path, variation) -> {
             double u =
                     Draws.stream(settings.seed(), path, "", number, VARIATION).nextDouble();
@@ -127,7 +189,7 @@ public final class CampaignPlan {
         SceneSettings one = new SettingsPath("run.seed").write(of.settings(), Long.toString(seed(number)));
         List<String> values = values(number);
         int i = 0;
-        for (String path : settings.vary().keySet()) {
+        for (String path : paths()) {
             one = of.with(one, path, values.get(i++));
         }
         return one;

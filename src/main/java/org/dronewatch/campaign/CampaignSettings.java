@@ -1,5 +1,6 @@
 package org.dronewatch.campaign;
 
+import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -16,6 +17,7 @@ import org.dronewatch.setting.Quantity;
  *
  * @param scene a packaged scene by name, or a scene file beside this file or below
  * @param vary how settings vary from case to case, by their paths, such as {@code drones.intruder.speed}
+ * @param table a CSV file beside this file or below, whose columns are paths of settings and whose rows are the cases
  * @param variants what differs between the variants, by their names: settings by their paths with values, as for
  *     {@code --set}, and {@code scene} for another scene; without any there is one variant, the scene as it is
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
@@ -25,6 +27,7 @@ import org.dronewatch.setting.Quantity;
 public record CampaignSettings(
         String scene,
         Map<String, Variation> vary,
+        Optional<String> table,
         Map<String, Map<String, String>> variants,
         @In(value = Quantity.NUMBER, from = 1, to = 1e6) Optional<Integer> runs,
         Optional<UntilSettings> until,
@@ -43,15 +46,16 @@ public record CampaignSettings(
         Check.present("scene", scene);
         vary = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("vary", vary)));
         variants = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("variants", variants)));
+        Check.present("table", table);
         Check.present("runs", runs);
         Check.present("until", until);
-        Limits.check(CampaignSettings.class, scene, vary, variants, runs, until, seed);
+        Limits.check(CampaignSettings.class, scene, vary, table, variants, runs, until, seed);
         if (variants.size() > MOST_VARIANTS) {
             throw new IllegalArgumentException("variants has " + variants.size() + " entries, must have at most 100");
         }
         vary.forEach(CampaignSettings::checkVariation);
         for (Map.Entry<String, Map<String, String>> variant : variants.entrySet()) {
-            checkVariant(variant.getKey(), variant.getValue(), vary);
+            checkVariant(variant.getKey(), variant.getValue(), vary.keySet());
         }
         if (until.isPresent() && until.get().variant().isPresent()) {
             checkNamed("until.variant", until.get().variant().get(), variants);
@@ -64,7 +68,8 @@ public record CampaignSettings(
     /** A campaign of 1,000 cases of a scene as it is, with seed 1. */
     @Defaults("scene")
     public static CampaignSettings of(String scene) {
-        return new CampaignSettings(scene, Map.of(), Map.of(), Optional.empty(), Optional.empty(), 1L);
+        return new CampaignSettings(
+                scene, Map.of(), Optional.empty(), Map.of(), Optional.empty(), Optional.empty(), 1L);
     }
 
     /** The number of cases, or, if it depends on their outcomes, the largest number. */
@@ -87,13 +92,18 @@ public record CampaignSettings(
         }
     }
 
-    private static void checkVariant(String name, Map<String, String> changes, Map<String, Variation> vary) {
+    private static void checkVariant(String name, Map<String, String> changes, Collection<String> vary) {
         if (!name.matches("[A-Za-z0-9][\\w.-]{0,63}")) {
             throw new IllegalArgumentException("variants." + name + ": a name must have 1 to 64 letters, digits,"
                     + " dots, hyphens and underscores, and begin with a letter or digit");
         }
+        checkFixed(name, changes, vary);
+    }
+
+    /** Checks that a variant does not set what varies. */
+    static void checkFixed(String name, Map<String, String> changes, Collection<String> vary) {
         for (String path : changes.keySet()) {
-            for (String varied : vary.keySet()) {
+            for (String varied : vary) {
                 boolean overlap = varied.equals(path) || varied.startsWith(path + ".") || path.startsWith(varied + ".");
                 if (overlap) {
                     throw new IllegalArgumentException("variants." + name + ": '" + path + "' would override '" + varied

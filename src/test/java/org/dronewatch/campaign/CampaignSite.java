@@ -3,9 +3,6 @@ package org.dronewatch.campaign;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.dronewatch.setting.FormerNames;
-import org.dronewatch.setting.file.Kinds;
-import org.dronewatch.setting.file.SettingsFile;
 
 /** A radar on flat ground and a drone that flies in, as files beside which campaigns are written. */
 public final class CampaignSite {
@@ -53,8 +50,6 @@ public final class CampaignSite {
 
     /** Reads a campaign. */
     static CampaignPlan plan(Path directory, String campaign) throws IOException {
-        CampaignSettings settings =
-                SettingsFile.read(in(directory, campaign), CampaignSettings.class, Kinds.FOUND, new FormerNames());
-        return new CampaignPlan(settings, directory, note -> {});
+        return new CampaignPlan(CampaignReader.read(in(directory, campaign)), directory, note -> {});
     }
 }

@@ -48,7 +48,7 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
     public CampaignFiles(CampaignPlan plan, Path directory, boolean resume) {
         this.plan = plan;
         this.directory = directory.toAbsolutePath().normalize();
-        this.table = new CaseTable(List.copyOf(plan.settings().vary().keySet()));
+        this.table = new CaseTable(plan.paths());
         CampaignPlanFile file = new CampaignPlanFile(plan);
         try {
             checkFresh(file, resume);

@@ -36,7 +36,7 @@ final class CampaignPlanFile {
         ArrayNode variants = root.putArray("variants");
         plan.variants().forEach(variants::add);
         ArrayNode paths = root.putArray("vary");
-        plan.settings().vary().keySet().forEach(paths::add);
+        plan.paths().forEach(paths::add);
         root.put("version", ProgramVersion.text());
         root.put(HASH, hash());
         return root;
@@ -46,6 +46,7 @@ final class CampaignPlanFile {
     private String hash() {
         StringBuilder all = new StringBuilder(ProgramVersion.text()).append('\n');
         all.append(CanonicalSettings.of(plan.settings()));
+        plan.tableHash().ifPresent(hash -> all.append(hash).append('\n'));
         for (String variant : plan.variants()) {
             all.append(variant).append('\n').append(CanonicalSettings.of(plan.shared(variant)));
             plan.files(variant)
