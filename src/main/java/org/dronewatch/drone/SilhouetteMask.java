@@ -12,11 +12,14 @@ public final class SilhouetteMask {
     /** A texel no point of which is covered. */
     public static final byte OUTSIDE = 0;
 
-    /** A texel that may be covered or not, or in part. */
-    public static final byte UNCERTAIN = 1;
+    /** A texel that may be covered or not, or in part; from the middle of the directions, its centre is not. */
+    public static final byte UNLIKELY = 1;
+
+    /** A texel that may be covered or not, or in part; from the middle of the directions, its centre is. */
+    public static final byte LIKELY = 2;
 
     /** A texel all of whose points are covered. */
-    public static final byte INSIDE = 2;
+    public static final byte INSIDE = 3;
 
     private final byte[] kinds;
 
@@ -25,7 +28,10 @@ public final class SilhouetteMask {
         this.kinds = kinds;
     }
 
-    /** Whether a texel is {@link #OUTSIDE}, {@link #UNCERTAIN} or {@link #INSIDE}; its index is counted row by row. */
+    /**
+     * Whether a texel is {@link #OUTSIDE}, {@link #UNLIKELY}, {@link #LIKELY} or {@link #INSIDE}; its index is counted
+     * row by row.
+     */
     public byte kind(int texel) {
         return kinds[texel];
     }

@@ -184,10 +184,11 @@ final class SilhouetteRaster {
         }
 
         private void fill(int a, int b, int c) {
-            int x0 = texelOf(Math.min(x[a], Math.min(x[b], x[c])) - 0.5);
-            int x1 = texelOf(Math.max(x[a], Math.max(x[b], x[c])));
-            int y0 = texelOf(Math.min(y[a], Math.min(y[b], y[c])) - 0.5);
-            int y1 = texelOf(Math.max(y[a], Math.max(y[b], y[c])));
+            // Many triangles are smaller than a texel, and contain no centre.
+            int x0 = texelOf(Math.ceil(Math.min(x[a], Math.min(x[b], x[c])) - 0.5 - SLACK));
+            int x1 = texelOf(Math.max(x[a], Math.max(x[b], x[c])) - 0.5 + SLACK);
+            int y0 = texelOf(Math.ceil(Math.min(y[a], Math.min(y[b], y[c])) - 0.5 - SLACK));
+            int y1 = texelOf(Math.max(y[a], Math.max(y[b], y[c])) - 0.5 + SLACK);
             for (int row = y0; row <= y1; row++) {
                 for (int column = x0; column <= x1; column++) {
                     if (isLeft(a, b, column, row) && isLeft(b, c, column, row) && isLeft(c, a, column, row)) {
@@ -217,6 +218,9 @@ final class SilhouetteRaster {
             double square = Math.max(dx * dx + dy * dy, Double.MIN_NORMAL);
             for (int row = y0; row <= y1; row++) {
                 for (int column = x0; column <= x1; column++) {
+                    if (near[row * TEXELS + column]) {
+                        continue;
+                    }
                     double px = column + 0.5 - x[from];
                     double py = row + 0.5 - y[from];
                     double along = Math.max(0.0, Math.min(1.0, (px * dx + py * dy) / square));
@@ -232,9 +236,9 @@ final class SilhouetteRaster {
         private void addPart() {
             for (int row = bottom; row <= top; row++) {
                 for (int texel = row * TEXELS + left; texel <= row * TEXELS + right; texel++) {
-                    byte kind = near[texel]
-                            ? SilhouetteMask.UNCERTAIN
-                            : covered[texel] ? SilhouetteMask.INSIDE : SilhouetteMask.OUTSIDE;
+                    byte kind = covered[texel]
+                            ? near[texel] ? SilhouetteMask.LIKELY : SilhouetteMask.INSIDE
+                            : near[texel] ? SilhouetteMask.UNLIKELY : SilhouetteMask.OUTSIDE;
                     kinds[texel] = (byte) Math.max(kinds[texel], kind);
                 }
             }

@@ -2,6 +2,7 @@ package org.dronewatch.drone;
 
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.stream.Stream;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
@@ -24,6 +25,7 @@ public final class SilhouetteTable {
 
     private final SilhouetteRaster raster;
     private final AtomicReferenceArray<SilhouetteMask> masks = new AtomicReferenceArray<>(AZIMUTHS * ELEVATIONS);
+    private final Object[] locks = Stream.generate(Object::new).limit(AZIMUTHS).toArray();
     private final AtomicIntegerArray requests = new AtomicIntegerArray(AZIMUTHS * ELEVATIONS);
 
     /** The silhouettes of a mesh in model space: x to the right, y ahead, z up, m. */
@@ -60,14 +62,25 @@ public final class SilhouetteTable {
                 Math.max(0.0, Math.min(ELEVATIONS - 1.0, Math.floor((elevation + 0.5 * Math.PI) / ELEVATION_STEP)));
         int index = row * AZIMUTHS + column;
         SilhouetteMask mask = masks.get(index);
-        if (mask == null && requests.addAndGet(index, 1 + pixels / FEW_PIXELS) >= SMALL_PICTURES) {
-            mask = raster.mask(
-                    (column + 0.5) * AZIMUTH_STEP,
-                    (row + 0.5) * ELEVATION_STEP - 0.5 * Math.PI,
-                    0.5 * AZIMUTH_STEP,
-                    0.5 * ELEVATION_STEP);
-            masks.set(index, mask);
+        return mask == null && requests.addAndGet(index, 1 + pixels / FEW_PIXELS) >= SMALL_PICTURES
+                ? make(column, row)
+                : mask;
+    }
+
+    /** Neighbouring cells need the same mask at the same time: one thread makes it, and the others wait. */
+    private SilhouetteMask make(int column, int row) {
+        int index = row * AZIMUTHS + column;
+        synchronized (locks[index % locks.length]) {
+            if (masks.get(index) == null) {
+                masks.set(
+                        index,
+                        raster.mask(
+                                (column + 0.5) * AZIMUTH_STEP,
+                                (row + 0.5) * ELEVATION_STEP - 0.5 * Math.PI,
+                                0.5 * AZIMUTH_STEP,
+                                0.5 * ELEVATION_STEP));
+            }
+            return masks.get(index);
         }
-        return mask;
     }
 }

@@ -49,6 +49,14 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
+     * Whether signal and reason certainly do not depend on the speed of a level drone, but for the direction of its
+     * nose. False unless overridden.
+     */
+    default boolean isSameAtAllSpeeds() {
+        return false;
+    }
+
+    /**
      * As {@link #assess}, at less cost where possible, for a field that keeps probabilities in steps: of a drone that
      * is detected, the quantity may be lower, and a probability between {@code high} and 1 may be any other between
      * them; of one that is missed, the quantity of an estimate may be lower. Cause and obstacle of a miss are the same,

@@ -125,6 +125,11 @@ public final class Assessor {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllHeadings(world, drone, pointing);
     }
 
+    /** As {@link AssessableSensor#isSameAtAllSpeeds}; false for sensors of other kinds. */
+    public boolean isSameAtAllSpeeds() {
+        return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllSpeeds();
+    }
+
     /** As {@link AssessableSensor#explainMiss}, in this assessor's world; {@link Cause#UNKNOWN} likewise. */
     public Explanation explainMiss(Drone drone, Optional<Pointing> pointing) {
         if (!isKnown(drone)) {

@@ -63,6 +63,24 @@ public record Course(Kind kind, double angle, Position reference, Optional<Strin
         return new Course(Kind.INBOUND, 0.0, target, Optional.empty());
     }
 
+    /** The first of several courses whose heading is that of one of them, given by its number, at every place. */
+    static int firstOnSameHeading(List<Course> courses, int number) {
+        Course course = courses.get(number);
+        int first = 0;
+        while (first < number && !course.hasFixedHeadingOf(courses.get(first))) {
+            first++;
+        }
+        return first;
+    }
+
+    private boolean hasFixedHeadingOf(Course other) {
+        return isFixed() && other.isFixed() && angle == other.angle;
+    }
+
+    private boolean isFixed() {
+        return kind == Kind.COMPASS || kind == Kind.HOVER;
+    }
+
     /** The heading at a place, clockwise from north, rad. */
     public double heading(Position at) {
         return switch (kind) {

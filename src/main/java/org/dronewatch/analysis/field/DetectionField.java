@@ -285,7 +285,7 @@ public final class DetectionField {
 
     /** The same as a number from 0 to 1. */
     public double probability(int sensor, int height, int column, int row, int course) {
-        return (double) steps(sensor, height, column, row, course) / SensorLayer.STEPS;
+        return (double) steps(sensor, height, column, row, course) / CellCode.STEPS;
     }
 
     /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */

@@ -47,7 +47,7 @@ public final class FieldCoverage {
         this.field = field;
         this.choice = choice;
         this.covered = covered;
-        this.needed = SensorLayer.stepsToCover(covered);
+        this.needed = CellCode.stepsToCover(covered);
         int all = field.grid().cells() * field.grid().heights().size();
         this.courses = new byte[all];
         this.causes = new byte[all];

@@ -78,6 +78,14 @@ record FieldProbe(
         return courses.get(course).at(at, drone.settings().speed());
     }
 
+    /**
+     * The first course on which the sensor certainly looks at the same picture as on a given one: if speed does not
+     * matter to it, hovering is the same as flying on that heading.
+     */
+    int alike(int course) {
+        return assessor.isSameAtAllSpeeds() ? Course.firstOnSameHeading(courses, course) : course;
+    }
+
     /** Where the sensor's positioner points once it has turned to a place, m; empty on a fixed mount. */
     Optional<Pointing> pointing(Position at) {
         return Mounted.turnedTo(settings, at);
@@ -89,7 +97,7 @@ record FieldProbe(
     }
 
     /**
-     * The assessment of a drone, except for what the steps of a {@link SensorLayer} do not tell apart, and faster.
+     * The assessment of a drone, except for what the steps of a {@link CellCode} do not tell apart, and faster.
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
         return assessor.assessCoarsely(there, pointing, rays(), terms.high(settings));
@@ -97,15 +105,15 @@ record FieldProbe(
 
     /**
      * The probability that the sensor detects the drone on the terms of the field, in the steps of a
-     * {@link SensorLayer}.
+     * {@link CellCode}.
      *
      * @param ofALook the probability of a look, 0 to 1
      */
     int steps(double ofALook) {
-        return SensorLayer.steps(terms.probability(ofALook, settings));
+        return CellCode.steps(terms.probability(ofALook, settings));
     }
 
-    /** A look that is only as fine as the steps of a {@link SensorLayer}, and faster. */
+    /** A look that is only as fine as the steps of a {@link CellCode}, and faster. */
     CellLook lookInSteps(Assessor assessor, Drone there, CellPointings pointings) {
         return look(pointings, pointing -> assessInSteps(assessor, there, pointing));
     }

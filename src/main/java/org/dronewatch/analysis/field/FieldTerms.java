@@ -99,6 +99,6 @@ public record FieldTerms(
     /** The probability of a look at and above which all probabilities below 1 count as equal. */
     double high(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
-        return isAnyAlike ? (SensorLayer.STEPS - 1.0) / SensorLayer.STEPS : 1.0;
+        return isAnyAlike ? (CellCode.STEPS - 1.0) / CellCode.STEPS : 1.0;
     }
 }

@@ -87,7 +87,7 @@ public record InboundWarnings(Position target, double reach, double response, bo
         Flights flights = new Flights(target, reach(grid, target, stage.protection()), grid.cell(), grid.heights());
         List<SensorLayer> layers = layers(settings, stage, sample, flights, terms, store.about(grid), progress);
         double delay = terms.within().orElse(0.0) * sample.settings().speed();
-        int needed = SensorLayer.stepsToCover(covered);
+        int needed = CellCode.stepsToCover(covered);
         List<Warning> all = new ArrayList<>();
         for (int height = 0; height < grid.heights().size(); height++) {
             for (int bearing = 0; bearing < BEARINGS; bearing++) {

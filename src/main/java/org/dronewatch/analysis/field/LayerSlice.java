@@ -34,7 +34,7 @@ record LayerSlice(int columns, double[] z, int[][] entries, byte[][] byCourse) {
                 throw new IllegalArgumentException("a row of another length");
             }
             for (int entry : entries[row]) {
-                if (!SensorLayer.isPossible(entry, byCourse[row], courses)) {
+                if (!CellCode.isPossible(entry, byCourse[row], courses)) {
                     throw new IllegalArgumentException("an impossible entry");
                 }
             }

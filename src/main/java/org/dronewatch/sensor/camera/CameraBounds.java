@@ -2,6 +2,7 @@ package org.dronewatch.sensor.camera;
 
 import java.util.Optional;
 import java.util.function.DoubleToIntFunction;
+import java.util.function.IntPredicate;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -97,14 +98,15 @@ final class CameraBounds {
         PixelBounds pixels = found.get();
         State there = new State(picture, state, pointing);
         int greatest = steps.applyAsInt(there.signal(pixels.mostAround()).probability());
-        pixels.count(state.heading(), number -> there.isDetectedIn(number, greatest, steps));
+        IntPredicate enough = number -> there.isDetectedIn(number, greatest, steps);
+        pixels.count(state.heading(), enough);
         Optional<AssessmentBounds> bounds = there.bounds(pixels, steps);
         if (bounds.isEmpty() && pixels.examineAll()) {
-            pixels.count(state.heading(), number -> there.isDetectedIn(number, greatest, steps));
+            pixels.count(state.heading(), enough);
             bounds = there.bounds(pixels, steps);
         }
         return bounds.isEmpty()
-                        && picture.refine(pixels, drone.at(state), () -> there.bounds(pixels, steps)
+                        && picture.refine(pixels, drone.at(state), enough, () -> there.bounds(pixels, steps)
                                 .isPresent())
                 ? there.bounds(pixels, steps)
                 : bounds;

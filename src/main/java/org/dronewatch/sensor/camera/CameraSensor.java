@@ -157,6 +157,12 @@ public final class CameraSensor implements BoundingSensor {
         return picture.camera().isOutside(at.x(), at.y(), at.z(), drone.radius());
     }
 
+    /** A number of pixels does not depend on the speed. */
+    @Override
+    public boolean isSameAtAllSpeeds() {
+        return settings.detection().countsPixelsOnly();
+    }
+
     private boolean isInPicture(Drone drone) {
         picture.draw(world, drone, pixels -> true);
         return picture.pixels(0) > 0;

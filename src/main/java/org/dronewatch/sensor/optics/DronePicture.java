@@ -81,6 +81,7 @@ public final class DronePicture {
      */
     public Optional<PixelBounds> bounds(World world, SilhouetteTable silhouettes, Position at) {
         setWorld(world);
+        staticView.expectAll();
         if (bounds == null) {
             bounds = new PixelBounds(camera);
         }
@@ -95,11 +96,12 @@ public final class DronePicture {
     /**
      * Traces pixels of the drone, as it was counted last, until its bounds suffice or are exact.
      *
+     * @param enough as for that count
      * @param isSufficient whether the bounds suffice as they are
      * @return false where a picture of the drone is drawn faster
      */
-    public boolean refine(PixelBounds there, Drone drone, BooleanSupplier isSufficient) {
-        return there.refine(dynamicView, drone, isSufficient);
+    public boolean refine(PixelBounds there, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
+        return there.refine(dynamicView, drone, enough, isSufficient);
     }
 
     private void setWorld(World world) {

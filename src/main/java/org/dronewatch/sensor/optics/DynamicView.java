@@ -23,6 +23,9 @@ final class DynamicView {
      */
     private static final double TRIANGLES_PER_PIXEL = 6.0;
 
+    /** Columns and rows of the tile in the middle of a large drone that is drawn first. */
+    private static final int MIDDLE = 8;
+
     private final CameraObject camera;
     private final SignificantPixels significantPixels;
     private final Matrix4d toModel = new Matrix4d();
@@ -103,6 +106,9 @@ final class DynamicView {
         TileTracer traversal = aim(drone);
         int asked = 1;
         boolean coarse = isCoarse(drone, rectangle);
+        if (coarse && isEnoughInTheMiddle(traversal, background, number, enough)) {
+            return;
+        }
         for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTracer.HEIGHT) {
             int rows = Math.min(TileTracer.HEIGHT, rectangle.bottom() + 1 - top);
             for (int left = rectangle.left(); left <= rectangle.right(); left += TileTracer.WIDTH) {
@@ -122,6 +128,29 @@ final class DynamicView {
                 }
             }
         }
+    }
+
+    /**
+     * Whether the middle of a large drone is enough, which is drawn; otherwise nothing is.
+     *
+     * @param enough false for every number where all pixels are needed
+     */
+    private boolean isEnoughInTheMiddle(TileTracer traversal, Background background, int number, IntPredicate enough) {
+        PixelRectangle rectangle = silhouettes[number].rectangle();
+        if (rectangle.pixels() <= 2 * MIDDLE * MIDDLE || !enough.test(MIDDLE * MIDDLE)) {
+            return false;
+        }
+        int columns = Math.min(MIDDLE, rectangle.right() + 1 - rectangle.left());
+        int rows = Math.min(MIDDLE, rectangle.bottom() + 1 - rectangle.top());
+        int left = (rectangle.left() + rectangle.right() + 1 - columns) / 2;
+        int top = (rectangle.top() + rectangle.bottom() + 1 - rows) / 2;
+        traversal.trace(left, top, columns, rows);
+        claimTile(traversal, left, top, columns, rows, background, number);
+        boolean isEnough = enough.test(silhouettes[number].pixels());
+        if (!isEnough) {
+            silhouettes[number].clear();
+        }
+        return isEnough;
     }
 
     private TileTracer aim(Drone drone) {

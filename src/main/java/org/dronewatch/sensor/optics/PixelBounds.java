@@ -13,7 +13,7 @@ import org.dronewatch.geometry.Position;
  * traced to the drone, and only on request. Reused for many places. One per thread.
  */
 public final class PixelBounds {
-    /** Rays that are traced before the bounds are checked again. */
+    /** Rays that are traced before bounds that did not suffice are checked again. */
     private static final int TRACED_AT_ONCE = 6;
 
     private final PixelSample pixels;
@@ -31,6 +31,9 @@ public final class PixelBounds {
     private int most;
     private int leastInTheOpen;
     private int mostInTheOpen;
+
+    /** How many pixels are expected to show it. */
+    private int expected;
 
     PixelBounds(CameraObject camera) {
         this.pixels = new PixelSample(camera);
@@ -76,6 +79,7 @@ public final class PixelBounds {
     public void count(double heading, IntPredicate enough) {
         least = 0;
         leastInTheOpen = 0;
+        expected = 0;
         isCutShort = false;
         countsHidden = false;
         mask = pixels.mask(heading);
@@ -95,6 +99,7 @@ public final class PixelBounds {
                 leastInTheOpen += isInside ? 1 : 0;
                 most += sight == PixelSample.HIDDEN ? 0 : 1;
                 least += isInside && sight == PixelSample.FREE ? 1 : 0;
+                expected += kind != SilhouetteMask.UNLIKELY && sight != PixelSample.HIDDEN ? 1 : 0;
                 if (least >= asked) {
                     if (enough.test(least)) {
                         isCutShort = true;
@@ -111,34 +116,56 @@ public final class PixelBounds {
     }
 
     /**
-     * Traces pixels about which the last count left a doubt, until the bounds suffice or are exact.
+     * Traces pixels about which the last count left a doubt, until the bounds suffice or are exact: first those that
+     * are expected to decide.
      *
+     * @param enough as for that count
      * @param isSufficient whether the bounds suffice as they are
      * @return false where a picture of the drone is drawn faster
      */
-    boolean refine(DynamicView drawing, Drone drone, BooleanSupplier isSufficient) {
+    boolean refine(DynamicView drawing, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
         if (isCutShort || !pixels.isComplete() || !drawing.beginSingly(drone)) {
             return false;
         }
-        int traced = 0;
+        boolean isExpected = mask == null || enough.test(expected);
+        BooleanSupplier isDecided = () -> enough.test(least) || !enough.test(most);
+        if (!trace(drawing, isExpected, isDecided, isSufficient)) {
+            trace(drawing, !isExpected, isDecided, isSufficient);
+        }
+        return true;
+    }
+
+    /** Traces pixels that are likely to show the drone, or the others; true if that suffices. */
+    private boolean trace(
+            DynamicView drawing, boolean isLikely, BooleanSupplier isDecided, BooleanSupplier isSufficient) {
+        int left = 0;
         for (int i = 0; i < pixels.count(); i++) {
-            byte kind = mask == null ? SilhouetteMask.UNCERTAIN : pixels.kind(mask, i);
-            boolean isInside = kind == SilhouetteMask.INSIDE;
-            if (kind == SilhouetteMask.UNCERTAIN || isInside && pixels.sight(i) == PixelSample.UNCERTAIN) {
-                float distance = drawing.distanceSingly(pixels.column(i), pixels.row(i));
-                boolean isHit = distance < Float.POSITIVE_INFINITY;
-                boolean isSeen = isHit && distance < pixels.siteDistance(i);
-                leastInTheOpen += isHit && !isInside ? 1 : 0;
-                mostInTheOpen -= isHit ? 0 : 1;
-                least += isSeen ? 1 : 0;
-                most -= isSeen || !countsHidden && pixels.sight(i) == PixelSample.HIDDEN ? 0 : 1;
-                traced++;
-                if (traced % TRACED_AT_ONCE == 0 && isSufficient.getAsBoolean()) {
-                    return true;
+            byte kind = mask == null ? SilhouetteMask.LIKELY : pixels.kind(mask, i);
+            boolean isInDoubt = kind == SilhouetteMask.INSIDE
+                    ? pixels.sight(i) == PixelSample.UNCERTAIN
+                    : kind != SilhouetteMask.OUTSIDE;
+            if (isInDoubt && isLikely == kind > SilhouetteMask.UNLIKELY) {
+                trace(drawing, i, kind == SilhouetteMask.INSIDE);
+                left--;
+                if (left < 0 && isDecided.getAsBoolean()) {
+                    if (isSufficient.getAsBoolean()) {
+                        return true;
+                    }
+                    left = TRACED_AT_ONCE;
                 }
             }
         }
-        return true;
+        return false;
+    }
+
+    private void trace(DynamicView drawing, int pixel, boolean isInside) {
+        float distance = drawing.distanceSingly(pixels.column(pixel), pixels.row(pixel));
+        boolean isHit = distance < Float.POSITIVE_INFINITY;
+        boolean isSeen = isHit && distance < pixels.siteDistance(pixel);
+        leastInTheOpen += isHit && !isInside ? 1 : 0;
+        mostInTheOpen -= isHit ? 0 : 1;
+        least += isSeen ? 1 : 0;
+        most -= isSeen || !countsHidden && pixels.sight(pixel) == PixelSample.HIDDEN ? 0 : 1;
     }
 
     /** The upper bounds are the number of pixels around the drone. */

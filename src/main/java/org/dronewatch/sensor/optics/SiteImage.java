@@ -1,13 +1,17 @@
 package org.dronewatch.sensor.optics;
 
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.stream.Stream;
 import org.dronewatch.world.World;
 
 /**
  * The image of a world from one camera, tile by tile as far as it has been traced. Cameras on several threads may share
- * it: whoever needs a tile first traces it, and two that need it at once trace the same. Thread-safe.
+ * it: whoever needs a tile first traces it, holding a lock, so that no other traces the same. Thread-safe.
  */
 final class SiteImage {
+    private static final int LOCKS = 64;
+
+    private final Object[] locks = Stream.generate(Object::new).limit(LOCKS).toArray();
     private World world;
     private AtomicReferenceArray<float[]> tiles;
 
@@ -22,5 +26,10 @@ final class SiteImage {
             tiles = new AtomicReferenceArray<>(count);
         }
         return tiles;
+    }
+
+    /** What to hold while a part of the image is traced, given by its number. */
+    Object lock(int part) {
+        return locks[part % LOCKS];
     }
 }

@@ -105,11 +105,11 @@ class DetectionFieldTest {
     /** The steps of a probability; only certainty is stored as certainty. */
     @Test
     void onlyZeroAndOneAreStoredAsZeroAndOne() {
-        assertThat(SensorLayer.steps(0.0)).isZero();
-        assertThat(SensorLayer.steps(Double.MIN_VALUE)).isEqualTo(1);
-        assertThat(SensorLayer.steps(0.5)).isEqualTo(125);
-        assertThat(SensorLayer.steps(Math.nextDown(1.0))).isEqualTo(249);
-        assertThat(SensorLayer.steps(1.0)).isEqualTo(250);
+        assertThat(CellCode.steps(0.0)).isZero();
+        assertThat(CellCode.steps(Double.MIN_VALUE)).isEqualTo(1);
+        assertThat(CellCode.steps(0.5)).isEqualTo(125);
+        assertThat(CellCode.steps(Math.nextDown(1.0))).isEqualTo(249);
+        assertThat(CellCode.steps(1.0)).isEqualTo(250);
     }
 
     /** Each sensor takes a look as in a run; where chance decides, it has its probability. */
@@ -132,7 +132,7 @@ class DetectionFieldTest {
                         .observe(site.stage().world(), List.of(drone), look)
                         .get(0);
                 double stored = field.probability(sensor, one.height, one.column, one.row, one.course);
-                assertThat(stored).as("%s %s", id, one).isEqualTo(SensorLayer.steps(seen.probability()) / 250.0);
+                assertThat(stored).as("%s %s", id, one).isEqualTo(CellCode.steps(seen.probability()) / 250.0);
                 if (stored == 0.0 || stored == 1.0) {
                     certain++;
                     assertThat(seen.isDetected()).as("%s %s", id, one).isEqualTo(stored == 1.0);
