@@ -60,6 +60,8 @@ class LintTest {
                                     "-Xlint:all,-classfile",
                                     "-Werror",
                                     "-proc:none",
+                                    // No code is generated: all that is warned of has been found by then.
+                                    "-XDshould-stop.ifNoError=FLOW",
                                     "--release",
                                     "17",
                                     "-d",

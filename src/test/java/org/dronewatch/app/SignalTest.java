@@ -72,7 +72,7 @@ class SignalTest {
     @CsvSource({"TERM, 143, 1", "INT, 130, 2"})
     void aRunEndsWithTheCodeOfTheSignalAtAnyMoment(String signal, int code, long seed) throws Exception {
         SplittableRandom random = new SplittableRandom(seed);
-        for (int i = 0; i < LongForm.count(3, 4); i++) {
+        for (int i = 0; i < LongForm.count(2, 4); i++) {
             long millis = random.nextLong(200 + 1200 * i, 1400 + 1200 * i);
             try (Child child = Program.start(
                     directory,
@@ -156,7 +156,7 @@ class SignalTest {
             })
     void otherCommandsEndPromptlyAndLeaveNothing(String command) throws Exception {
         // While Java starts, and in the midst of the work.
-        for (long millis : new long[] {600, LongForm.count(2500, 4000)}) {
+        for (long millis : new long[] {600, LongForm.count(1800, 4000)}) {
             try (Child child = Program.start(directory, NO_OPTIONS, command.split(" "))) {
                 boolean ended = child.process().waitFor(millis, TimeUnit.MILLISECONDS);
                 long start = System.nanoTime();

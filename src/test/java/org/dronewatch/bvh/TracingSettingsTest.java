@@ -3,17 +3,12 @@ package org.dronewatch.bvh;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.dronewatch.LongForm;
-import org.dronewatch.app.Main;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.KDTreeStats;
@@ -21,8 +16,10 @@ import org.dronewatch.kdtree.SahCost;
 import org.dronewatch.kdtree.SequentialTraversal;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.mesh.io.ModelLoader;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.sensor.Observation;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -32,36 +29,32 @@ class TracingSettingsTest {
     private static final List<String> SCENES =
             LongForm.IS_ON ? List.of("multi-sensor", "closed-space") : List.of("closed-space");
 
-    @TempDir
-    private Path directory;
-
-    private Map<String, String> results(String... settings) throws IOException {
-        Map<String, String> results = new TreeMap<>();
+    /** By scene, all that its sensors observe. */
+    private static Map<String, List<Observation>> results(String... settings) {
+        Map<String, List<Observation>> results = new TreeMap<>();
         for (String scene : SCENES) {
-            Path out = directory.resolve(scene + String.join("", settings).hashCode());
-            String duration = LongForm.IS_ON ? "1 s" : "0.1 s";
-            List<String> words = new ArrayList<>(List.of("run", scene, "--observations", "--out", out.toString()));
-            words.addAll(List.of("--set", "run.duration=" + duration));
+            SceneRunner runner = new SceneRunner(
+                    PackagedScene.find(scene).orElseThrow().factory().get());
+            runner.set("run.duration", LongForm.IS_ON ? "1 s" : "0.1 s");
             if (!LongForm.IS_ON) {
-                words.addAll(List.of("--set", "sensors.camera.width=300", "--set", "sensors.camera.height=300"));
-                words.addAll(List.of("--set", "sensors.microphone.propagation.initialRays=4"));
+                runner.set("sensors.camera.width", "300").set("sensors.camera.height", "300");
+                runner.set("sensors.microphone.propagation.initialRays", "4");
             }
             for (String setting : settings) {
-                words.addAll(List.of("--set", setting));
+                String[] parts = setting.split("=", 2);
+                runner.set(parts[0], parts[1]);
             }
-            StringWriter said = new StringWriter();
-            PrintWriter writer = new PrintWriter(said);
-            assertThat(Main.execute(writer, writer, words.toArray(String[]::new)))
-                    .as("%s", said)
-                    .isZero();
-            results.put(scene, Files.readString(out.resolve("observations.csv")));
+            List<Observation> observed = new ArrayList<>();
+            runner.onFrame(frame -> observed.addAll(frame.observations())).run();
+            assertThat(observed).as(scene).isNotEmpty();
+            results.put(scene, observed);
         }
         return results;
     }
 
     @Test
-    void everyTraversalAndTreeHasTheSameObservations() throws IOException {
-        Map<String, String> fastest = results();
+    void everyTraversalAndTreeHasTheSameObservations() {
+        Map<String, List<Observation>> fastest = results();
 
         assertThat(results("world.tracing.traversal=stack")).isEqualTo(fastest);
         if (LongForm.IS_ON) {
