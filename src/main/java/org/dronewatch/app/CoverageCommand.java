@@ -222,19 +222,10 @@ final class CoverageCommand implements Callable<Integer> {
                 .inWords(settings.run().seed(), threads.number());
     }
 
-    /** The first drone, or the first bird of a scene that has nothing else. */
-    private static String first(SceneSettings settings) {
-        return settings.individualDrones().keySet().stream()
-                .filter(id -> !settings.birds().contains(id))
-                .findFirst()
-                .orElseGet(() -> settings.birds().iterator().next());
-    }
-
     private String drone(SceneSettings settings) {
-        if (settings.individualDrones().isEmpty()) {
-            throw new InputException("the scene has no drone to place on the plan");
-        }
-        String id = drone == null ? first(settings) : drone;
+        String first = FieldRequest.firstDrone(settings)
+                .orElseThrow(() -> new InputException("the scene has no drone to place on the plan"));
+        String id = drone == null ? first : drone;
         if (!settings.individualDrones().containsKey(id)) {
             throw new InputException("--drone " + PlainText.value(id) + ": no such drone; the scene has "
                     + String.join(", ", settings.individualDrones().keySet()));

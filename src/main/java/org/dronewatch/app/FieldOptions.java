@@ -13,9 +13,9 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.Course;
-import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.fusion.AreaZone;
@@ -44,16 +44,6 @@ final class FieldOptions {
     private static final String AREA = "--area";
     private static final String POINTING = "--pointing";
     private static final String CONDITIONS = "--conditions";
-    private static final double DEFAULT_COVERED = 0.5;
-    private static final double CELLS = 100.0;
-    private static final double DEFAULT_SIDE = 500.0;
-
-    /** Which heading of the drone counts. */
-    private enum Heading {
-        WORST,
-        BEST,
-        INBOUND
-    }
 
     @Option(
             names = HEIGHTS,
@@ -140,7 +130,7 @@ final class FieldOptions {
         }
         try {
             return area == null
-                    ? square(middle, side.orElse(DEFAULT_SIDE))
+                    ? square(middle, side.orElse(FieldGrid.DEFAULT_SIDE))
                     : over(AreaZone.inPlan(area, settings.alert()).orElseThrow(() -> noArea(settings)));
         } catch (IllegalArgumentException e) {
             throw new InputException((heights == null ? CELL : HEIGHTS) + ": " + e.getMessage(), e);
@@ -164,7 +154,7 @@ final class FieldOptions {
     }
 
     private double edge(double side) {
-        return cell == null ? side / CELLS : (double) value("cell", cell, FieldGrid.class, "cell");
+        return cell == null ? side / FieldGrid.DEFAULT_CELLS : (double) value("cell", cell, FieldGrid.class, "cell");
     }
 
     private InputException noArea(SceneSettings settings) {
@@ -241,7 +231,7 @@ final class FieldOptions {
 
     /** The probability with which a sensor covers a cell. */
     double covered() {
-        double asked = covered == null ? DEFAULT_COVERED : covered;
+        double asked = covered == null ? FieldCoverage.DEFAULT_COVERED : covered;
         if (!(asked > 0.0 && asked <= 1.0)) {
             throw new InputException(COVERED + " " + Quantity.RATIO.inWords(asked) + ": must be above 0 and at most 1");
         }
@@ -250,22 +240,22 @@ final class FieldOptions {
 
     /** The heading as files state it. */
     String heading() {
-        return kind().name().toLowerCase(Locale.ROOT);
+        return kind().word();
     }
 
-    private Heading kind() {
-        return heading == null ? Heading.WORST : word(HEADING, heading, Heading.values(), "worst, best or inbound");
+    private FieldHeading kind() {
+        return heading == null
+                ? FieldHeading.WORST
+                : word(HEADING, heading, FieldHeading.values(), "worst, best or inbound");
     }
 
     /** The courses of a drone that have to be assessed. */
     List<Course> courses(SceneSettings settings, Stage stage, String drone, FieldGrid grid) {
-        return kind() == Heading.INBOUND
-                ? List.of(Course.inbound(InboundTarget.of(settings, stage.protection(), grid)))
-                : Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, drone));
+        return kind().courses(settings, stage, drone, grid);
     }
 
     /** Which of them counts. */
     FieldCoverage.Choice choice() {
-        return kind() == Heading.BEST ? FieldCoverage.Choice.BEST : FieldCoverage.Choice.WORST;
+        return kind().choice();
     }
 }

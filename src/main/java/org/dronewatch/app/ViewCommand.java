@@ -21,13 +21,23 @@ import picocli.CommandLine.Spec;
             "Opens a window with the site in 3D, all cameras' pictures, sound rays, a timeline of detections and tables.",
             "Needs a display; 'render' draws the same pictures without one."
         },
-        footer = {"", "Example:", "  dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg"})
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg",
+            "  dronewatch view scenes/hill-radar.yaml --coverage"
+        })
 final class ViewCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
     private Long seed;
+
+    @Option(
+            names = "--coverage",
+            description = "Also computes the coverage, with the defaults of 'coverage', and shows it over the site.")
+    private boolean coverage;
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
@@ -51,6 +61,9 @@ final class ViewCommand implements Callable<Integer> {
         Viewer.Subject first = new Viewer.Subject(scene, runner, choice.sceneFile());
         Optional<RuntimeException> failure = Optional.empty();
         try (Viewer viewer = Viewer.open(first, threads.number(), this::read)) {
+            if (coverage) {
+                viewer.showCoverage();
+            }
             for (Optional<Viewer.Subject> shown = Optional.of(first); shown.isPresent(); shown = viewer.awaitNext()) {
                 failure = show(viewer, shown.get().runner());
             }

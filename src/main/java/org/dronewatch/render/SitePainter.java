@@ -43,6 +43,11 @@ final class SitePainter {
         this.facets = new Facets(world, colours);
     }
 
+    /** The appearance of the site's triangles. */
+    Facets facets() {
+        return facets;
+    }
+
     /** The buffers of one painting thread. */
     private final class Brush {
         private final TileTracer tiles = new TileTracer(tree);

@@ -50,6 +50,7 @@ public final class SitePicture {
     private final Flights flights;
     private final Protection protection;
     private final RayLayer rayLayer = new RayLayer();
+    private final SkinLayer skinLayer;
 
     /** Pictures of one run of a scene. */
     public SitePicture(SceneSettings settings, Stage stage) {
@@ -59,6 +60,7 @@ public final class SitePicture {
         this.world = stage.world();
         this.protection = stage.protection();
         this.painter = new SitePainter(world, stage.colours());
+        this.skinLayer = new SkinLayer(painter.facets());
         this.colours = KindColours.of(settings.enabledSensors().values());
         this.flights = new Flights(settings, stage);
     }
@@ -192,9 +194,12 @@ public final class SitePicture {
         Cut cut = backdrop.cut().orElse(null);
         CameraObject camera = backdrop.camera();
         double pixel = style.scale() * camera.height() / backdrop.height();
+        Backdrop ground = style.skin()
+                .map(skin -> skinLayer.over(backdrop, skin, style.scale()))
+                .orElse(backdrop);
         Canvas canvas = state.rays()
-                .map(rays -> rayLayer.over(backdrop, rays, style.filter(), pixel))
-                .orElse(backdrop.canvas())
+                .map(rays -> rayLayer.over(ground, rays, style.filter(), pixel))
+                .orElse(ground.canvas())
                 .copy();
         painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
         LinePainter lines = new LinePainter(camera, cut, canvas);

@@ -1,5 +1,6 @@
 package org.dronewatch.render;
 
+import java.util.Optional;
 import org.dronewatch.setting.SettingsForm;
 
 /**
@@ -10,10 +11,17 @@ import org.dronewatch.setting.SettingsForm;
  * @param outlines whether fields of view are drawn
  * @param flights whether the paths of drones are drawn
  * @param filter for the rays of sound that are drawn
+ * @param skin laid over ground and roofs, if there is one
  */
-public record SiteStyle(double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter) {
+public record SiteStyle(
+        double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter, Optional<SiteSkin> skin) {
     /** All parts, on a screen of normal density. */
-    public static final SiteStyle DEFAULT = new SiteStyle(1.0, true, true, true, RayFilter.ALL);
+    public static final SiteStyle DEFAULT = new SiteStyle(1.0, true, true, true, RayFilter.ALL, Optional.empty());
+
+    /** A style without a skin. */
+    public SiteStyle(double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter) {
+        this(scale, labels, outlines, flights, filter, Optional.empty());
+    }
 
     /** This style on a screen of another density. */
     public SiteStyle withScale(double density) {
@@ -38,5 +46,10 @@ public record SiteStyle(double scale, boolean labels, boolean outlines, boolean 
     /** This style with other rays of sound. */
     public SiteStyle withFilter(RayFilter other) {
         return SettingsForm.with(this, "filter", other);
+    }
+
+    /** This style with another skin, or with none. */
+    public SiteStyle withSkin(Optional<SiteSkin> other) {
+        return SettingsForm.with(this, "skin", other);
     }
 }

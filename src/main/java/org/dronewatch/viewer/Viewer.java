@@ -10,6 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
+import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -126,7 +127,17 @@ public final class Viewer implements AutoCloseable {
     }
 
     private ViewerPane paneOf(Subject subject) {
-        return new ViewerPane(subject.scene().name(), recording, threads);
+        return new ViewerPane(
+                subject.scene().name(),
+                recording,
+                threads,
+                settings ->
+                        LayerStore.of(settings, subject.runner().inputs().models(), LayerStore.standard(this::note)));
+    }
+
+    /** Shows the coverage of the scene, computed with the defaults of {@code coverage} as soon as the site is there. */
+    public void showCoverage() {
+        SwingUtilities.invokeLater(() -> pane.showCoverage());
     }
 
     /** Stops the reading of models for a window that is gone. */

@@ -162,6 +162,11 @@ final class ViewerMenus {
                 "Traces all sound rays to the selected microphone at the displayed time",
                 ViewerActions.key(KeyEvent.VK_R),
                 pane.rayPanel()::trace));
+        menu.add(item(
+                "Compute coverage",
+                "Computes where the sensors detect a drone, and shows it in the site",
+                ViewerActions.shiftedMenuKey(KeyEvent.VK_K),
+                pane::showCoverage));
         return menu;
     }
 
@@ -186,6 +191,11 @@ final class ViewerMenus {
                 "Shows or hides the drones' flights",
                 'L',
                 shown -> world.setStyle(world.style().withFlights(shown))));
+        menu.add(item(
+                "Coverage",
+                "Shows or hides the coverage that was computed",
+                ViewerActions.key(KeyEvent.VK_K),
+                () -> pane.coverage().toggle()));
         menu.addSeparator();
         menu.add(item(
                 "Move forward",

@@ -3,14 +3,17 @@ package org.dronewatch.viewer;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import javax.swing.Action;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
+import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SiteState;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -24,6 +27,9 @@ final class ViewerPane extends JPanel {
     /** Update interval of tables and texts, s; shorter intervals would be unreadable. */
     private static final double TABLES = 0.12;
 
+    /** Height of the tabs in which the coverage of several sensors can be read, in pixels of a normal screen. */
+    private static final int COVERAGE_HEIGHT = 360;
+
     private final String title;
     private final transient Recording recording;
     private final transient Playback playback = new Playback();
@@ -34,6 +40,7 @@ final class ViewerPane extends JPanel {
     private final TimeLine timeLine = new TimeLine(playback);
     private final transient RunTablesPanel tables = new RunTablesPanel(this::select);
     private final RayPanel rayPanel;
+    private final CoveragePanel coverage;
     private final LogPanel log = new LogPanel();
     private final ControlBar controls;
     private final Notice notice = new Notice();
@@ -57,6 +64,18 @@ final class ViewerPane extends JPanel {
      * @param threads how many trace
      */
     ViewerPane(String title, Recording recording, int threads) {
+        this(title, recording, threads, settings -> LayerStore.NONE);
+    }
+
+    /**
+     * A pane for a scene that is about to run.
+     *
+     * @param title of the scene
+     * @param recording receives what happens
+     * @param threads how many trace
+     * @param stores gives the store of coverages that were computed before, for the settings of a run
+     */
+    ViewerPane(String title, Recording recording, int threads, Function<SceneSettings, LayerStore> stores) {
         super(new BorderLayout());
         this.title = title;
         this.recording = recording;
@@ -67,8 +86,12 @@ final class ViewerPane extends JPanel {
                 threads, playback, filter -> world().setStyle(world().style().withFilter(filter)), this::report);
         this.controls = new ControlBar(
                 playback, actions, number -> show(recording.runs().get(number)));
+        this.coverage = new CoveragePanel(
+                threads, stores, skin -> world().setStyle(world().style().withSkin(skin)), this::report);
         world().onSelection(this::select);
-        world().onHint(status::write);
+        world().onPointed(coverage::point);
+        world().onHint(text ->
+                status.write(coverage.hint().map(words -> text + "; " + words).orElse(text)));
         site.onFocus(() -> {
             if (selected == null) {
                 status.write("Click on a sensor or a drone first: Focus zooms in on the selection");
@@ -84,6 +107,7 @@ final class ViewerPane extends JPanel {
         tabs.addTab("Sensors", tables.sensors());
         tabs.addTab("Drones", tables.drones());
         tabs.addTab("Sound rays", rayPanel);
+        tabs.addTab("Coverage", coverage);
         tabs.addTab("Log", log);
         down = new JSplitPane(JSplitPane.VERTICAL_SPLIT, cameras, tabs);
         down.setResizeWeight(0.6);
@@ -123,6 +147,7 @@ final class ViewerPane extends JPanel {
         }
         playback.advance(seconds);
         sinceTables += seconds;
+        coverage.tick();
         if (changed) {
             changed = false;
             showTime();
@@ -184,6 +209,7 @@ final class ViewerPane extends JPanel {
         playback.show(next.run());
         cameras.show(next);
         rayPanel.show(next.settings(), next.stage());
+        coverage.show(next);
         site.show(next, cut);
         shownTime = Double.NaN;
         changed = true;
@@ -193,6 +219,16 @@ final class ViewerPane extends JPanel {
         if (first) {
             playback.play();
         }
+    }
+
+    /** Shows the coverage, computed with the defaults as soon as the site is there. */
+    void showCoverage() {
+        tabs.setSelectedComponent(coverage);
+        int missing = Scaled.px(COVERAGE_HEIGHT) - tabs.getHeight();
+        if (missing > 0) {
+            down.setDividerLocation(Math.max(down.getMinimumDividerLocation(), down.getDividerLocation() - missing));
+        }
+        coverage.computeSoon();
     }
 
     /** Shows an error; callable from any thread. */
@@ -245,6 +281,10 @@ final class ViewerPane extends JPanel {
         return rayPanel;
     }
 
+    CoveragePanel coverage() {
+        return coverage;
+    }
+
     TimeLine timeLine() {
         return timeLine;
     }
@@ -281,7 +321,12 @@ final class ViewerPane extends JPanel {
 
     /** Whether everything that was requested is drawn. */
     boolean isIdle() {
-        return !changed && world().isIdle() && cameras.isIdle() && rayPanel.isIdle() && staging.isIdle();
+        return !changed
+                && world().isIdle()
+                && cameras.isIdle()
+                && rayPanel.isIdle()
+                && coverage.isIdle()
+                && staging.isIdle();
     }
 
     /** Ends all threads. */
@@ -290,5 +335,6 @@ final class ViewerPane extends JPanel {
         world().close();
         cameras.close();
         rayPanel.close();
+        coverage.close();
     }
 }

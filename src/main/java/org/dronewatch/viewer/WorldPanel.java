@@ -46,6 +46,7 @@ final class WorldPanel extends JPanel {
     private transient SiteStyle style = SiteStyle.DEFAULT;
     private transient Consumer<String> selection = id -> {};
     private transient Consumer<String> hint = text -> {};
+    private transient Consumer<Optional<Position>> pointed = place -> {};
 
     /**
      * An empty view.
@@ -87,6 +88,11 @@ final class WorldPanel extends JPanel {
     /** Receives a description of the object under the pointer. */
     void onHint(Consumer<String> target) {
         hint = target;
+    }
+
+    /** Receives the point of the site under the pointer; empty for the sky. */
+    void onPointed(Consumer<Optional<Position>> target) {
+        pointed = target;
     }
 
     /** Shows another run's site. */
@@ -192,8 +198,9 @@ final class WorldPanel extends JPanel {
 
     /** Describes the object under the pointer. */
     void describe(int x, int y) {
-        hint.accept(placeAt(x, y)
-                .map(place -> site == null ? Texts.place(place) : Texts.place(place, site))
+        Optional<Position> place = placeAt(x, y);
+        pointed.accept(place);
+        hint.accept(place.map(point -> site == null ? Texts.place(point) : Texts.place(point, site))
                 .orElse("sky"));
     }
 

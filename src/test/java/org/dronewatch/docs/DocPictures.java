@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.dronewatch.app.Main;
 import org.dronewatch.scene.Scene;
@@ -75,7 +76,17 @@ final class DocPictures {
             new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
             new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), true),
             window("viewer", "multi-sensor", 25.3),
-            window("cued-camera", "scenes/cued-camera.yaml", 4.0));
+            window("cued-camera", "scenes/cued-camera.yaml", 4.0),
+            new DocPicture(
+                    "viewer-coverage",
+                    directory -> PaintedWindow.coverage(
+                            scene("multi-sensor"),
+                            List.of("10, 30", "400", "8"),
+                            0,
+                            Optional.of("microphone"),
+                            WIDTH,
+                            HEIGHT),
+                    true));
 
     /** Those that show how fast the machine was: {@code costs} writes them, as {@code build.png} and so on. */
     static final List<String> MEASURED = List.of(

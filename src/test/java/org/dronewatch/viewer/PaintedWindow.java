@@ -2,9 +2,12 @@ package org.dronewatch.viewer;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import javax.swing.AbstractButton;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
@@ -19,16 +22,52 @@ public final class PaintedWindow {
 
     /** Runs a scene and paints the window at a time of its run, s; in the light look, whatever was set before. */
     public static BufferedImage at(double time, Scene scene, int width, int height) throws Exception {
+        return at(time, new SceneRunner(scene), scene.name(), width, height, List.of());
+    }
+
+    /**
+     * Computes the coverage of a scene, which runs for a moment only, and paints the window with it.
+     *
+     * @param form the heights, the side and the cell, as the user writes them
+     * @param height number of the height that is shown
+     * @param off the sensor that is switched off; empty for none
+     */
+    public static BufferedImage coverage(
+            Scene scene, List<String> form, int height, Optional<String> off, int width, int paintedHeight)
+            throws Exception {
+        Step compute = pane -> {
+            pane.coverage().form().set(form.get(0), form.get(1), form.get(2));
+            pane.showCoverage();
+        };
+        Step choose = pane -> {
+            pane.coverage().heights().setValue(height);
+            pane.coverage().switches().boxes().stream()
+                    .filter(box -> off.filter(box.getText()::equals).isPresent())
+                    .forEach(AbstractButton::doClick);
+        };
+        // A cell north-east of the middle.
+        Step point = pane -> pane.world().describe((int) (0.56 * pane.world().getWidth()), (int)
+                (0.44 * pane.world().getHeight()));
+        SceneRunner runner = new SceneRunner(scene).set("run.duration", "0.2 s");
+        return at(0.0, runner, scene.name(), width, paintedHeight, List.of(compute, choose, point));
+    }
+
+    /** What a user does, on the event thread. */
+    private interface Step {
+        void on(ViewerPane pane);
+    }
+
+    private static BufferedImage at(
+            double time, SceneRunner runner, String title, int width, int height, List<Step> steps) throws Exception {
         Object before = UIManager.getLookAndFeel();
         onEventThread(FlatLightLaf::setup);
         try {
-            SceneRunner runner = new SceneRunner(scene);
             Recording recording = new Recording();
             runner.listener(recording).run();
             recording.finish(true);
-            ViewerPane pane = onEventThread(() -> new ViewerPane(scene.name(), recording, 2));
+            ViewerPane pane = onEventThread(() -> new ViewerPane(title, recording, 2));
             try {
-                return painted(pane, time, width, height);
+                return painted(pane, time, width, height, steps);
             } finally {
                 pane.close();
             }
@@ -40,7 +79,8 @@ public final class PaintedWindow {
         }
     }
 
-    private static BufferedImage painted(ViewerPane pane, double time, int width, int height) throws Exception {
+    private static BufferedImage painted(ViewerPane pane, double time, int width, int height, List<Step> steps)
+            throws Exception {
         onEventThread(() -> {
             // As if it were in a window: tables get their headers, and all is laid out anew when it changes.
             pane.addNotify();
@@ -62,6 +102,13 @@ public final class PaintedWindow {
             return null;
         });
         settle(pane);
+        for (Step step : steps) {
+            onEventThread(() -> {
+                step.on(pane);
+                return null;
+            });
+            settle(pane);
+        }
         // Once more: tables and legends take in what the threads have sent.
         settle(pane);
         return onEventThread(() -> {

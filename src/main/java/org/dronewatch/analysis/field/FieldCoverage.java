@@ -1,5 +1,6 @@
 package org.dronewatch.analysis.field;
 
+import java.util.Collection;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
 
@@ -20,6 +21,9 @@ public final class FieldCoverage {
         /** The one on which it is most likely to be detected. */
         BEST
     }
+
+    /** The probability with which a sensor covers a cell unless another one is asked for. */
+    public static final double DEFAULT_COVERED = 0.5;
 
     private static final Cause[] CAUSES = Cause.values();
 
@@ -113,6 +117,21 @@ public final class FieldCoverage {
     /** Another field, evaluated in the same way. */
     FieldCoverage of(DetectionField other) {
         return new FieldCoverage(other, choice, covered);
+    }
+
+    /**
+     * The coverage that remains if some sensors fail, evaluated in the same way: the drone may be on the heading that
+     * suits the others least.
+     *
+     * @param sensors their names
+     * @throws IllegalArgumentException when there is no such sensor
+     */
+    public FieldCoverage without(Collection<String> sensors) {
+        DetectionField rest = field;
+        for (String sensor : sensors) {
+            rest = rest.without(sensor);
+        }
+        return rest == field ? this : of(rest);
     }
 
     /** The field. */

@@ -30,6 +30,12 @@ public record FieldGrid(
      */
     public static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0, 150.0);
 
+    /** The side of the area about the sensors unless another one is asked for, m. */
+    public static final double DEFAULT_SIDE = 500.0;
+
+    /** The number of cells along a side unless another length of a cell is asked for. */
+    public static final double DEFAULT_CELLS = 100.0;
+
     /** Maximum number of cells along a side. */
     public static final int MOST_CELLS = 2000;
 

@@ -1,6 +1,8 @@
 package org.dronewatch.analysis.field;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
@@ -28,6 +30,15 @@ public record FieldRequest(
     /** Copies the list: later changes by the caller have no effect. */
     public FieldRequest {
         courses = List.copyOf(courses);
+    }
+
+    /** The drone that a coverage is about unless another is named: the first, or the first bird where all are birds. */
+    public static Optional<String> firstDrone(SceneSettings settings) {
+        Set<String> all = settings.individualDrones().keySet();
+        return all.stream()
+                .filter(id -> !settings.birds().contains(id))
+                .findFirst()
+                .or(() -> all.stream().findFirst());
     }
 
     /** The number of cells that the sensors look at for the field alone, added up over all sensors. */

@@ -104,17 +104,22 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
     }
 
     private static Examined examine(GapMap map, int sensor, int cell, BlockerSearch search) {
-        DetectionField field = map.coverage().field();
-        int column = cell % field.grid().columns();
-        int row = cell / field.grid().columns();
-        int course = map.coverage().courseAt(map.height(), column, row);
-        Assessment assessment = field.assess(sensor, map.height(), column, row, course)
-                .orElseThrow(() -> new IllegalStateException("no drone can be in cell " + cell + " of a gap"));
+        int columns = map.coverage().field().grid().columns();
+        return examine(map.coverage(), sensor, map.height(), cell % columns, cell / columns, search);
+    }
+
+    /** Assesses a cell in which a drone can be. */
+    static Examined examine(FieldCoverage coverage, int sensor, int height, int column, int row, BlockerSearch search) {
+        DetectionField field = coverage.field();
+        int course = coverage.courseAt(height, column, row);
+        Assessment assessment = field.assess(sensor, height, column, row, course)
+                .orElseThrow(() ->
+                        new IllegalStateException("no drone can be in cell " + column + ", " + row + " of a gap"));
         return new Examined(
                 assessment,
                 assessment
                         .obstacle()
-                        .map(named -> search.between(
-                                field.position(sensor), field.middle(map.height(), column, row), named)));
+                        .map(named ->
+                                search.between(field.position(sensor), field.middle(height, column, row), named)));
     }
 }

@@ -29,6 +29,9 @@ final class CauseFills {
     /** A cell outside the area that counts: its ground, paler. */
     static final MapSheet.Fill OUTSIDE = (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.5);
 
+    /** A cell that is covered, but not without a sensor: the colour of what is detected, crossed out. */
+    static final MapSheet.Fill LOST = (u, v, ground) -> isCross(u, v) ? Color.BLACK : LIGHT_BLUE;
+
     /** A cell in which a sensor detects the drone, but not within the time allowed. */
     static final MapSheet.Fill LATER = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);
 
@@ -77,6 +80,10 @@ final class CauseFills {
             case TOO_WEAK -> lined(YELLOW, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
             case DETECTED -> (u, v, ground) -> MapSheet.mixed(ground, LIGHT_BLUE, STRENGTH);
         };
+    }
+
+    private static boolean isCross(int u, int v) {
+        return (u + v) % PERIOD < 2 || Math.floorMod(u - v, PERIOD) < 2;
     }
 
     /** Where the lines of a pattern are. */

@@ -28,27 +28,30 @@ final class CauseMap {
         this.inputs = inputs;
     }
 
-    /**
-     * The fill of a cell. If the drone has to be detected within a time, what is covered counts as detected, since the
-     * cause is that of a single look.
-     */
-    MapSheet.Fill fill(int column, int row) {
+    /** The fill of a cell: what covers it, or the dominant cause of the miss, in a single look. */
+    static MapSheet.Fill fill(FieldCoverage coverage, int height, int column, int row) {
         if (coverage.field().isOutside(height, column, row)) {
             return CauseFills.OUTSIDE;
         }
         if (coverage.field().isInside(height, column, row)) {
             return CauseFills.INSIDE;
         }
-        if (coverage.isUnknown(height, column, row)) {
-            return CauseFills.of(Cause.UNKNOWN);
-        }
-        Cause cause = coverage.cause(height, column, row);
-        if (inputs.within().isEmpty()) {
-            return CauseFills.of(cause);
+        return CauseFills.of(
+                coverage.isUnknown(height, column, row) ? Cause.UNKNOWN : coverage.cause(height, column, row));
+    }
+
+    /**
+     * The fill of a cell. If the drone has to be detected within a time, what is covered counts as detected, since the
+     * cause is that of a single look.
+     */
+    MapSheet.Fill fill(int column, int row) {
+        if (inputs.within().isEmpty() || !coverage.isKnown(height, column, row)) {
+            return fill(coverage, height, column, row);
         }
         if (coverage.isCovered(height, column, row)) {
             return CauseFills.of(Cause.DETECTED);
         }
+        Cause cause = coverage.cause(height, column, row);
         return cause == Cause.DETECTED ? CauseFills.LATER : CauseFills.of(cause);
     }
 

@@ -1,0 +1,61 @@
+package org.dronewatch.analysis.field;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.dronewatch.run.Stage;
+
+/**
+ * Assesses single cells of a coverage anew, with the evidence that the field does not keep: the signal of each sensor,
+ * its threshold, and what hides the drone. Keeps scratch memory: one thread at a time.
+ */
+public final class CellExaminer {
+    private final FieldCoverage coverage;
+    private final BlockerSearch search;
+
+    /**
+     * What the sensors make of a drone in a cell, on the course that counts there.
+     *
+     * @param sensors by each sensor, in the order of the field
+     * @param deciding number of the sensor whose cause is the dominant one: the one with the highest probability; among
+     *     equals, that whose cause is nearest to a detection, then that with the greatest margin in dB
+     */
+    public record CellEvidence(List<GapEvidence.Examined> sensors, int deciding) {
+        /** Copies the list: later changes by the caller have no effect. */
+        public CellEvidence {
+            sensors = List.copyOf(sensors);
+        }
+    }
+
+    /**
+     * An examiner of the cells of a coverage.
+     *
+     * @param stage the site for which the coverage was assessed
+     */
+    public CellExaminer(FieldCoverage coverage, Stage stage) {
+        this.coverage = coverage;
+        this.search = new BlockerSearch(stage);
+    }
+
+    /** The evidence for a cell; empty where the drone cannot be. Takes milliseconds for each microphone. */
+    public Optional<CellEvidence> examine(int height, int column, int row) {
+        DetectionField field = coverage.field();
+        if (!field.isOpen(height, column, row) || field.sensors().isEmpty()) {
+            return Optional.empty();
+        }
+        List<GapEvidence.Examined> examined = IntStream.range(0, field.sensors().size())
+                .mapToObj(sensor -> GapEvidence.examine(coverage, sensor, height, column, row, search))
+                .toList();
+        int course = coverage.courseAt(height, column, row);
+        Comparator<Integer> order = Comparator.comparing(
+                        (Integer sensor) -> field.steps(sensor, height, column, row, course))
+                .thenComparing(sensor -> field.cause(sensor, height, column, row, course))
+                .thenComparing(sensor -> examined.get(sensor).assessment().marginDb());
+        int deciding = 0;
+        for (int sensor = 1; sensor < examined.size(); sensor++) {
+            deciding = order.compare(sensor, deciding) > 0 ? sensor : deciding;
+        }
+        return Optional.of(new CellEvidence(examined, deciding));
+    }
+}

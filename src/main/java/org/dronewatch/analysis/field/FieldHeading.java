@@ -1,0 +1,38 @@
+package org.dronewatch.analysis.field;
+
+import java.util.List;
+import java.util.Locale;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+
+/** Which heading of the drone counts in a cell. */
+public enum FieldHeading {
+    /** The one on which the sensors together are least likely to detect it. */
+    WORST,
+    /** The one on which they are most likely to detect it. */
+    BEST,
+    /** Towards the protected zone or, without one, the middle of the sensors. */
+    INBOUND;
+
+    /**
+     * The courses of a drone that have to be assessed.
+     *
+     * @param drone its name
+     * @throws IllegalArgumentException when there is no such drone
+     */
+    public List<Course> courses(SceneSettings settings, Stage stage, String drone, FieldGrid grid) {
+        return this == INBOUND
+                ? List.of(Course.inbound(InboundTarget.of(settings, stage.protection(), grid)))
+                : Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, drone));
+    }
+
+    /** Which of these courses counts. */
+    public FieldCoverage.Choice choice() {
+        return this == BEST ? FieldCoverage.Choice.BEST : FieldCoverage.Choice.WORST;
+    }
+
+    /** The heading as options and files name it: {@code worst}. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,143 @@
+package org.dronewatch.report.coverage;
+
+import static org.dronewatch.report.html.ReadableNumbers.measured;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.GapEvidence;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Cause;
+
+/** Describes one cell of a coverage: which sensor decides there, and what each of them makes of the drone. */
+public final class CellWords {
+    private static final double LEAST_SHOWN = 0.005;
+
+    private final FieldCoverage coverage;
+    private final SceneSettings settings;
+    private final int height;
+    private final int column;
+    private final int row;
+
+    /**
+     * The words for a cell.
+     *
+     * @param settings of the scene
+     * @param height number of the height in the grid
+     * @param column from the west
+     * @param row from the north
+     */
+    public CellWords(FieldCoverage coverage, SceneSettings settings, int height, int column, int row) {
+        this.coverage = coverage;
+        this.settings = settings;
+        this.height = height;
+        this.column = column;
+        this.row = row;
+    }
+
+    /** What is there, from the field alone: {@code 30 m above the ground: hidden by terrain}. */
+    public String summary() {
+        return above() + state();
+    }
+
+    private String above() {
+        return Numbers.text(coverage.field().grid().heights().get(height)) + " m above the ground: ";
+    }
+
+    private String state() {
+        if (coverage.field().isOutside(height, column, row)) {
+            return "outside the area";
+        }
+        if (coverage.field().isInside(height, column, row)) {
+            return "inside something solid";
+        }
+        if (!coverage.field().isOpen(height, column, row)) {
+            return "unknown, since there is no ground";
+        }
+        if (coverage.isUnknown(height, column, row)) {
+            return "unknown, since a line of sight leaves the known ground";
+        }
+        return coverage.field().sensors().isEmpty()
+                ? "no sensor"
+                : CoverageTable.name(coverage.cause(height, column, row));
+    }
+
+    /** The probability that a sensor, given by its number, detects the drone; a dash where the drone cannot be. */
+    public String probability(int sensor) {
+        if (!coverage.field().isOpen(height, column, row)) {
+            return "-";
+        }
+        return probability(
+                coverage.field().probability(sensor, height, column, row, coverage.courseAt(height, column, row)));
+    }
+
+    private static String probability(double value) {
+        if (value == 0.0 || value == 1.0) {
+            return value == 0.0 ? "0" : "1";
+        }
+        if (value < LEAST_SHOWN || value > 1.0 - LEAST_SHOWN) {
+            return value < LEAST_SHOWN ? "<0.01" : ">0.99";
+        }
+        return String.format(Locale.ROOT, "%.2f", value);
+    }
+
+    /** Why a sensor, given by its number, does not detect the drone, or that it does; from the field alone. */
+    public String cause(int sensor) {
+        if (!coverage.field().isOpen(height, column, row)) {
+            return "";
+        }
+        Cause cause = coverage.field().cause(sensor, height, column, row, coverage.courseAt(height, column, row));
+        return CoverageTable.name(cause);
+    }
+
+    /** The difference between signal and threshold: {@code +3.2 dB}, or that there is no signal. */
+    public static String margin(GapEvidence.Examined examined) {
+        Assessment assessment = examined.assessment();
+        double margin = assessment.margin();
+        if (Double.isNaN(margin) || Double.isInfinite(margin)) {
+            return margin > 0.0 ? "" : "no signal";
+        }
+        return (margin >= 0.0 ? "+" : "-") + measured(Math.abs(margin), assessment.unit());
+    }
+
+    /** Why a sensor, given by its number, does not detect the drone, with what hides it or with the limit. */
+    public String reason(int sensor, GapEvidence.Examined examined) {
+        String name = coverage.field().sensors().get(sensor);
+        Assessment assessment = examined.assessment();
+        if (assessment.cause() == Cause.TOO_WEAK) {
+            return settings.sensors().get(name).description().weakness();
+        }
+        if (assessment.cause() == Cause.DETECTED) {
+            return CoverageTable.name(Cause.DETECTED);
+        }
+        GapEvidence one = new GapEvidence(name, Map.of(assessment.cause(), 1), List.of(examined));
+        return new MissWords(one, settings.sensors().get(name)).inWords();
+    }
+
+    /**
+     * What is there and which sensor decides, with its probability and its margin: {@code 30 m above the ground: hidden
+     * by a building ('Town hall'). 'radar' decides: probability 0, no signal.}
+     */
+    public String deciding(CellEvidence evidence) {
+        int sensor = evidence.deciding();
+        GapEvidence.Examined examined = evidence.sensors().get(sensor);
+        String place = coverage.isUnknown(height, column, row) ? summary() : above() + reason(sensor, examined);
+        return place + ". '" + coverage.field().sensors().get(sensor) + "' decides: probability " + probability(sensor)
+                + inWords(margin(examined), examined) + ".";
+    }
+
+    /** Empty for a margin that is not finite and positive. */
+    private static String inWords(String margin, GapEvidence.Examined examined) {
+        if (margin.startsWith("+") || margin.startsWith("-")) {
+            return ", " + margin.substring(1) + (margin.startsWith("+") ? " above" : " below") + " its threshold of "
+                    + measured(
+                            examined.assessment().threshold(),
+                            examined.assessment().unit());
+        }
+        return margin.isEmpty() ? "" : ", " + margin;
+    }
+}

@@ -1,0 +1,143 @@
+package org.dronewatch.report.coverage;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.RemainingCoverage;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.render.SiteSkin;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * The coverage at one height, laid over ground and roofs in the colours and patterns of the map of causes. What is lost
+ * without the sensors that are switched off is crossed out. Immutable.
+ */
+public final class CoverageSkin implements SiteSkin {
+    private static final int SWATCH_WIDTH = 24;
+    private static final int SWATCH_HEIGHT = 16;
+    private static final int SWATCH_GROUND = 0xd8d4cc;
+
+    /** The ground is paler than it is without the skin, so that its own colour does not mix with those of the skin. */
+    private static final int PALEST = 255;
+
+    private static final double PALER = 0.45;
+
+    private final RemainingCoverage remaining;
+    private final FieldCoverage coverage;
+    private final int height;
+    private final FieldGrid grid;
+    private final MapSheet.Fill[] fills;
+
+    /**
+     * An entry of the legend.
+     *
+     * @param swatch an example of the colour and the pattern
+     * @param words what it means, with its fraction
+     */
+    public record LegendEntry(BufferedImage swatch, String words) {}
+
+    /** A cell of the skin, by its column from the west and its row from the north. */
+    public record SkinCell(int column, int row) {}
+
+    /** The skin of a height. */
+    public CoverageSkin(RemainingCoverage remaining) {
+        this.remaining = remaining;
+        this.coverage = remaining.rest();
+        this.height = remaining.height();
+        this.grid = coverage.field().grid();
+        this.fills = new MapSheet.Fill[grid.cells()];
+        for (int cell = 0; cell < fills.length; cell++) {
+            int column = cell % grid.columns();
+            int row = cell / grid.columns();
+            fills[cell] =
+                    remaining.isLost(column, row) ? CauseFills.LOST : CauseMap.fill(coverage, height, column, row);
+        }
+    }
+
+    @Override
+    public int colour(double east, double north, int column, int row, int below) {
+        int cell = cell(east, north);
+        return cell < 0 ? below : fills[cell].at(column, row, pale(below)).getRGB() & 0xffffff;
+    }
+
+    private int cell(double east, double north) {
+        double half = 0.5 * grid.columns();
+        int column = (int) Math.floor((east - grid.east()) / grid.cell() + half);
+        int row = (int) Math.floor((grid.north() - north) / grid.cell() + half);
+        boolean isIn = column >= 0 && row >= 0 && column < grid.columns() && row < grid.columns();
+        return isIn ? row * grid.columns() + column : -1;
+    }
+
+    /** The grey of a colour, with the weights of ITU-R BT.601, paler. */
+    private static Color pale(int colour) {
+        double luma = 0.299 * (colour >> 16 & 255) + 0.587 * (colour >> 8 & 255) + 0.114 * (colour & 255);
+        int grey = (int) Math.round(PALER * PALEST + (1.0 - PALER) * luma);
+        return new Color(grey, grey, grey);
+    }
+
+    /** The cell above or below a point; empty beside the grid. */
+    public Optional<SkinCell> cellAt(Position point) {
+        int cell = cell(point.x(), point.y());
+        return cell < 0 ? Optional.empty() : Optional.of(new SkinCell(cell % grid.columns(), cell / grid.columns()));
+    }
+
+    /** The meaning of the colours that occur, with fractions of the known cells. */
+    public List<LegendEntry> legend() {
+        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        int lost = 0;
+        int unknown = 0;
+        int inside = 0;
+        for (int cell = 0; cell < fills.length; cell++) {
+            int column = cell % grid.columns();
+            int row = cell / grid.columns();
+            if (remaining.isLost(column, row)) {
+                lost++;
+            } else if (coverage.isKnown(height, column, row)) {
+                causes.merge(coverage.cause(height, column, row), 1, Integer::sum);
+            } else if (coverage.field().isInside(height, column, row)) {
+                inside++;
+            } else if (!coverage.field().isOutside(height, column, row)) {
+                unknown++;
+            }
+        }
+        List<LegendEntry> entries = new ArrayList<>();
+        entries.add(entry(Cause.DETECTED, causes.getOrDefault(Cause.DETECTED, 0)));
+        if (lost > 0) {
+            entries.add(new LegendEntry(swatch(CauseFills.LOST), "no longer covered: " + share(lost)));
+        }
+        causes.entrySet().stream()
+                .filter(one -> one.getKey() != Cause.DETECTED)
+                .forEach(one -> entries.add(entry(one.getKey(), one.getValue())));
+        if (unknown > 0) {
+            entries.add(new LegendEntry(swatch(CauseFills.of(Cause.UNKNOWN)), "unknown"));
+        }
+        if (inside > 0) {
+            entries.add(new LegendEntry(swatch(CauseFills.INSIDE), "inside something solid"));
+        }
+        return entries;
+    }
+
+    private LegendEntry entry(Cause cause, int cells) {
+        return new LegendEntry(swatch(CauseFills.of(cause)), CoverageTable.name(cause) + ": " + share(cells));
+    }
+
+    private String share(int cells) {
+        return cells == 0 ? "nowhere" : CoverageTable.percent(cells, remaining.known()) + " %";
+    }
+
+    private static BufferedImage swatch(MapSheet.Fill fill) {
+        BufferedImage image = new BufferedImage(SWATCH_WIDTH, SWATCH_HEIGHT, BufferedImage.TYPE_INT_RGB);
+        for (int v = 0; v < SWATCH_HEIGHT; v++) {
+            for (int u = 0; u < SWATCH_WIDTH; u++) {
+                image.setRGB(u, v, fill.at(u, v, new Color(SWATCH_GROUND)).getRGB());
+            }
+        }
+        return image;
+    }
+}

@@ -1,0 +1,43 @@
+package org.dronewatch.report.coverage;
+
+import java.util.Collection;
+import java.util.Locale;
+import org.dronewatch.analysis.field.RemainingCoverage;
+import org.dronewatch.report.Numbers;
+
+/** Describes what is lost at one height without some of the sensors. */
+public final class LossWords {
+    private LossWords() {}
+
+    /**
+     * In a sentence: {@code At 30 m, 31.0 % of the known area instead of 43.3 % is covered without 'radar'.}
+     *
+     * @param off the sensors that are left out, perhaps none
+     */
+    public static String sentence(RemainingCoverage remaining, Collection<String> off) {
+        double above = remaining.all().field().grid().heights().get(remaining.height());
+        String at = "At " + Numbers.text(above) + " m, ";
+        if (remaining.known() == 0) {
+            return at + "no cell is known.";
+        }
+        String covered = share(remaining.covered(), remaining);
+        if (off.isEmpty()) {
+            return at + covered + " of the known area is covered.";
+        }
+        String names = "'" + String.join("', '", off) + "'";
+        return remaining.lost() == 0
+                ? at + covered + " of the known area is covered, as much without " + names + "."
+                : String.format(
+                        Locale.ROOT,
+                        "%s%s of the known area instead of %s is covered without %s (%+.1f).",
+                        at,
+                        share(remaining.remaining(), remaining),
+                        covered,
+                        names,
+                        -100.0 * remaining.lost() / remaining.known());
+    }
+
+    private static String share(int cells, RemainingCoverage remaining) {
+        return cells == 0 ? "nothing" : CoverageTable.percent(cells, remaining.known()) + " %";
+    }
+}

@@ -1,0 +1,102 @@
+package org.dronewatch.viewer;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.SwingUtilities;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.scenario.SceneSettings;
+
+/** Computes coverages on a thread, one at a time, as the command does and with what it has kept. */
+final class CoverageComputing implements AutoCloseable {
+    private final Latest thread;
+    private final Function<SceneSettings, LayerStore> stores;
+    private final AtomicLong looks = new AtomicLong();
+    private volatile long expected = 1;
+
+    /** Of the computation that was requested last. */
+    private AtomicBoolean cancelled = new AtomicBoolean();
+
+    /**
+     * Nothing is computed yet.
+     *
+     * @param threads how many may help
+     * @param stores gives the store of what was computed before
+     * @param failed receives what went wrong
+     */
+    CoverageComputing(int threads, Function<SceneSettings, LayerStore> stores, Consumer<Throwable> failed) {
+        this.thread = new Latest("dronewatch-coverage", threads, failed);
+        this.stores = stores;
+    }
+
+    /**
+     * Computes a coverage.
+     *
+     * @param target receives it on the event thread: after a cancellation the heights that are complete; empty without
+     *     one, or after a failure
+     */
+    void compute(ViewedRun run, CoverageForm.Inputs inputs, Consumer<Optional<ViewedCoverage>> target) {
+        looks.set(0);
+        expected = 1;
+        AtomicBoolean its = new AtomicBoolean();
+        cancelled = its;
+        thread.ask(outdated -> {
+            Optional<ViewedCoverage> result = Optional.empty();
+            try {
+                result = compute(run, inputs, () -> its.get() || outdated.getAsBoolean());
+            } finally {
+                Optional<ViewedCoverage> shown = result;
+                SwingUtilities.invokeLater(() -> target.accept(shown));
+            }
+        });
+    }
+
+    private Optional<ViewedCoverage> compute(ViewedRun run, CoverageForm.Inputs inputs, BooleanSupplier ended) {
+        FieldRequest request = new FieldRequest(
+                run.settings(),
+                run.stage(),
+                inputs.drone(),
+                inputs.grid(),
+                inputs.heading().courses(run.settings(), run.stage(), inputs.drone(), inputs.grid()),
+                inputs.heading().choice(),
+                FieldTerms.ONE_LOOK,
+                FieldCoverage.DEFAULT_COVERED);
+        expected = Math.max(1, request.looksOfField());
+        LayerStore store = stores.apply(run.settings());
+        return DetectionField.untilInterrupted(request, store, cells -> {
+                    if (ended.getAsBoolean()) {
+                        throw new CancellationException("cancelled");
+                    }
+                    looks.addAndGet(cells);
+                })
+                .map(field -> new ViewedCoverage(request, field));
+    }
+
+    /** Ends the computation early. */
+    void cancel() {
+        // Not by another request: one that has not begun would be dropped, and nobody would hear of its end.
+        cancelled.set(true);
+    }
+
+    /** The fraction that is done, 0 to 1. */
+    double progress() {
+        return Math.min(1.0, (double) looks.get() / expected);
+    }
+
+    boolean isIdle() {
+        return thread.isIdle();
+    }
+
+    @Override
+    public void close() {
+        thread.close();
+    }
+}

@@ -1,0 +1,31 @@
+package org.dronewatch.viewer;
+
+import java.awt.GridLayout;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.ImageIcon;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import org.dronewatch.report.coverage.CoverageSkin.LegendEntry;
+
+/** The meaning of the colours of a coverage. */
+final class CoverageLegend extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    CoverageLegend() {
+        super(new GridLayout(0, 1, 0, Scaled.px(2)));
+        // So that the scroll bar covers nothing.
+        setBorder(BorderFactory.createEmptyBorder(Scaled.px(4), Scaled.px(2), Scaled.px(2), Scaled.px(14)));
+        getAccessibleContext().setAccessibleName("legend of the coverage");
+    }
+
+    /** Shows entries in their order; none for no coverage. */
+    void show(List<LegendEntry> entries) {
+        removeAll();
+        for (LegendEntry entry : entries) {
+            add(new JLabel(entry.words(), new ImageIcon(entry.swatch()), JLabel.LEADING));
+        }
+        revalidate();
+        repaint();
+    }
+}

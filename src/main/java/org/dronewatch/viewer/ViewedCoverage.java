@@ -1,0 +1,61 @@
+package org.dronewatch.viewer;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldRequest;
+
+/** A coverage that is shown, with what remains of it without some of its sensors. Thread-safe. */
+final class ViewedCoverage {
+    /** The number of sets of sensors for which the coverage is kept. */
+    private static final int MOST_KEPT = 12;
+
+    private final FieldRequest request;
+    private final FieldCoverage all;
+    private final Map<Set<String>, FieldCoverage> kept = new LinkedHashMap<>(MOST_KEPT, 0.75f, true);
+
+    /**
+     * Evaluates a field.
+     *
+     * @param field what was requested, perhaps its lowest heights alone
+     */
+    ViewedCoverage(FieldRequest request, DetectionField field) {
+        this.request = request;
+        this.all = new FieldCoverage(field, request.choice(), request.covered());
+    }
+
+    FieldRequest request() {
+        return request;
+    }
+
+    /** The coverage with all sensors. */
+    FieldCoverage all() {
+        return all;
+    }
+
+    /** The cells and the heights that are there. */
+    FieldGrid grid() {
+        return all.field().grid();
+    }
+
+    /** Whether all heights that were requested are there. */
+    boolean isWhole() {
+        return grid().heights().size() == request.grid().heights().size();
+    }
+
+    /** The coverage without some sensors, given by their names. */
+    synchronized FieldCoverage without(Set<String> off) {
+        FieldCoverage rest = kept.get(off);
+        if (rest == null) {
+            rest = all.without(off);
+            kept.put(Set.copyOf(off), rest);
+            if (kept.size() > MOST_KEPT) {
+                kept.remove(kept.keySet().iterator().next());
+            }
+        }
+        return rest;
+    }
+}

@@ -1,0 +1,217 @@
+package org.dronewatch.report.coverage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
+import org.dronewatch.analysis.field.CellExaminer;
+import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.RemainingCoverage;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Cause;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The coverage over a site and in words, against the field and the summary from which the report is made. */
+class CoverageSkinTest {
+    private static final FieldGrid GRID = new FieldGrid(10, -5, 420, 12, List.of(2.0, 12.0, 60.0));
+    private static final int GREY = 0x808080;
+    private static final long SEED = 20261126;
+
+    private static final String ROUND = FieldSite.ROUND.replace("minSpeed: 3 m/s", "minSpeed: 0 m/s");
+
+    private static final String SENSORS = ROUND
+            + ROUND.replace("round", "short").replace("maxRange: 150", "maxRange: 40")
+            + ROUND.replace("round", "far").replace("[0, 0, 4]", "[90, -60, 6]");
+
+    @TempDir
+    private static Path directory;
+
+    private static FieldSite site;
+    private static FieldSummary summary;
+    private static FieldCoverage all;
+
+    @BeforeAll
+    static void assess() throws IOException {
+        site = FieldSite.in(directory, SENSORS);
+        summary = FieldSummary.of(site.field(GRID, 2), FieldCoverage.Choice.WORST, 0.5);
+        all = summary.coverage();
+    }
+
+    private static CoverageSkin skin(Set<String> off, int height) {
+        return new CoverageSkin(RemainingCoverage.of(all, all.without(off), height));
+    }
+
+    /** The colour between the lines of the patterns. */
+    private static int plain(CoverageSkin skin, int column, int row) {
+        return skin.colour(GRID.x(column), GRID.y(row), 3, 6, GREY);
+    }
+
+    @Test
+    void everyCellHasTheColourOfItsCauseAndNothingElseHasOne() {
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            CoverageSkin skin = skin(Set.of(), height);
+            Map<String, Integer> colours = new TreeMap<>();
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int column = cell % GRID.columns();
+                int row = cell / GRID.columns();
+                String state = all.field().isInside(height, column, row)
+                        ? "inside"
+                        : String.valueOf(all.cause(height, column, row));
+                Integer colour = plain(skin, column, row);
+                assertThat(colours.merge(state, colour, (one, other) -> one))
+                        .as("%s at %d, %d", state, column, row)
+                        .isEqualTo(colour);
+            }
+            assertThat(colours.values())
+                    .as("one colour for each of %s", colours)
+                    .doesNotHaveDuplicates();
+            assertThat(colours).containsKey("DETECTED").hasSizeGreaterThan(3);
+        }
+        double edge = 0.5 * GRID.columns() * GRID.cell();
+        CoverageSkin skin = skin(Set.of(), 1);
+        assertThat(skin.colour(GRID.east() + edge + 0.01, GRID.north(), 3, 6, GREY))
+                .isEqualTo(GREY);
+        assertThat(skin.colour(GRID.east() + edge - 0.01, GRID.north(), 3, 6, GREY))
+                .isNotEqualTo(GREY);
+        assertThat(skin.colour(GRID.east(), GRID.north() - edge - 0.01, 3, 6, GREY))
+                .isEqualTo(GREY);
+        assertThat(skin.cellAt(new Position(GRID.east(), GRID.north() + edge + 0.01, 0)))
+                .isEmpty();
+    }
+
+    /** N-1 of the report, cell by cell and in words. */
+    @Test
+    void whatIsCrossedOutIsWhatTheReportStatesAsLost() {
+        int lostAtAll = 0;
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            HeightSummary numbers = summary.heights().get(height);
+            for (String sensor : all.field().sensors()) {
+                RemainingCoverage remaining = RemainingCoverage.of(all, all.without(Set.of(sensor)), height);
+                CoverageSkin skin = new CoverageSkin(remaining);
+                int crossed = 0;
+                for (int cell = 0; cell < GRID.cells(); cell++) {
+                    // The middle of a cross is black, which no other pattern is.
+                    crossed +=
+                            skin.colour(GRID.x(cell % GRID.columns()), GRID.y(cell / GRID.columns()), 8, 8, GREY) == 0
+                                    ? 1
+                                    : 0;
+                }
+                int lost = numbers.lost().get(sensor);
+                assertThat(remaining.lost()).isEqualTo(lost);
+                assertThat(crossed).as("%s at %s m", sensor, numbers.height()).isEqualTo(lost);
+                lostAtAll += lost;
+                String words = LossWords.sentence(remaining, Set.of(sensor));
+                assertThat(words)
+                        .contains(
+                                lost == 0
+                                        ? "as much without '" + sensor + "'"
+                                        : String.format(
+                                                Locale.ROOT,
+                                                "without '%s' (%.1f)",
+                                                sensor,
+                                                -100.0 * lost / numbers.known()));
+            }
+        }
+        assertThat(lostAtAll).isGreaterThan(100);
+    }
+
+    /** As in a scene without them, assessed anew. */
+    @Test
+    void withoutTwoSensorsItIsTheCoverageOfTheOthers() throws IOException {
+        FieldSite others = FieldSite.in(java.nio.file.Files.createDirectory(directory.resolve("others")), ROUND);
+        FieldCoverage expected = new FieldCoverage(others.field(GRID, 2), FieldCoverage.Choice.WORST, 0.5);
+        FieldCoverage rest = all.without(List.of("far", "short"));
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int column = cell % GRID.columns();
+                int row = cell / GRID.columns();
+                assertThat(rest.count(height, column, row)).isEqualTo(expected.count(height, column, row));
+                assertThat(rest.cause(height, column, row)).isEqualTo(expected.cause(height, column, row));
+            }
+        }
+        assertThat(all.without(List.of())).isSameAs(all);
+    }
+
+    @Test
+    void theLegendStatesTheFractionsOfTheReport() {
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            HeightSummary numbers = summary.heights().get(height);
+            List<String> words = skin(Set.of(), height).legend().stream()
+                    .map(CoverageSkin.LegendEntry::words)
+                    .toList();
+            numbers.causes().forEach((cause, cells) -> assertThat(words)
+                    .contains(CoverageTable.name(cause) + ": " + CoverageTable.percent(cells, numbers.known()) + " %"));
+            assertThat(words.contains("inside something solid")).isEqualTo(numbers.inside() > 0);
+        }
+        assertThat(skin(Set.of("round"), 1).legend().stream().map(CoverageSkin.LegendEntry::words))
+                .anyMatch(words -> words.startsWith("no longer covered: "));
+    }
+
+    /** The sensor that decides has the highest probability; what it lacks is the difference of its two values. */
+    @Test
+    void theCellUnderThePointerIsDescribedByTheSensorThatDecides() {
+        DetectionField field = all.field();
+        CellExaminer examiner = new CellExaminer(all, site.stage());
+        Random random = new Random(SEED);
+        for (int i = 0; i < 300; i++) {
+            int column = random.nextInt(GRID.columns());
+            int row = random.nextInt(GRID.columns());
+            int height = random.nextInt(GRID.heights().size());
+            CellWords words = new CellWords(all, site.settings(), height, column, row);
+            if (!field.isOpen(height, column, row)) {
+                assertThat(examiner.examine(height, column, row)).isEmpty();
+                assertThat(words.summary()).endsWith("m above the ground: inside something solid");
+                continue;
+            }
+            CellEvidence evidence = examiner.examine(height, column, row).orElseThrow();
+            int course = all.courseAt(height, column, row);
+            double most = 0.0;
+            for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+                most = Math.max(most, field.probability(sensor, height, column, row, course));
+            }
+            int deciding = evidence.deciding();
+            assertThat(field.probability(deciding, height, column, row, course))
+                    .as("seed %d", SEED)
+                    .isEqualTo(most);
+            Cause cause = all.cause(height, column, row);
+            assertThat(field.cause(deciding, height, column, row, course)).isEqualTo(cause);
+            assertThat(words.summary()).endsWith(CoverageTable.name(cause));
+            assertThat(words.deciding(evidence))
+                    .contains(". '" + field.sensors().get(deciding) + "' decides: probability ");
+            if (cause == Cause.HIDDEN_BY_BUILDING) {
+                assertThat(words.deciding(evidence)).contains("hidden by a building (building.obj)");
+            }
+            if (cause == Cause.DETECTED) {
+                assertThat(words.deciding(evidence))
+                        .contains(": detected. ", "decides: probability 1, ", " above its threshold of ");
+                assertThat(CellWords.margin(evidence.sensors().get(deciding))).startsWith("+");
+            }
+        }
+    }
+
+    @Test
+    void aSensorThatIsTooFarNamesItsLimit() {
+        int column = 30;
+        int row = 5;
+        CellEvidence evidence =
+                new CellExaminer(all, site.stage()).examine(2, column, row).orElseThrow();
+        CellWords words = new CellWords(all, site.settings(), 2, column, row);
+        assertThat(words.reason(1, evidence.sensors().get(1))).isEqualTo("out of range (limit: 40 m)");
+        assertThat(words.probability(1)).isEqualTo("0");
+        assertThat(words.cause(1)).isEqualTo("out of range");
+    }
+}
