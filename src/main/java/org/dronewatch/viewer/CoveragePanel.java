@@ -1,8 +1,6 @@
 package org.dronewatch.viewer;
 
 import java.awt.BorderLayout;
-import java.util.Dictionary;
-import java.util.Hashtable;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -11,15 +9,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JCheckBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.JScrollPane;
-import javax.swing.JSlider;
-import javax.swing.JTextArea;
-import javax.swing.ScrollPaneConstants;
 import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.LayerStore;
@@ -41,12 +33,11 @@ final class CoveragePanel extends JPanel {
     private final JButton button = new JButton("Compute");
     private final CoverageForm form = new CoverageForm(button, this::compute);
     private final JProgressBar progress = new JProgressBar(0, PARTS);
-    private final JTextArea message = text("what is covered");
+    private final WrappedText message = new WrappedText("what is covered");
     private final CoverageLegend legend = new CoverageLegend();
-    private final JCheckBox shownBox = new JCheckBox("Show", true);
-    private final JSlider heights = new JSlider(0, 1, 0);
+    private final CoverageHeights heights = new CoverageHeights(this::update, this::choose);
     private final CoverageSwitches switches = new CoverageSwitches(this::update);
-    private final JTextArea cell = text("the cell under the pointer");
+    private final WrappedText cell = new WrappedText("the cell under the pointer");
     private final transient CoverageComputing computing;
     private final transient CoverageSkinning skinning;
     private final transient PointedCell pointed;
@@ -86,17 +77,10 @@ final class CoveragePanel extends JPanel {
         progress.setVisible(false);
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName("progress of the coverage");
-        shownBox.setToolTipText("Shows or hides the coverage in the site");
-        shownBox.addActionListener(e -> choose());
-        heights.setToolTipText("Height above the ground, m");
-        heights.setSnapToTicks(true);
-        heights.setPaintTicks(true);
-        heights.setMajorTickSpacing(1);
-        heights.addChangeListener(e -> update());
         setBorder(BorderFactory.createEmptyBorder(Scaled.px(2), Scaled.px(4), Scaled.px(4), Scaled.px(4)));
         add(controls(), BorderLayout.NORTH);
-        add(scrolling(legend), BorderLayout.WEST);
-        add(scrolling(switches), BorderLayout.CENTER);
+        add(CoverageSwitches.scrolling(legend), BorderLayout.WEST);
+        add(CoverageSwitches.scrolling(switches), BorderLayout.CENTER);
         add(cell, BorderLayout.SOUTH);
         getAccessibleContext().setAccessibleName("coverage");
         clear("");
@@ -104,47 +88,14 @@ final class CoveragePanel extends JPanel {
 
     /** Above what changes with the pointer: the inputs, and the height that is shown. */
     private JComponent controls() {
-        JPanel height = new JPanel(new BorderLayout(Scaled.px(6), 0));
-        JLabel label = new JLabel("height above the ground (m)");
-        label.setLabelFor(heights);
-        JPanel names = new JPanel(new BorderLayout(Scaled.px(10), 0));
-        names.add(shownBox, BorderLayout.WEST);
-        names.add(label, BorderLayout.CENTER);
-        height.add(names, BorderLayout.WEST);
-        height.add(heights, BorderLayout.CENTER);
         JPanel said = new JPanel(new BorderLayout());
         said.add(progress, BorderLayout.NORTH);
         said.add(message, BorderLayout.CENTER);
         JPanel controls = new JPanel(new BorderLayout());
         controls.add(form, BorderLayout.NORTH);
-        controls.add(height, BorderLayout.CENTER);
+        controls.add(heights, BorderLayout.CENTER);
         controls.add(said, BorderLayout.SOUTH);
         return controls;
-    }
-
-    private static JScrollPane scrolling(JComponent content) {
-        JScrollPane pane = new JScrollPane(
-                content,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        pane.setBorder(null);
-        pane.getVerticalScrollBar().setUnitIncrement(Scaled.px(16));
-        return pane;
-    }
-
-    /** Lines that wrap, as a label cannot. */
-    private static JTextArea text(String name) {
-        JTextArea area = new JTextArea();
-        area.setEditable(false);
-        area.setFocusable(false);
-        area.setLineWrap(true);
-        area.setWrapStyleWord(true);
-        area.setOpaque(false);
-        area.setBorder(null);
-        area.setFont(Scaled.font(1.0));
-        // The name of a text that changes: its own context would look for a window at every change.
-        new JLabel(name).setLabelFor(area);
-        return area;
     }
 
     /** Takes the drones and sensors of another run. */
@@ -170,8 +121,7 @@ final class CoveragePanel extends JPanel {
         legend.show(List.of());
         switches.show(List.of());
         pointed.show(shown);
-        heights.setEnabled(false);
-        shownBox.setEnabled(false);
+        heights.show(List.of());
         setComputing(false);
         choose();
     }
@@ -228,17 +178,7 @@ final class CoveragePanel extends JPanel {
         coverage = found.get();
         shown = Optional.empty();
         pointed.show(shown);
-        List<Double> all = coverage.grid().heights();
-        Dictionary<Integer, JLabel> labels = new Hashtable<>();
-        for (int i = 0; i < all.size(); i++) {
-            labels.put(i, new JLabel(Texts.value(all.get(i))));
-        }
-        heights.setMaximum(all.size() - 1);
-        heights.setValue(0);
-        heights.setLabelTable(labels);
-        heights.setPaintLabels(true);
-        heights.setEnabled(true);
-        shownBox.setEnabled(true);
+        heights.show(coverage.grid().heights());
         switches.show(coverage.all().field().sensors());
         update();
     }
@@ -249,37 +189,24 @@ final class CoveragePanel extends JPanel {
             return;
         }
         Set<String> off = switches.off();
-        skinning.lay(coverage, heights.getValue(), off, next -> {
+        skinning.lay(coverage, heights.chosen(), off, next -> {
             if (next.coverage() == coverage) {
                 shown = Optional.of(next);
                 legend.show(next.legend());
-                message.setText(LossWords.sentence(next.remaining(), off) + incomplete());
+                message.setText(LossWords.sentence(next.remaining(), off) + coverage.missing());
                 pointed.show(shown);
                 choose();
             }
         });
     }
 
-    /** That the computation was cancelled, if it was. */
-    private String incomplete() {
-        return coverage.isWhole()
-                ? ""
-                : String.format(
-                        Locale.ROOT,
-                        " Cancelled: %d of %d heights are complete.",
-                        coverage.grid().heights().size(),
-                        coverage.request().grid().heights().size());
-    }
-
     private void choose() {
-        skinChosen.accept(shownBox.isSelected() ? shown.map(CoverageSkinning.Shown::skin) : Optional.empty());
+        skinChosen.accept(heights.isShown() ? shown.map(CoverageSkinning.Shown::skin) : Optional.empty());
     }
 
     /** Shows or hides the skin. */
     void toggle() {
-        if (shownBox.isEnabled()) {
-            shownBox.doClick(0);
-        }
+        heights.toggle();
     }
 
     /** Describes the cell at a point of the site. */
@@ -328,7 +255,7 @@ final class CoveragePanel extends JPanel {
         return switches;
     }
 
-    JSlider heights() {
+    CoverageHeights heights() {
         return heights;
     }
 

@@ -12,6 +12,8 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
 import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.report.coverage.CellWords;
@@ -140,5 +142,16 @@ final class CoverageSwitches extends JPanel {
     /** No cell is pointed at. */
     void clearCell() {
         sensors.forEach(row -> row.write(NONE, NONE, NONE));
+    }
+
+    /** A part that scrolls up and down. */
+    static JScrollPane scrolling(JComponent content) {
+        JScrollPane pane = new JScrollPane(
+                content,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        pane.setBorder(null);
+        pane.getVerticalScrollBar().setUnitIncrement(Scaled.px(16));
+        return pane;
     }
 }

@@ -5,9 +5,10 @@ import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.world.WorldSettings;
 
-/** Number formats of the viewer. */
+/** Texts of the viewer: numbers, positions, problems. */
 final class Texts {
     private Texts() {}
 
@@ -34,6 +35,16 @@ final class Texts {
                 Math.abs(there.longitude()),
                 there.longitude() < 0.0 ? "W" : "E",
                 aboveTheSea ? String.format(Locale.ROOT, ", %.1f m above the sea", there.height()) : "");
+    }
+
+    /** What went wrong, in a line. */
+    static String problem(Throwable problem) {
+        if (problem instanceof InputException) {
+            return problem.getMessage();
+        }
+        return problem instanceof OutOfMemoryError
+                ? "not enough memory to render this view"
+                : "internal error: " + problem;
     }
 
     /** A time, s. */

@@ -1,6 +1,7 @@
 package org.dronewatch.viewer;
 
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import org.dronewatch.analysis.field.DetectionField;
@@ -44,6 +45,17 @@ final class ViewedCoverage {
     /** Whether all heights that were requested are there. */
     boolean isWhole() {
         return grid().heights().size() == request.grid().heights().size();
+    }
+
+    /** A sentence about the heights that are missing, with a space before it; empty if none is. */
+    String missing() {
+        return isWhole()
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        " Cancelled: %d of %d heights are complete.",
+                        grid().heights().size(),
+                        request.grid().heights().size());
     }
 
     /** The coverage without some sensors, given by their names. */

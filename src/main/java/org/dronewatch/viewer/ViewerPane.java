@@ -7,14 +7,12 @@ import java.util.function.Function;
 import javax.swing.Action;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
-import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.setting.InputException;
 
 /**
  * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} lets time go on;
@@ -27,9 +25,6 @@ final class ViewerPane extends JPanel {
     /** Update interval of tables and texts, s; shorter intervals would be unreadable. */
     private static final double TABLES = 0.12;
 
-    /** Height of the tabs in which the coverage of several sensors can be read, in pixels of a normal screen. */
-    private static final int COVERAGE_HEIGHT = 360;
-
     private final String title;
     private final transient Recording recording;
     private final transient Playback playback = new Playback();
@@ -38,14 +33,10 @@ final class ViewerPane extends JPanel {
     private final SiteSection site;
     private final CameraPanel cameras;
     private final TimeLine timeLine = new TimeLine(playback);
-    private final transient RunTablesPanel tables = new RunTablesPanel(this::select);
-    private final RayPanel rayPanel;
-    private final CoveragePanel coverage;
-    private final LogPanel log = new LogPanel();
     private final ControlBar controls;
     private final Notice notice = new Notice();
     private final StatusBar status = new StatusBar("Reading models and building trees ...");
-    private final JTabbedPane tabs = new JTabbedPane();
+    private final RunTabs tabs;
     private final JSplitPane across;
     private final JSplitPane down;
     private transient ViewedRun viewed;
@@ -62,17 +53,6 @@ final class ViewerPane extends JPanel {
      * @param title of the scene
      * @param recording receives what happens
      * @param threads how many trace
-     */
-    ViewerPane(String title, Recording recording, int threads) {
-        this(title, recording, threads, settings -> LayerStore.NONE);
-    }
-
-    /**
-     * A pane for a scene that is about to run.
-     *
-     * @param title of the scene
-     * @param recording receives what happens
-     * @param threads how many trace
      * @param stores gives the store of coverages that were computed before, for the settings of a run
      */
     ViewerPane(String title, Recording recording, int threads, Function<SceneSettings, LayerStore> stores) {
@@ -82,33 +62,24 @@ final class ViewerPane extends JPanel {
         this.staging = new Latest("dronewatch-stage", threads, this::report);
         this.site = new SiteSection(threads, this::report);
         this.cameras = new CameraPanel(threads, status::write, this::select, this::report);
-        this.rayPanel = new RayPanel(
-                threads, playback, filter -> world().setStyle(world().style().withFilter(filter)), this::report);
+        this.tabs = new RunTabs(threads, playback, world(), stores, this::select, this::report);
         this.controls = new ControlBar(
                 playback, actions, number -> show(recording.runs().get(number)));
-        this.coverage = new CoveragePanel(
-                threads, stores, skin -> world().setStyle(world().style().withSkin(skin)), this::report);
         world().onSelection(this::select);
-        world().onPointed(coverage::point);
         world().onHint(text ->
-                status.write(coverage.hint().map(words -> text + "; " + words).orElse(text)));
+                status.write(coverage().hint().map(words -> text + "; " + words).orElse(text)));
         site.onFocus(() -> {
             if (selected == null) {
                 status.write("Click on a sensor or a drone first: Focus zooms in on the selection");
             }
             site.focusOn(selected, playback.time());
         });
-        rayPanel.onTraced(traced -> {
+        rayPanel().onTraced(traced -> {
             rays = traced.orElse(null);
             changed = true;
         });
         playback.listen(() -> changed = true);
 
-        tabs.addTab("Sensors", tables.sensors());
-        tabs.addTab("Drones", tables.drones());
-        tabs.addTab("Sound rays", rayPanel);
-        tabs.addTab("Coverage", coverage);
-        tabs.addTab("Log", log);
         down = new JSplitPane(JSplitPane.VERTICAL_SPLIT, cameras, tabs);
         down.setResizeWeight(0.6);
         across = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, site, down);
@@ -147,7 +118,7 @@ final class ViewerPane extends JPanel {
         }
         playback.advance(seconds);
         sinceTables += seconds;
-        coverage.tick();
+        coverage().tick();
         if (changed) {
             changed = false;
             showTime();
@@ -177,8 +148,7 @@ final class ViewerPane extends JPanel {
         RecordedRun run = viewed.run();
         controls.update(runs);
         timeLine.update();
-        tables.show(viewed, time);
-        log.update(run);
+        tabs.update(viewed, time);
         cameras.mark(sensor -> viewed.readings(sensor, time), selected);
         boolean all = recording.isFinished();
         status.progress(run.reached() / run.duration(), all);
@@ -208,8 +178,7 @@ final class ViewerPane extends JPanel {
         rays = null;
         playback.show(next.run());
         cameras.show(next);
-        rayPanel.show(next.settings(), next.stage());
-        coverage.show(next);
+        tabs.show(next);
         site.show(next, cut);
         shownTime = Double.NaN;
         changed = true;
@@ -223,24 +192,15 @@ final class ViewerPane extends JPanel {
 
     /** Shows the coverage, computed with the defaults as soon as the site is there. */
     void showCoverage() {
-        tabs.setSelectedComponent(coverage);
-        int missing = Scaled.px(COVERAGE_HEIGHT) - tabs.getHeight();
-        if (missing > 0) {
-            down.setDividerLocation(Math.max(down.getMinimumDividerLocation(), down.getDividerLocation() - missing));
-        }
-        coverage.computeSoon();
+        tabs.showCoverage(down);
     }
 
     /** Shows an error; callable from any thread. */
     void report(Throwable problem) {
-        String text = problem instanceof InputException
-                ? problem.getMessage()
-                : problem instanceof OutOfMemoryError
-                        ? "not enough memory to render this view"
-                        : "internal error: " + problem;
+        String text = Texts.problem(problem);
         SwingUtilities.invokeLater(() -> {
             notice.show(text);
-            log.write(text);
+            log().write(text);
             if (viewed == null) {
                 status.end("Failed to load the scene.");
             }
@@ -250,7 +210,7 @@ final class ViewerPane extends JPanel {
     /** Writes a line into the log; from any thread. */
     void note(String line) {
         SwingUtilities.invokeLater(() -> {
-            log.write(line);
+            log().write(line);
             if (viewed == null) {
                 status.write(line);
             }
@@ -278,11 +238,11 @@ final class ViewerPane extends JPanel {
     }
 
     RayPanel rayPanel() {
-        return rayPanel;
+        return tabs.rayPanel();
     }
 
     CoveragePanel coverage() {
-        return coverage;
+        return tabs.coverage();
     }
 
     TimeLine timeLine() {
@@ -290,14 +250,14 @@ final class ViewerPane extends JPanel {
     }
 
     LogPanel log() {
-        return log;
+        return tabs.log();
     }
 
     Notice notice() {
         return notice;
     }
 
-    JTabbedPane tabs() {
+    RunTabs tabs() {
         return tabs;
     }
 
@@ -321,12 +281,7 @@ final class ViewerPane extends JPanel {
 
     /** Whether everything that was requested is drawn. */
     boolean isIdle() {
-        return !changed
-                && world().isIdle()
-                && cameras.isIdle()
-                && rayPanel.isIdle()
-                && coverage.isIdle()
-                && staging.isIdle();
+        return !changed && world().isIdle() && cameras.isIdle() && tabs.isIdle() && staging.isIdle();
     }
 
     /** Ends all threads. */
@@ -334,7 +289,6 @@ final class ViewerPane extends JPanel {
         staging.close();
         world().close();
         cameras.close();
-        rayPanel.close();
-        coverage.close();
+        tabs.close();
     }
 }

@@ -110,7 +110,7 @@ class CoveragePanelTest {
         SiteSkin whole = skin.get().orElseThrow();
 
         onEventThread(() -> {
-            panel.heights().setValue(1);
+            panel.heights().choose(1);
             return null;
         });
         settle(() -> panel.shown().orElseThrow().remaining().height() == 1);
@@ -158,7 +158,7 @@ class CoveragePanelTest {
                 .startsWith("At 2 m above the ground: hidden by a building (building.obj). '")
                 .contains("decides: probability 0");
         onEventThread(() -> {
-            panel.heights().setValue(1);
+            panel.heights().choose(1);
             return null;
         });
         settle(() -> panel.shown().orElseThrow().remaining().height() == 1);

@@ -11,6 +11,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
@@ -40,7 +41,7 @@ public final class PaintedWindow {
             pane.showCoverage();
         };
         Step choose = pane -> {
-            pane.coverage().heights().setValue(height);
+            pane.coverage().heights().choose(height);
             pane.coverage().switches().boxes().stream()
                     .filter(box -> off.filter(box.getText()::equals).isPresent())
                     .forEach(AbstractButton::doClick);
@@ -65,7 +66,7 @@ public final class PaintedWindow {
             Recording recording = new Recording();
             runner.listener(recording).run();
             recording.finish(true);
-            ViewerPane pane = onEventThread(() -> new ViewerPane(title, recording, 2));
+            ViewerPane pane = onEventThread(() -> new ViewerPane(title, recording, 2, settings -> LayerStore.NONE));
             try {
                 return painted(pane, time, width, height, steps);
             } finally {

@@ -20,6 +20,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
+import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.render.Film;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.Films;
@@ -53,7 +54,7 @@ class ViewerPaneTest {
         Recording recording = new Recording();
         runner.listener(recording).run();
         recording.finish(true);
-        pane = onEventThread(() -> new ViewerPane(scene.name(), recording, 2));
+        pane = onEventThread(() -> new ViewerPane(scene.name(), recording, 2, settings -> LayerStore.NONE));
         onEventThread(() -> {
             pane.setSize(1280, 740);
             layOut(pane);

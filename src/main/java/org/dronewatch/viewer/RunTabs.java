@@ -1,0 +1,100 @@
+package org.dronewatch.viewer;
+
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.scenario.SceneSettings;
+
+/** The tabs beside the site: tables, sound rays, coverage and log. */
+final class RunTabs extends JTabbedPane {
+    private static final long serialVersionUID = 1L;
+
+    /** Height of the tabs in which the coverage of several sensors can be read, in pixels of a normal screen. */
+    private static final int COVERAGE_HEIGHT = 360;
+
+    private final transient RunTablesPanel tables;
+    private final RayPanel rayPanel;
+    private final CoveragePanel coverage;
+    private final LogPanel log = new LogPanel();
+
+    /**
+     * Empty tabs.
+     *
+     * @param threads how many trace
+     * @param world draws rays and coverage
+     * @param stores gives the store of coverages that were computed before, for the settings of a run
+     * @param selection receives the sensor or drone that was clicked on
+     * @param failed receives what went wrong
+     */
+    RunTabs(
+            int threads,
+            Playback playback,
+            WorldPanel world,
+            Function<SceneSettings, LayerStore> stores,
+            Consumer<String> selection,
+            Consumer<Throwable> failed) {
+        this.tables = new RunTablesPanel(selection);
+        this.rayPanel = new RayPanel(
+                threads, playback, filter -> world.setStyle(world.style().withFilter(filter)), failed);
+        this.coverage = new CoveragePanel(
+                threads, stores, skin -> world.setStyle(world.style().withSkin(skin)), failed);
+        world.onPointed(coverage::point);
+        addTab("Sensors", tables.sensors());
+        addTab("Drones", tables.drones());
+        addTab("Sound rays", rayPanel);
+        addTab("Coverage", coverage);
+        addTab("Log", log);
+    }
+
+    /** Takes the sensors and drones of another run. */
+    void show(ViewedRun next) {
+        rayPanel.show(next.settings(), next.stage());
+        coverage.show(next);
+    }
+
+    /**
+     * Selects the coverage, computed as soon as the site is there, and makes room for it.
+     *
+     * @param divider between the cameras and these tabs
+     */
+    void showCoverage(JSplitPane divider) {
+        setSelectedComponent(coverage);
+        int missing = Scaled.px(COVERAGE_HEIGHT) - getHeight();
+        if (missing > 0) {
+            divider.setDividerLocation(
+                    Math.max(divider.getMinimumDividerLocation(), divider.getDividerLocation() - missing));
+        }
+        coverage.computeSoon();
+    }
+
+    /** Shows a time in tables and log. */
+    void update(ViewedRun viewed, double time) {
+        tables.show(viewed, time);
+        log.update(viewed.run());
+    }
+
+    RayPanel rayPanel() {
+        return rayPanel;
+    }
+
+    CoveragePanel coverage() {
+        return coverage;
+    }
+
+    LogPanel log() {
+        return log;
+    }
+
+    /** Whether everything that was requested is computed. */
+    boolean isIdle() {
+        return rayPanel.isIdle() && coverage.isIdle();
+    }
+
+    /** Ends all threads. */
+    void close() {
+        rayPanel.close();
+        coverage.close();
+    }
+}
