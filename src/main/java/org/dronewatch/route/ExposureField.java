@@ -1,0 +1,49 @@
+package org.dronewatch.route;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dronewatch.geometry.Position;
+
+/**
+ * How exposed a drone is at a place: the rate at which it is detected, given that it has not been yet. Its integral
+ * along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A sensor
+ * whose independent looks, f times a second, detect with the probability p each, has the rate {@code -f ln(1 - p)}.
+ *
+ * <p>Implementations are immutable and thread-safe.
+ */
+public interface ExposureField {
+    /**
+     * The rate at a place, 1/s, 0 or more and finite wherever a drone may be.
+     *
+     * @param x east, m
+     * @param y north, m
+     * @param z up, m
+     * @param heading clockwise from north, rad
+     * @param mode number of the drone's {@link RouteMode}
+     */
+    double rate(double x, double y, double z, double heading, int mode);
+
+    /**
+     * A lower bound of the rates at all places in a box, on all headings, 1/s, 0 or more; the tighter it is, the
+     * tighter is the lower bound of a weakest route.
+     *
+     * @param low the corner of the box with the least coordinates, m
+     * @param high the corner with the greatest, m
+     * @param mode number of the drone's {@link RouteMode}
+     */
+    double least(Position low, Position high, int mode);
+
+    /** This field with a constant added to the rate, 0 or more, 1/s: a price of time. */
+    default ExposureField plus(double perSecond) {
+        return new SummedExposure(List.of(this), perSecond);
+    }
+
+    /**
+     * The field of independent sensors: their rates add. They are added in the order of their names, so that the order
+     * in which they are given does not change a bit of the sum.
+     */
+    static ExposureField ofSensors(Map<String, ExposureField> sensors) {
+        return new SummedExposure(List.copyOf(new TreeMap<>(sensors).values()), 0.0);
+    }
+}

@@ -1,0 +1,86 @@
+package org.dronewatch.route;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.stream.Collectors;
+
+/**
+ * The directions in plan in which a route may leave a post, clockwise from north: each leads to another post without
+ * passing one. The shortest path over them is longer than the straight line by at most {@link #stretch()}.
+ */
+public final class PlanDirections {
+    private static final int[][] OCTANT = {{1, 0}, {1, 1}, {2, 1}, {3, 1}, {3, 2}};
+
+    private final int[][] steps;
+    private final double[] headings;
+
+    private PlanDirections(int[][] steps) {
+        this.steps = steps;
+        this.headings =
+                Arrays.stream(steps).mapToDouble(PlanDirections::heading).toArray();
+    }
+
+    /**
+     * A set of directions.
+     *
+     * @param count 8, 16 or 32
+     * @throws IllegalArgumentException for another number
+     */
+    public static PlanDirections of(int count) {
+        int kinds =
+                switch (count) {
+                    case 8 -> 2;
+                    case 16 -> 3;
+                    case 32 -> 5;
+                    default -> throw new IllegalArgumentException(count + " directions: must be 8, 16 or 32");
+                };
+        return new PlanDirections(Arrays.stream(OCTANT, 0, kinds)
+                .flatMap(step -> Arrays.stream(new int[][] {step, {step[1], step[0]}}))
+                .flatMap(step -> Arrays.stream(
+                        new int[][] {step, {-step[0], step[1]}, {step[0], -step[1]}, {-step[0], -step[1]}}))
+                .collect(Collectors.toMap(Arrays::toString, step -> step, (one, same) -> one))
+                .values()
+                .stream()
+                .sorted(Comparator.comparingDouble(PlanDirections::heading))
+                .toArray(int[][]::new));
+    }
+
+    private static double heading(int[] step) {
+        double angle = StrictMath.atan2(step[0], step[1]);
+        return angle < 0.0 ? angle + 2.0 * Math.PI : angle;
+    }
+
+    /** How many directions there are. */
+    public int count() {
+        return steps.length;
+    }
+
+    /** Posts to the east. */
+    int east(int direction) {
+        return steps[direction][0];
+    }
+
+    /** Posts to the north. */
+    int north(int direction) {
+        return steps[direction][1];
+    }
+
+    /** Clockwise from north, rad, 0 to 2 pi. */
+    public double heading(int direction) {
+        return headings[direction];
+    }
+
+    /** The largest angle between two neighbouring directions, rad. */
+    double widest() {
+        double widest = 2.0 * Math.PI - headings[headings.length - 1];
+        for (int i = 1; i < headings.length; i++) {
+            widest = Math.max(widest, headings[i] - headings[i - 1]);
+        }
+        return widest;
+    }
+
+    /** {@code 1 / cos(half the largest angle)}: 1.0824, 1.0275 and 1.0131 for 8, 16 and 32 directions. */
+    public double stretch() {
+        return 1.0 / Math.cos(0.5 * widest());
+    }
+}

@@ -1,0 +1,44 @@
+package org.dronewatch.route;
+
+import org.dronewatch.parallel.Workers;
+
+/** The rates of a field at all open posts, in all modes and directions. Immutable. */
+final class PostRates {
+    private final int directions;
+
+    /** By mode and direction, then post. */
+    private final float[][] rates;
+
+    /** Evaluates the field on the threads of the {@link Workers} that call. */
+    PostRates(RouteProblem problem) {
+        this.directions = problem.directions().count();
+        this.rates =
+                new float[problem.modes().size() * directions][problem.grid().size()];
+        RouteGrid grid = problem.grid();
+        Workers.forEach(grid.rows() * grid.levels(), row -> {
+            for (int post = row * grid.columns(); post < (row + 1) * grid.columns(); post++) {
+                if (grid.isOpen(post)) {
+                    set(problem, post);
+                }
+            }
+        });
+    }
+
+    private void set(RouteProblem problem, int post) {
+        RouteGrid grid = problem.grid();
+        double x = grid.x(post);
+        double y = grid.y(post);
+        double z = grid.z(post);
+        for (int i = 0; i < rates.length; i++) {
+            double heading = problem.directions().heading(i % directions);
+            double rate = problem.field().rate(x, y, z, heading, i / directions);
+            // A post may coincide with a sensor; no leg through it is worth its price.
+            rates[i][post] = rate < Float.MAX_VALUE ? (float) rate : Float.MAX_VALUE;
+        }
+    }
+
+    /** The rates of all posts in one mode and direction, 1/s; not to be changed. */
+    float[] of(int mode, int direction) {
+        return rates[mode * directions + direction];
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronewatch.route;
+
+/** When during a task of a path the intruder is detected, if it is detected in this task. */
+public enum Sensing {
+    /** As the task begins. */
+    BEGIN(1.0),
+    /** Halfway through. */
+    MIDDLE(0.5),
+    /** As it ends. */
+    END(0.0);
+
+    private final double left;
+
+    Sensing(double left) {
+        this.left = left;
+    }
+
+    /** The fraction of the task that is still to come, 0 to 1. */
+    public double left() {
+        return left;
+    }
+}
