@@ -15,6 +15,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
 import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.world.SiteMemory;
 
 /**
  * The cases of a campaign, and its variants with their models. Case k depends only on the campaign's seed, on k and on
@@ -27,8 +28,12 @@ public final class CampaignPlan {
 
     private static final String CASE = "case";
 
+    /** Of the heap, what is kept of the sites without drones. */
+    private static final int MEMORY_SHARE = 4;
+
     private final CampaignSettings settings;
     private final FactorTable table;
+    private final SiteMemory memory = new SiteMemory(Runtime.getRuntime().maxMemory() / MEMORY_SHARE);
     private final Map<String, CampaignVariant> variants = new LinkedHashMap<>();
     private final Map<String, Quantity> quantities = new LinkedHashMap<>();
 
@@ -57,6 +62,7 @@ public final class CampaignPlan {
                     notes);
             checkDrawn(variant);
             checkTable(variant);
+            variant.models().share(memory);
             variants.put(name, variant);
         });
     }
@@ -193,6 +199,11 @@ public final class CampaignPlan {
             one = of.with(one, path, values.get(i++));
         }
         return one;
+    }
+
+    /** What all cases and variants share of their sites. */
+    public SiteMemory memory() {
+        return memory;
     }
 
     CampaignVariant variant(String name) {

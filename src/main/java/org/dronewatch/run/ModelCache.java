@@ -2,6 +2,7 @@ package org.dronewatch.run;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -11,6 +12,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.buildings.land.LandClass;
@@ -31,28 +33,36 @@ import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.world.Ground;
+import org.dronewatch.world.SiteMemory;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
 import org.dronewatch.world.WorldSettings;
 
 /**
  * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each
- * file of recorded flights once. Thread-safe; calls are serialised.
+ * file of recorded flights once. Of models and sites that differ from run to run, only the last are kept. Thread-safe;
+ * calls are serialised.
  */
 public final class ModelCache {
     private static final double NANO = 1e-9;
 
+    /** Where the site or a drone's model varies from run to run, only the last are kept: there may be a million. */
+    private static final int MOST_SITES = 64;
+
+    private static final int MOST_WARNINGS = 10_000;
+
     private final ModelLoader loader;
     private final Consumer<String> notes;
-    private final Map<SiteKeys.Model, LoadedModel> models = new HashMap<>();
+    private final Recent<SiteKeys.Model, LoadedModel> models = new Recent<>(MOST_SITES);
     private final PreparedSites sites;
-    private final Map<SiteKeys.Place, PreparedTerrain> terrains = new HashMap<>();
-    private final Map<SiteKeys.Town, LoadedBuildings> towns = new HashMap<>();
-    private final Map<SiteKeys.Site, TracingIndex> indexes = new HashMap<>();
+    private final Recent<SiteKeys.Place, PreparedTerrain> terrains = new Recent<>(MOST_SITES);
+    private final Recent<SiteKeys.Town, LoadedBuildings> towns = new Recent<>(MOST_SITES);
+    private final Recent<SiteKeys.Site, TracingIndex> indexes = new Recent<>(MOST_SITES);
     private final Map<String, List<FileHash>> files = new LinkedHashMap<>();
     private final FlightFiles flightFiles;
     private final Set<String> noted = new HashSet<>();
-    private final Set<KDTree> examined = new HashSet<>();
+    private final Set<KDTree> examined = Collections.newSetFromMap(new WeakHashMap<>());
+    private Optional<SiteMemory> memory = Optional.empty();
     private double loadSeconds;
     private double buildSeconds;
 
@@ -67,6 +77,16 @@ public final class ModelCache {
         this.notes = notes;
         this.sites = new PreparedSites(directory, notes);
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
+    }
+
+    /** Gives a memory to all worlds of runs that are set up from now on. */
+    public synchronized void share(SiteMemory shared) {
+        memory = Optional.of(shared);
+    }
+
+    /** A world with the memory of these models, if they have one. */
+    synchronized World remembering(World world) {
+        return memory.map(world::withMemory).orElse(world);
     }
 
     /** Reads a drone's model, once. */
@@ -279,9 +299,9 @@ public final class ModelCache {
         return examined.add(site);
     }
 
-    /** Warns, once for each message. */
+    /** Warns, once for each message; after ten thousand of them no more. */
     public synchronized void warn(String text) {
-        if (noted.add(text)) {
+        if (noted.size() < MOST_WARNINGS && noted.add(text)) {
             notes.accept("warning: " + text);
         }
     }

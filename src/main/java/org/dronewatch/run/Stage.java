@@ -141,7 +141,8 @@ public final class Stage {
                 .withLight(site.light())
                 .withNoiseSources(site.noiseSources())
                 .withModels(models.firstTriangles(site));
-        World world = models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere);
+        World world = models.remembering(
+                models.knownGround(site).map(everywhere::withKnownGround).orElse(everywhere));
         return models.buildings(site)
                 .flatMap(LoadedBuildings::landCover)
                 .map(cover -> world.withLandCover(cover, site.surfaces()))

@@ -9,6 +9,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.bvh.RayTraversal;
@@ -50,6 +51,9 @@ public final class World {
 
     /** The models by the number of the first triangle of each. */
     private final NavigableMap<Integer, SiteModel> models;
+
+    /** What runs have computed of sites and share; null for nothing. */
+    private final SiteMemory memory;
 
     /**
      * A world from a finished tree.
@@ -112,6 +116,21 @@ public final class World {
         this.known = Optional.empty();
         this.cover = null;
         this.models = new TreeMap<>(Map.of(0, SiteModel.UNNAMED));
+        this.memory = null;
+    }
+
+    private World(World other, SiteMemory memory) {
+        this.index = other.index;
+        this.backgroundNoise = other.backgroundNoise;
+        this.surfaces = other.surfaces;
+        this.atmosphere = other.atmosphere;
+        this.rain = other.rain;
+        this.light = other.light;
+        this.noiseSources = other.noiseSources;
+        this.known = other.known;
+        this.cover = other.cover;
+        this.models = other.models;
+        this.memory = memory;
     }
 
     private World(World other, CoveredGround cover, List<SurfaceMaterial> surfaces) {
@@ -125,6 +144,7 @@ public final class World {
         this.known = other.known;
         this.cover = cover;
         this.models = other.models;
+        this.memory = other.memory;
     }
 
     private World(
@@ -144,6 +164,7 @@ public final class World {
         this.known = known;
         this.cover = other.cover;
         this.models = models;
+        this.memory = other.memory;
     }
 
     /** This world in rain, mm/h, 0 or more. */
@@ -198,6 +219,21 @@ public final class World {
         List<SurfaceMaterial> more = new ArrayList<>(surfaces);
         covering.names().stream().skip(surfaces.size()).map(settings::of).forEach(more::add);
         return new World(this, covering, List.copyOf(more));
+    }
+
+    /** This world with a memory of what is computed of its mesh, which other worlds of the same index may share. */
+    public World withMemory(SiteMemory shared) {
+        return new World(this, shared);
+    }
+
+    /**
+     * What depends on the world's mesh alone: made once where runs share a {@link SiteMemory}, otherwise each time.
+     *
+     * @param key what else it depends on, with {@code equals}
+     * @param make makes it; must give the same at any time and on any thread
+     */
+    public <T extends SiteMemory.Kept> T remembered(Object key, Class<T> type, Supplier<T> make) {
+        return memory == null ? make.get() : memory.get(new SiteMemory.Key(index, key), type, make);
     }
 
     /**

@@ -49,7 +49,7 @@ public final class CameraSensor implements BoundingSensor {
 
     /** A camera with the given settings. */
     public CameraSensor(CameraSettings settings) {
-        this(settings, new DronePicture(new CameraObject(settings)));
+        this(settings, DronePicture.atRest(new CameraObject(settings)));
     }
 
     private CameraSensor(CameraSettings settings, DronePicture ownAim) {

@@ -126,6 +126,22 @@ public final class CameraObject {
                         lens.limit());
     }
 
+    /** All that decides what a camera sees of a site. */
+    record Pose(
+            Position position,
+            Position forward,
+            Position right,
+            Position up,
+            int width,
+            int height,
+            double focalLength,
+            Projection lens) {}
+
+    /** All that decides what this camera sees of a site, to be compared. */
+    Pose pose() {
+        return new Pose(position, forward, right, up, width, height, focalLength, lens);
+    }
+
     /** This camera with another number of pixels, and the same vertical field of view. */
     public CameraObject withPixels(int columns, int rows) {
         return new CameraObject(position, forward, roll, columns, rows, focalLength * rows / height, lens);

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
 public final class DronePicture {
     private final CameraObject camera;
 
-    private final SiteImage image;
+    private final SiteImages images;
     private DynamicView dynamicView;
     private StaticView staticView;
 
@@ -30,19 +30,27 @@ public final class DronePicture {
     private Position boundPlace;
     private boolean isBound;
 
-    /** The pictures of a camera. */
+    /** The pictures of a camera in a passing pose. */
     public DronePicture(CameraObject camera) {
-        this(camera, new SiteImage());
+        this(camera, new SiteImages(camera, false));
     }
 
-    private DronePicture(CameraObject camera, SiteImage image) {
+    private DronePicture(CameraObject camera, SiteImages images) {
         this.camera = camera;
-        this.image = image;
+        this.images = images;
+    }
+
+    /**
+     * The pictures of a camera in the same pose as in other runs: runs whose worlds have a common memory trace the site
+     * in its image once.
+     */
+    public static DronePicture atRest(CameraObject camera) {
+        return new DronePicture(camera, new SiteImages(camera, true));
     }
 
     /** Pictures of the same camera for another thread, which share the image of the site. */
     public DronePicture sibling() {
-        return new DronePicture(camera, image);
+        return new DronePicture(camera, images);
     }
 
     /** Pose and projection. */
@@ -107,7 +115,7 @@ public final class DronePicture {
     private void setWorld(World world) {
         if (staticView == null || !staticView.shows(world)) {
             boundPlace = null;
-            staticView = new StaticView(camera, world, image);
+            staticView = new StaticView(camera, world, images);
             dynamicView = new DynamicView(camera, world::newTileTracer);
         }
     }

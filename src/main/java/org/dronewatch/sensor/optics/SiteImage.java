@@ -1,31 +1,51 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.Stream;
-import org.dronewatch.world.World;
+import org.dronewatch.world.SiteMemory;
 
 /**
- * The image of a world from one camera, tile by tile as far as it has been traced. Cameras on several threads may share
- * it: whoever needs a tile first traces it, holding a lock, so that no other traces the same. Thread-safe.
+ * The distances of a site in the image of one camera, tile by tile as far as they have been traced. Cameras on several
+ * threads may share it: whoever needs a tile first traces it, holding a lock, so that no other traces the same.
+ * Thread-safe.
  */
-final class SiteImage {
+final class SiteImage implements SiteMemory.Kept {
     private static final int LOCKS = 64;
 
     private final Object[] locks = Stream.generate(Object::new).limit(LOCKS).toArray();
-    private World world;
-    private AtomicReferenceArray<float[]> tiles;
+    private final AtomicReferenceArray<float[]> tiles;
+    private final AtomicLong pixels = new AtomicLong();
 
     /**
-     * The tiles of a world, each null until it has been traced; those of another world are forgotten.
+     * An image of which nothing has been traced.
      *
-     * @param count number of tiles of the camera
+     * @param count number of its tiles
      */
-    synchronized AtomicReferenceArray<float[]> of(World site, int count) {
-        if (world != site) {
-            world = site;
-            tiles = new AtomicReferenceArray<>(count);
+    SiteImage(int count) {
+        this.tiles = new AtomicReferenceArray<>(count);
+    }
+
+    /** The number of tiles. */
+    int tiles() {
+        return tiles.length();
+    }
+
+    /** The distances in a tile, m, row by row, infinity for none; null for a tile that has not been traced yet. */
+    float[] tile(int number) {
+        return tiles.get(number);
+    }
+
+    /** Keeps a tile that has been traced. */
+    void put(int number, float[] distances) {
+        if (tiles.getAndSet(number, distances) == null) {
+            pixels.addAndGet(distances.length);
         }
-        return tiles;
+    }
+
+    @Override
+    public long bytes() {
+        return Float.BYTES * pixels.get();
     }
 
     /** What to hold while a part of the image is traced, given by its number. */

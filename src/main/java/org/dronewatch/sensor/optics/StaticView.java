@@ -1,6 +1,5 @@
 package org.dronewatch.sensor.optics;
 
-import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.raster.TileTracer;
@@ -29,25 +28,21 @@ final class StaticView implements Background {
     private final int tilesDown;
     private final int blocksAcross;
 
-    /** The distances of each tile, m, row by row; infinity for none. None for a tile that has not been traced yet. */
-    private final AtomicReferenceArray<float[]> tiles;
-
     private boolean tracesBlocks;
 
     /**
      * A view of a world.
      *
-     * @param image keeps the tiles; views of the same camera may share it
+     * @param images keep the tiles; views of the same camera may share them
      */
-    StaticView(CameraObject camera, World world, SiteImage image) {
+    StaticView(CameraObject camera, World world, SiteImages images) {
         this.camera = camera;
         this.world = world;
         this.traversal = newTraversal();
-        this.image = image;
         this.tilesAcross = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
         this.tilesDown = (camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT;
         this.blocksAcross = (tilesAcross + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS;
-        this.tiles = image.of(world, tilesAcross * tilesDown);
+        this.image = images.of(world, tilesAcross * tilesDown);
     }
 
     /** From now on, most of the image will be requested. */
@@ -73,7 +68,7 @@ final class StaticView implements Background {
     @Override
     public float distance(int column, int row) {
         int tile = row / TILE_HEIGHT * tilesAcross + column / TILE_WIDTH;
-        float[] distances = tiles.get(tile);
+        float[] distances = image.tile(tile);
         if (distances == null) {
             distances = traced(tile);
         }
@@ -85,14 +80,14 @@ final class StaticView implements Background {
     private float[] traced(int tile) {
         int block = block(tile);
         synchronized (image.lock(block)) {
-            if (tiles.get(tile) == null) {
+            if (image.tile(tile) == null) {
                 if (tracesBlocks) {
                     traceBlock(traversal, block);
                 } else {
                     trace(traversal, tile % tilesAcross, tile / tilesAcross, 1, 1);
                 }
             }
-            return tiles.get(tile);
+            return image.tile(tile);
         }
     }
 
@@ -107,7 +102,7 @@ final class StaticView implements Background {
         float[] distances = new float[camera.width() * camera.height()];
         int blocks = blocksAcross * ((tilesDown + BLOCK_ROWS - 1) / BLOCK_ROWS);
         Workers.forEach(blocks, this::newTraversal, this::traceBlock);
-        Workers.forEach(tiles.length(), tile -> copy(tile, distances));
+        Workers.forEach(image.tiles(), tile -> copy(tile, distances));
         return distances;
     }
 
@@ -119,7 +114,7 @@ final class StaticView implements Background {
         int rows = Math.min(BLOCK_ROWS, tilesDown - row);
         boolean isTraced = true;
         for (int i = 0; i < columns * rows; i++) {
-            isTraced &= tiles.get((row + i / columns) * tilesAcross + column + i % columns) != null;
+            isTraced &= image.tile((row + i / columns) * tilesAcross + column + i % columns) != null;
         }
         if (!isTraced) {
             trace(own, column, row, columns, rows);
@@ -143,7 +138,7 @@ final class StaticView implements Background {
             for (int line = 0; line < part.length / columns; line++) {
                 System.arraycopy(distances, (y + line) * width + x, part, line * columns, columns);
             }
-            tiles.set((row + i / tileColumns) * tilesAcross + column + i % tileColumns, part);
+            image.put((row + i / tileColumns) * tilesAcross + column + i % tileColumns, part);
         }
     }
 
@@ -155,7 +150,7 @@ final class StaticView implements Background {
         int left = tile % tilesAcross * TILE_WIDTH;
         int top = tile / tilesAcross * TILE_HEIGHT;
         int columns = columns(left);
-        float[] source = tiles.get(tile);
+        float[] source = image.tile(tile);
         for (int row = 0; row < source.length / columns; row++) {
             System.arraycopy(source, row * columns, target, (top + row) * camera.width() + left, columns);
         }

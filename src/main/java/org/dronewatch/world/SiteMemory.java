@@ -1,0 +1,66 @@
+package org.dronewatch.world;
+
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.dronewatch.bvh.TracingIndex;
+
+/**
+ * What runs compute of their sites without drones, such as what a camera sees of the site: kept, so that thousands of
+ * runs on one site share it. When it takes more than its share of memory, what was not used for longest is dropped, and
+ * made again when it is next needed. Thread-safe.
+ */
+public final class SiteMemory {
+    private final long most;
+    private final Map<Key, Kept> kept = new LinkedHashMap<>(16, 0.75f, true);
+    private long made;
+
+    /** Something that is kept; it may grow while it is in use. */
+    public interface Kept {
+        /** The memory that it takes now, bytes. */
+        long bytes();
+    }
+
+    /** An index is compared by identity, and all else by its contents. */
+    record Key(TracingIndex index, Object what) {}
+
+    /**
+     * An empty memory.
+     *
+     * @param most how much is kept when something new is added, bytes
+     */
+    public SiteMemory(long most) {
+        this.most = most;
+    }
+
+    synchronized <T extends Kept> T get(Key key, Class<T> type, Supplier<T> make) {
+        Kept known = kept.get(key);
+        if (known == null) {
+            dropOldest();
+            known = make.get();
+            made++;
+            kept.put(key, known);
+        }
+        return type.cast(known);
+    }
+
+    private void dropOldest() {
+        long bytes = bytes();
+        Iterator<Kept> oldest = kept.values().iterator();
+        while (bytes > most && oldest.hasNext()) {
+            bytes -= oldest.next().bytes();
+            oldest.remove();
+        }
+    }
+
+    /** How many things were made so far, those that were dropped included. */
+    public synchronized long made() {
+        return made;
+    }
+
+    /** The memory that all things take that are kept now, bytes. */
+    public synchronized long bytes() {
+        return kept.values().stream().mapToLong(Kept::bytes).sum();
+    }
+}
