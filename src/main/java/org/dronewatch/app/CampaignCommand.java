@@ -127,7 +127,7 @@ final class CampaignCommand implements Callable<Integer> {
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             boolean whole = true;
             try (CaseProgress progress = new CaseProgress(name, plan.runs(), err)) {
-                new CampaignRun(plan).run(files, progress::add);
+                new CampaignRun(plan).run(files, progress);
             } catch (CancellationException e) {
                 if (!interruption.happened()) {
                     throw e;

@@ -1,10 +1,13 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
+import org.dronewatch.campaign.CampaignRun;
 
 /** Shows how many cases of a campaign are done: as a bar on a terminal, otherwise as a line every ten seconds. */
-final class CaseProgress implements AutoCloseable {
+final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     private static final double NANO = 1e-9;
     private static final double EVERY_SECONDS = 10.0;
     private static final int MINUTE = 60;
@@ -12,32 +15,74 @@ final class CaseProgress implements AutoCloseable {
     private final int all;
     private final PrintWriter err;
     private final ProgressBar bar;
-    private final long start = System.nanoTime();
+    private final LongSupplier clock;
+    private final long start;
     private double next = EVERY_SECONDS;
-    private int done;
+    private int kept;
+    private int ran;
 
+    /**
+     * Nothing is done yet.
+     *
+     * @param all number of cases, those of earlier runs included
+     */
     CaseProgress(String name, int all, PrintWriter err) {
-        this.all = all;
-        this.err = err;
-        this.bar = Progress.barOf(name, all);
+        this(all, err, Progress.barOf(name, all), System::nanoTime);
     }
 
-    synchronized void add(int cases) {
-        done += cases;
+    /**
+     * With a clock.
+     *
+     * @param bar null for lines
+     * @param clock gives the time, ns
+     */
+    CaseProgress(int all, PrintWriter err, ProgressBar bar, LongSupplier clock) {
+        this.all = all;
+        this.err = err;
+        this.bar = bar;
+        this.clock = clock;
+        this.start = clock.getAsLong();
+    }
+
+    /** They took no time: the rate does not count them. */
+    @Override
+    public synchronized void kept(int cases) {
+        kept += cases;
+        show();
+    }
+
+    @Override
+    public synchronized void ran(int cases) {
+        ran += cases;
+        show();
+    }
+
+    private void show() {
+        int done = kept + ran;
         if (bar != null) {
             bar.stepTo(done);
             return;
         }
-        double seconds = NANO * (System.nanoTime() - start);
-        if (seconds >= next && done < all) {
+        double seconds = NANO * (clock.getAsLong() - start);
+        if (seconds >= next && ran > 0 && done < all) {
             next = seconds + EVERY_SECONDS;
-            double left = seconds / done * (all - done);
-            err.printf("%,d of %,d cases, %.1f per second, %s left%n", done, all, done / seconds, duration(left));
+            double left = seconds / ran * (all - done);
+            err.printf(
+                    Locale.ROOT,
+                    "%,d of %,d cases, %.3g per second, %s left%n",
+                    done,
+                    all,
+                    ran / seconds,
+                    duration(left));
         }
     }
 
     private static String duration(double seconds) {
-        return seconds < MINUTE ? Math.round(seconds) + " s" : Math.round(seconds / MINUTE) + " min";
+        if (seconds < MINUTE) {
+            return Math.round(seconds) + " s";
+        }
+        long minutes = Math.round(seconds / MINUTE);
+        return minutes < MINUTE ? minutes + " min" : minutes / MINUTE + " h " + minutes % MINUTE + " min";
     }
 
     @Override

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntConsumer;
 import org.dronewatch.parallel.Workers;
 
 /**
@@ -31,6 +30,18 @@ public final class CampaignRun {
         void put(int chunk, List<CaseResult> results);
     }
 
+    /** Is told which cases are done, from any thread. */
+    @FunctionalInterface
+    public interface Progress {
+        /** So many more cases have been run. */
+        void ran(int cases);
+
+        /** So many more cases were there already. */
+        default void kept(int cases) {
+            ran(cases);
+        }
+    }
+
     public CampaignRun(CampaignPlan plan) {
         this.plan = plan;
     }
@@ -43,19 +54,17 @@ public final class CampaignRun {
     /**
      * Runs what is missing, on the calling {@link Workers}; the same results for any number of them.
      *
-     * @param progress receives the number of cases done since the last call, including those of chunks that were
-     *     kept; from any thread
      * @throws java.util.concurrent.CancellationException when the thread is interrupted: the chunks that are whole are
      *     kept
      */
-    public void run(Chunks kept, IntConsumer progress) {
+    public void run(Chunks kept, Progress progress) {
         Stopping stopping = new Stopping(plan);
         for (int chunk = 0; chunk < chunks() && !stopping.isReached(); chunk++) {
             int first = chunk * CHUNK;
             int cases = Math.min(CHUNK, plan.runs() - first);
             Optional<List<CaseResult>> there = kept.find(chunk);
             if (there.isPresent()) {
-                progress.accept(cases);
+                progress.kept(cases);
                 stopping.add(there.get());
             } else {
                 List<CaseResult> results = results(first, cases, progress);
@@ -65,7 +74,7 @@ public final class CampaignRun {
         }
     }
 
-    private List<CaseResult> results(int first, int cases, IntConsumer progress) {
+    private List<CaseResult> results(int first, int cases, Progress progress) {
         List<String> variants = plan.variants();
         CaseResult[] results = new CaseResult[cases * variants.size()];
         Workers.forEach(cases, i -> {
@@ -76,7 +85,7 @@ public final class CampaignRun {
                     results[i * variants.size() + v] = alone.call(() -> CaseRun.of(plan, first + i, variant));
                 }
             }
-            progress.accept(1);
+            progress.ran(1);
         });
         return new ArrayList<>(Arrays.asList(results));
     }

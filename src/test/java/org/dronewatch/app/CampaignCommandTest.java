@@ -12,6 +12,8 @@ import org.dronewatch.campaign.CampaignSite;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -143,6 +145,49 @@ class CampaignCommandTest {
         assertThat(resumed.code()).isZero();
         assertThat(bytes("precise")).isEqualTo(before);
         assertThat(resumed.out()).isEqualTo(precise.out());
+    }
+
+    /** Room for the plan, or for a chunk or two; then for all. */
+    @ParameterizedTest
+    @ValueSource(strings = {"4k", "8k", "20k", "28k"})
+    void aFullDiskIsOneLineAndTheCampaignIsCompletedWhenThereIsRoom(String size) throws Exception {
+        try (SmallDisk disk = new SmallDisk(directory.resolve("disk-" + size), size)) {
+            Path out = disk.path().resolve("out");
+            Outcome full = campaign(out.toString());
+            assertThat(full.code()).isEqualTo(2);
+            assertThat(full.complaints())
+                    .hasSize(1)
+                    .first()
+                    .asString()
+                    .startsWith("--out " + out)
+                    .endsWith("cannot be written: " + disk.reasonOfAFullDisk());
+
+            disk.resize("1m");
+            assertThat(campaign(out.toString(), "--resume").code()).isZero();
+            assertThat(bytes(out.toString())).isEqualTo(bytes("whole"));
+        }
+    }
+
+    /** Whatever the results depend on. */
+    @Test
+    void aCampaignOfWhichAnythingHasChangedIsNotCompleted() throws IOException {
+        Path changing = Files.createDirectory(directory.resolve("changing"));
+        Path file = CampaignSite.in(changing, CampaignSite.TWO_RANGES);
+        String[] command = {"campaign", file.toString(), "--out=" + changing.resolve("out"), "--resume"};
+        assertThat(Program.run(command).code()).isZero();
+        for (String name : List.of("ground.obj", "site.yaml", "attacks.campaign.yaml")) {
+            Path changed = changing.resolve(name);
+            String before = Files.readString(changed);
+            Files.writeString(changed, before.replace("600", "601").replace("900", "901"));
+            refused(Program.run(command), "holds another campaign: name another directory");
+            Files.writeString(changed, before);
+        }
+        Path plan = changing.resolve("out/plan.json");
+        String text = Files.readString(plan);
+        Files.writeString(plan, text.replaceFirst("\"hash\" : \"..", "\"hash\" : \"__"));
+        refused(Program.run(command), "holds another campaign: name another directory");
+        Files.writeString(plan, text);
+        assertThat(Program.run(command).code()).isZero();
     }
 
     @Test

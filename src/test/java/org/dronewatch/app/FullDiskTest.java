@@ -1,19 +1,14 @@
 package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.abort;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,52 +19,6 @@ class FullDiskTest {
     private Path directory;
 
     private Path disk;
-    private boolean mounted;
-    private String reason;
-
-    @BeforeEach
-    void makeDisk() throws IOException {
-        disk = Files.createDirectory(directory.resolve("disk"));
-    }
-
-    private void mount(String size) throws IOException, InterruptedException {
-        try {
-            Process mount = new ProcessBuilder("mount", "-t", "tmpfs", "-o", "size=" + size, "tmpfs", disk.toString())
-                    .redirectErrorStream(true)
-                    .start();
-            mounted = mount.waitFor() == 0;
-        } catch (IOException e) {
-            abort("there is no mount here");
-        }
-        assumeTrue(mounted, "only the administrator may mount a disk");
-        reason = reasonOfAFullDisk();
-    }
-
-    /** What this system says of a full disk, in the language of whoever runs the test. */
-    private String reasonOfAFullDisk() throws IOException {
-        Path filler = disk.resolve("filler");
-        try (OutputStream stream = Files.newOutputStream(filler)) {
-            byte[] block = new byte[1 << 12];
-            for (int i = 0; i < 1000; i++) {
-                stream.write(block);
-            }
-            throw new AssertionError("the disk takes any number of bytes");
-        } catch (IOException e) {
-            return e.getMessage();
-        } finally {
-            Files.delete(filler);
-        }
-    }
-
-    @AfterEach
-    void takeDiskAway() throws IOException, InterruptedException {
-        if (mounted) {
-            new ProcessBuilder("umount", disk.toString())
-                    .redirectErrorStream(true)
-                    .start()
-                    .waitFor();
-        }
-    }
 
     private Map<String, String> files() throws IOException {
         Map<String, String> files = new TreeMap<>();
@@ -101,7 +50,13 @@ class FullDiskTest {
                 "12k  | bench packaged:quadrotor.obj --passes 1 --rays RAYS --hits DISK/hits",
             })
     void aFullDiskIsOneLineAndStaysAsItWas(String size, String command) throws IOException, InterruptedException {
-        mount(size);
+        try (SmallDisk small = new SmallDisk(directory.resolve("disk"), size)) {
+            disk = small.path();
+            assertThatItStaysAsItWas(command, small.reasonOfAFullDisk());
+        }
+    }
+
+    private void assertThatItStaysAsItWas(String command, String reason) throws IOException {
         Files.createDirectories(disk.resolve("old"));
         Files.writeString(disk.resolve("old/summary.json"), "of an older run");
         Files.writeString(disk.resolve("camera.png"), "older");

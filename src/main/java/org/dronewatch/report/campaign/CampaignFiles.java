@@ -60,7 +60,27 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
             throw new InputException(asked() + " cannot be written: " + e.getMessage(), e);
         }
         if (!Files.exists(this.directory.resolve(PLAN))) {
+            begin(file);
+        }
+    }
+
+    private void begin(CampaignPlanFile file) {
+        try {
             writeJson(PLAN, file.toJson());
+        } catch (RuntimeException e) {
+            close();
+            removeEmpty(directory.resolve(CHUNKS));
+            removeEmpty(directory);
+            throw e;
+        }
+    }
+
+    private static void removeEmpty(Path where) {
+        try {
+            Files.deleteIfExists(where);
+        } catch (IOException e) {
+            // What holds other files stays.
+            return;
         }
     }
 
