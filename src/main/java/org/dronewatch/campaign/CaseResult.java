@@ -1,6 +1,9 @@
 package org.dronewatch.campaign;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -20,6 +23,7 @@ import java.util.OptionalDouble;
  * @param alert when the first alert was raised for an attacking drone, s; empty if never
  * @param warning the warning time of that alert, s; empty without alert or zone
  * @param inTime whether it came in time; empty where nothing is protected or no response time is required
+ * @param drones what came of each attacking drone, by name, in the order of the scene; empty in a case that failed
  */
 public record CaseResult(
         int number,
@@ -33,10 +37,12 @@ public record CaseResult(
         OptionalDouble range,
         OptionalDouble alert,
         OptionalDouble warning,
-        Optional<Boolean> inTime) {
-    /** Copies the list. */
+        Optional<Boolean> inTime,
+        Map<String, DroneOutcome> drones) {
+    /** Copies the list and the map. */
     public CaseResult {
         values = List.copyOf(values);
+        drones = Collections.unmodifiableMap(new LinkedHashMap<>(drones));
     }
 
     /** A case that could not be run. */
@@ -53,7 +59,8 @@ public record CaseResult(
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
-                Optional.empty());
+                Optional.empty(),
+                Map.of());
     }
 
     /** Whether it has no result. */

@@ -1,7 +1,9 @@
 package org.dronewatch.campaign;
 
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.field.InboundTarget;
@@ -71,7 +73,19 @@ public final class CaseRun {
                 first.map(PairResult::range).orElse(OptionalDouble.empty()),
                 alert.map(AlertResult::time).orElse(OptionalDouble.empty()),
                 alert.map(AlertResult::warning).orElse(OptionalDouble.empty()),
-                inTime);
+                inTime,
+                drones(run));
+    }
+
+    private static Map<String, DroneOutcome> drones(RunResult run) {
+        Map<String, DroneOutcome> drones = new LinkedHashMap<>();
+        for (AlertResult alert : run.attackAlerts()) {
+            boolean isDetected = run.pairs().stream()
+                    .anyMatch(pair -> pair.drone().equals(alert.drone())
+                            && pair.firstDetected().isPresent());
+            drones.put(alert.drone(), DroneOutcome.of(isDetected, alert.time().isPresent(), alert.inTime()));
+        }
+        return drones;
     }
 
     private static OptionalDouble bearing(SceneSettings settings, Stage stage, String drone) {

@@ -3,10 +3,13 @@ package org.dronewatch.campaign;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 
 /** The results of all cases of one variant. Results are added one by one; for one thread. */
 public final class VariantSummary {
@@ -17,6 +20,7 @@ public final class VariantSummary {
 
     private final Map<Outcome, int[]> outcomes = new EnumMap<>(Outcome.class);
     private final List<Map<Outcome, int[]>> sectors = new ArrayList<>();
+    private final Map<String, Map<Outcome, int[]>> drones = new LinkedHashMap<>();
     private final Map<String, Integer> firstSensors = new TreeMap<>();
     private final Measures ranges = new Measures();
     private final Measures warnings = new Measures();
@@ -35,20 +39,24 @@ public final class VariantSummary {
             failed++;
             return;
         }
-        count(outcomes, result);
+        count(outcomes, result, outcome -> outcome.isMetBy(result));
         if (result.bearing().isPresent()) {
-            count(sectors.get(sector(result.bearing().getAsDouble())), result);
+            count(sectors.get(sector(result.bearing().getAsDouble())), result, outcome -> outcome.isMetBy(result));
         }
+        result.drones().forEach((name, drone) -> {
+            Map<Outcome, int[]> its = drones.computeIfAbsent(name, unseen -> new EnumMap<>(Outcome.class));
+            count(its, result, drone::has);
+        });
         result.firstSensor().ifPresent(sensor -> firstSensors.merge(sensor, 1, Integer::sum));
         ranges.add(result.range());
         warnings.add(result.warning());
     }
 
-    private static void count(Map<Outcome, int[]> counts, CaseResult result) {
+    private static void count(Map<Outcome, int[]> counts, CaseResult result, Predicate<Outcome> isMet) {
         for (Outcome outcome : Outcome.values()) {
             if (outcome.isKnown(result)) {
                 int[] count = counts.computeIfAbsent(outcome, unseen -> new int[2]);
-                count[0] += outcome.isMetBy(result) ? 1 : 0;
+                count[0] += isMet.test(outcome) ? 1 : 0;
                 count[1]++;
             }
         }
@@ -81,6 +89,16 @@ public final class VariantSummary {
 
     private static Optional<Proportion> proportion(Map<Outcome, int[]> counts, Outcome outcome) {
         return Optional.ofNullable(counts.get(outcome)).map(count -> new Proportion(count[0], count[1]));
+    }
+
+    /** The attacking drones, in the order in which the scene lists them. */
+    public Set<String> drones() {
+        return Collections.unmodifiableSet(drones.keySet());
+    }
+
+    /** The same for one attacking drone, of the cases in which there is this drone. */
+    public Optional<Proportion> proportion(Outcome outcome, String drone) {
+        return proportion(drones.getOrDefault(drone, Map.of()), outcome);
     }
 
     /** In how many cases each sensor was the first to detect, by its name; in the order of the names. */

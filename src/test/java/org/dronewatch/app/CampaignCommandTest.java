@@ -71,6 +71,7 @@ class CampaignCommandTest {
                         "range_m",
                         "warning_s",
                         "by_bearing",
+                        "by_drone",
                         "by_sensor");
         assertThat(file.get("complete").asBoolean()).isTrue();
         assertThat(inTime.get("of").asString()).isEqualTo("in_time");

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -141,6 +142,35 @@ class CampaignRunTest {
             assertThat(pair.difference()).isEqualTo(new PairedDifference(0, 0, 30));
             assertThat(pair.deciding()).isEmpty();
         });
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    /** The second drone comes from behind the radar. */
+    @Test
+    void everyAttackingDroneIsCountedApart() throws IOException {
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+        String site = Files.readString(directory.resolve("site.yaml"));
+        String second = "  second: {model: packaged:quadrotor.obj, speed: 15 m/s, radar: {droneClass: small-uav},"
+                + " flight: {kind: inbound, target: [0, 0, 20], bearing: 180 deg, height: 40 m, distance: 600 m}}\n";
+        Files.writeString(directory.resolve("pair.yaml"), site.replace("sensors:", second + "sensors:"));
+        CampaignPlan pair = CampaignSite.plan(
+                directory,
+                """
+                scene: pair.yaml
+                vary:
+                  drones.intruder.flight.distance: {values: [200 m, 500 m]}
+                runs: 10
+                """);
+        CampaignSummary summary = new CampaignSummary(pair.variants());
+        results(pair, 1).forEach(result -> summary.add(List.of(result)));
+        VariantSummary scene = summary.variants().get("scene");
+
+        assertThat(scene.drones()).containsExactly("intruder", "second");
+        assertThat(scene.proportion(Outcome.DETECTED, "second")).contains(new Proportion(0, 10));
+        assertThat(scene.proportion(Outcome.DETECTED, "intruder")).isEqualTo(scene.proportion(Outcome.DETECTED));
+        assertThat(scene.proportion(Outcome.IN_TIME, "intruder")).isEqualTo(scene.proportion(Outcome.IN_TIME));
+        assertThat(scene.proportion(Outcome.IN_TIME, "intruder").orElseThrow().count())
+                .isBetween(1, 9);
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
     }
 

@@ -85,6 +85,13 @@ final class CampaignFile {
                 put(one, key(outcome), variant.proportion(outcome, sector));
             }
         }
+        ObjectNode drones = node.putObject("by_drone");
+        for (String drone : variant.drones()) {
+            ObjectNode one = drones.putObject(drone);
+            for (Outcome outcome : Outcome.values()) {
+                put(one, key(outcome), variant.proportion(outcome, drone));
+            }
+        }
         ObjectNode sensors = node.putObject("by_sensor");
         variant.firstSensors().forEach(sensors::put);
     }

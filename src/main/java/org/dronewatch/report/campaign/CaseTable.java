@@ -11,10 +11,15 @@ import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.DroneOutcome;
 import org.dronewatch.report.Numbers;
 
 /** Rows of {@code runs.csv}, one for each case and variant. */
@@ -29,7 +34,8 @@ final class CaseTable {
             "alert_s",
             "warning_s",
             "in_time",
-            "bearing_deg");
+            "bearing_deg",
+            "drones");
     private static final String DONE = "done";
     private static final String FAILED = "failed";
 
@@ -88,6 +94,9 @@ final class CaseTable {
                 result.bearing().isPresent()
                         ? Numbers.text(Math.toDegrees(result.bearing().getAsDouble()))
                         : "");
+        row.add(result.drones().entrySet().stream()
+                .map(drone -> drone.getKey() + "=" + word(drone.getValue()))
+                .collect(Collectors.joining(" ")));
         return row;
     }
 
@@ -113,7 +122,7 @@ final class CaseTable {
                 }
                 isHeader = false;
             }
-        } catch (CsvParseException | NumberFormatException e) {
+        } catch (CsvParseException | IllegalArgumentException e) {
             throw new IOException(e.getMessage(), e);
         }
         return results;
@@ -133,7 +142,25 @@ final class CaseTable {
                 number(row.get(after + 4)),
                 number(row.get(after + 5)),
                 number(row.get(after + 6)),
-                word(row.get(after + 7)).map(Boolean::valueOf));
+                word(row.get(after + 7)).map(Boolean::valueOf),
+                drones(row.get(after + 9)));
+    }
+
+    private static String word(DroneOutcome outcome) {
+        return outcome.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Names of drones contain neither spaces nor equals signs. */
+    private static Map<String, DroneOutcome> drones(String text) {
+        Map<String, DroneOutcome> drones = new LinkedHashMap<>();
+        for (String one : text.split(" ")) {
+            int end = one.indexOf('=');
+            if (end > 0) {
+                String word = one.substring(end + 1).toUpperCase(Locale.ROOT);
+                drones.put(one.substring(0, end), DroneOutcome.valueOf(word));
+            }
+        }
+        return drones;
     }
 
     private static OptionalDouble degrees(String text) {

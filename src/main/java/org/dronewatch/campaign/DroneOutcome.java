@@ -1,0 +1,44 @@
+package org.dronewatch.campaign;
+
+import java.util.Optional;
+
+/** What came of one drone in a case. */
+public enum DroneOutcome {
+    /** No sensor detects it. */
+    MISSED(false, false, Optional.empty()),
+    /** Detected, but without an alert. */
+    DETECTED(true, false, Optional.empty()),
+    /** With an alert, where no response time is required. */
+    ALERTED(true, true, Optional.empty()),
+    /** With an alert that leaves less than the time that the response requires. */
+    LATE(true, true, Optional.of(false)),
+    /** With an alert that leaves the time that the response requires. */
+    IN_TIME(true, true, Optional.of(true));
+
+    private final boolean isDetected;
+    private final boolean isAlerted;
+    private final Optional<Boolean> isInTime;
+
+    DroneOutcome(boolean isDetected, boolean isAlerted, Optional<Boolean> isInTime) {
+        this.isDetected = isDetected;
+        this.isAlerted = isAlerted;
+        this.isInTime = isInTime;
+    }
+
+    /** That of a drone that is detected or not, and for which there is an alert or not, in time or not. */
+    static DroneOutcome of(boolean isDetected, boolean isAlerted, Optional<Boolean> isInTime) {
+        if (!isAlerted) {
+            return isDetected ? DETECTED : MISSED;
+        }
+        return isInTime.map(yes -> yes ? IN_TIME : LATE).orElse(ALERTED);
+    }
+
+    /** Whether it has an outcome. */
+    boolean has(Outcome outcome) {
+        return switch (outcome) {
+            case DETECTED -> isDetected;
+            case ALERTED -> isAlerted;
+            case IN_TIME -> isInTime.orElse(false);
+        };
+    }
+}
