@@ -11,6 +11,7 @@ import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.CaseRun;
+import org.dronewatch.campaign.Cases;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -108,8 +109,8 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     private int runOne(CampaignPlan plan) {
-        if (only < 0 || only >= plan.runs()) {
-            throw new InputException("--case " + only + ": must be 0 to " + (plan.runs() - 1));
+        if (only < 0 || only >= plan.size()) {
+            throw new InputException("--case " + only + ": must be 0 to " + (plan.size() - 1));
         }
         PrintWriter target = spec.commandLine().getOut();
         CampaignLines.printValues(plan, only, target);
@@ -124,10 +125,12 @@ final class CampaignCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         Path directory = out == null ? Path.of("target", "campaigns", name) : path("--out", out);
         Interruption interruption = main.interruption();
+        plan.sensitivity().ifPresent(cases -> err.println(CampaignLines.cost(plan, cases)));
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             boolean whole = true;
-            try (CaseProgress progress = new CaseProgress(name, plan.runs(), err)) {
-                new CampaignRun(plan).run(files, progress);
+            try {
+                run(plan, plan, files.chunks(), name);
+                plan.sensitivity().ifPresent(cases -> run(plan, cases, files.chunks(cases), name + ": sensitivity"));
             } catch (CancellationException e) {
                 if (!interruption.happened()) {
                     throw e;
@@ -142,6 +145,13 @@ final class CampaignCommand implements Callable<Integer> {
             err.println("results in " + directory);
         }
         return 0;
+    }
+
+    private void run(CampaignPlan plan, Cases cases, CampaignRun.Chunks chunks, String name) {
+        PrintWriter err = spec.commandLine().getErr();
+        try (CaseProgress progress = new CaseProgress(name, cases.size(), err)) {
+            new CampaignRun(plan, cases).run(chunks, progress);
+        }
     }
 
     /** Prints notes while scenes are loaded; later ones concern single cases and are dropped. */

@@ -15,9 +15,12 @@ import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
 import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.Sensitivity;
+import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Stopping;
 import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
+import org.dronewatch.report.campaign.CampaignWords;
 
 /** What the command {@code campaign} prints. */
 final class CampaignLines {
@@ -55,6 +58,7 @@ final class CampaignLines {
                 .forEach((name, one) -> out.printf(
                         "%-" + width + "s %31s %31s%n", name, quantiles(one.ranges()), quantiles(one.warnings())));
         printPairs(summary.comparisons(), out);
+        result.sensitivity().ifPresent(sensitivity -> print(sensitivity, out));
         plan.settings().until().ifPresent(until -> printPrecision(plan, until, result.stopping(), out));
     }
 
@@ -76,6 +80,27 @@ final class CampaignLines {
                                 PERCENT * interval.high(),
                                 proportion.of())
                         : String.format(Locale.ROOT, "%s: not reached after %,d cases", asked, proportion.of()));
+    }
+
+    /** What it costs to find out which settings matter. */
+    static String cost(CampaignPlan plan, SensitivityCases cases) {
+        int factors = plan.paths().size() + 1;
+        int each = cases.size() / cases.settings().base();
+        return String.format(
+                Locale.ROOT,
+                "sensitivity: %,d more cases of %s, %d for each of %,d groups with %d factors (chance is one); the"
+                        + " campaign itself has %,d runs",
+                cases.size(),
+                cases.variants().get(0),
+                each,
+                cases.settings().base(),
+                factors,
+                (long) plan.size() * plan.variants().size());
+    }
+
+    private static void print(Sensitivity sensitivity, PrintWriter out) {
+        out.println();
+        CampaignWords.sensitivity(sensitivity).forEach(out::println);
     }
 
     private static String number(double value) {

@@ -22,7 +22,7 @@ import org.dronewatch.world.SiteMemory;
  * the paths of the settings that vary, not on the number of cases, on the variants, or on what else varies. Immutable
  * and thread-safe.
  */
-public final class CampaignPlan {
+public final class CampaignPlan implements Cases {
     /** Purpose of the draws of settings that vary; the path takes the place of the sensor's name. */
     private static final String VARIATION = "variation";
 
@@ -65,6 +65,7 @@ public final class CampaignPlan {
             variant.models().share(memory);
             variants.put(name, variant);
         });
+        sensitivity();
     }
 
     /** The table, too, may not hold what a variant sets, or what is drawn. */
@@ -130,6 +131,11 @@ public final class CampaignPlan {
 
     /** The number of cases, or, if it depends on their outcomes, the largest number. */
     public int runs() {
+        return size();
+    }
+
+    @Override
+    public int size() {
         boolean isStated = settings.runs().isPresent() || settings.until().isPresent();
         int rows = table.size() == 0 ? Integer.MAX_VALUE : table.size();
         return isStated || rows == Integer.MAX_VALUE ? Math.min(settings.most(), rows) : rows;
@@ -154,7 +160,8 @@ public final class CampaignPlan {
                 .orElseGet(() -> variants.keySet().iterator().next());
     }
 
-    /** The names of the variants, in the order of the campaign. */
+    /** In the order of the campaign. */
+    @Override
     public List<String> variants() {
         return List.copyOf(variants.keySet());
     }
@@ -169,18 +176,18 @@ public final class CampaignPlan {
         return variants.get(variant).models().files();
     }
 
-    /** The texts of the values of a case, in the order of {@link #paths()}. */
+    @Override
     public List<String> values(int number) {
         List<String> values = new ArrayList<>(table.size() == 0 ? List.of() : table.row(number));
-        settings.vary().forEach((path, variation) -> {
+        settings.vary().keySet().forEach(path -> {
             double u =
                     Draws.stream(settings.seed(), path, "", number, VARIATION).nextDouble();
-            values.add(variation.value(quantities.get(path), u));
+            values.add(value(path, u));
         });
         return values;
     }
 
-    /** The seed of the runs of a case, the same for all variants. */
+    @Override
     public long seed(int number) {
         return Draws.derivedSeed(settings.seed(), CASE, number);
     }
@@ -191,9 +198,13 @@ public final class CampaignPlan {
      * @throws InputException when its values are not valid together
      */
     public SceneSettings settings(int number, String variant) {
+        return settings(this, number, variant);
+    }
+
+    SceneSettings settings(Cases cases, int number, String variant) {
         CampaignVariant of = variants.get(variant);
-        SceneSettings one = new SettingsPath("run.seed").write(of.settings(), Long.toString(seed(number)));
-        List<String> values = values(number);
+        SceneSettings one = new SettingsPath("run.seed").write(of.settings(), Long.toString(cases.seed(number)));
+        List<String> values = cases.values(number);
         int i = 0;
         for (String path : paths()) {
             one = of.with(one, path, values.get(i++));
@@ -204,6 +215,18 @@ public final class CampaignPlan {
     /** What all cases and variants share of their sites. */
     public SiteMemory memory() {
         return memory;
+    }
+
+    /** The value of a setting that varies at a quantile of its distribution, from 0, below 1. */
+    String value(String path, double quantile) {
+        return settings.vary().get(path).value(quantities.get(path), quantile);
+    }
+
+    /** The further cases that show which settings matter, if the campaign asks for them. */
+    public Optional<SensitivityCases> sensitivity() {
+        return settings.sensitivity()
+                .filter(one -> one.method() != SensitivitySettings.Method.NONE)
+                .map(one -> new SensitivityCases(this, one));
     }
 
     CampaignVariant variant(String name) {

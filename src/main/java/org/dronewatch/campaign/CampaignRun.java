@@ -16,6 +16,7 @@ public final class CampaignRun {
     public static final int CHUNK = 50;
 
     private final CampaignPlan plan;
+    private final Cases cases;
 
     /** Where the results of chunks are kept. */
     public interface Chunks {
@@ -42,13 +43,20 @@ public final class CampaignRun {
         }
     }
 
+    /** A run of the cases of a campaign. */
     public CampaignRun(CampaignPlan plan) {
+        this(plan, plan);
+    }
+
+    /** A run of other cases of the same variants, such as those that show which settings matter. */
+    public CampaignRun(CampaignPlan plan, Cases cases) {
         this.plan = plan;
+        this.cases = cases;
     }
 
     /** The number of chunks; the largest number if the outcomes decide how many cases there are. */
-    public int chunks() {
-        return (plan.runs() + CHUNK - 1) / CHUNK;
+    public static int chunks(Cases cases) {
+        return (cases.size() + CHUNK - 1) / CHUNK;
     }
 
     /**
@@ -58,31 +66,31 @@ public final class CampaignRun {
      *     kept
      */
     public void run(Chunks kept, Progress progress) {
-        Stopping stopping = new Stopping(plan);
-        for (int chunk = 0; chunk < chunks() && !stopping.isReached(); chunk++) {
+        Stopping stopping = cases == plan ? new Stopping(plan) : new Stopping(cases);
+        for (int chunk = 0; chunk < chunks(cases) && !stopping.isReached(); chunk++) {
             int first = chunk * CHUNK;
-            int cases = Math.min(CHUNK, plan.runs() - first);
+            int count = Math.min(CHUNK, cases.size() - first);
             Optional<List<CaseResult>> there = kept.find(chunk);
             if (there.isPresent()) {
-                progress.kept(cases);
+                progress.kept(count);
                 stopping.add(there.get());
             } else {
-                List<CaseResult> results = results(first, cases, progress);
+                List<CaseResult> results = results(first, count, progress);
                 kept.put(chunk, results);
                 stopping.add(results);
             }
         }
     }
 
-    private List<CaseResult> results(int first, int cases, Progress progress) {
-        List<String> variants = plan.variants();
-        CaseResult[] results = new CaseResult[cases * variants.size()];
-        Workers.forEach(cases, i -> {
+    private List<CaseResult> results(int first, int count, Progress progress) {
+        List<String> variants = cases.variants();
+        CaseResult[] results = new CaseResult[count * variants.size()];
+        Workers.forEach(count, i -> {
             // Cases are what is distributed: within one, loops stay on its thread.
             try (Workers alone = new Workers(1)) {
                 for (int v = 0; v < variants.size(); v++) {
                     String variant = variants.get(v);
-                    results[i * variants.size() + v] = alone.call(() -> CaseRun.of(plan, first + i, variant));
+                    results[i * variants.size() + v] = alone.call(() -> CaseRun.of(plan, cases, first + i, variant));
                 }
             }
             progress.ran(1);

@@ -22,6 +22,7 @@ import org.dronewatch.setting.Quantity;
  *     {@code --set}, and {@code scene} for another scene; without any there is one variant, the scene as it is
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
  * @param until how precisely a probability is to be known, instead of a fixed number of cases
+ * @param sensitivity how it is found out which settings matter
  * @param seed seed of what is drawn for the cases, and of their runs
  */
 public record CampaignSettings(
@@ -31,6 +32,7 @@ public record CampaignSettings(
         Map<String, Map<String, String>> variants,
         @In(value = Quantity.NUMBER, from = 1, to = 1e6) Optional<Integer> runs,
         Optional<UntilSettings> until,
+        Optional<SensitivitySettings> sensitivity,
         long seed) {
     /** Name of the variant of a campaign that states none. */
     public static final String ALONE = "scene";
@@ -49,7 +51,8 @@ public record CampaignSettings(
         Check.present("table", table);
         Check.present("runs", runs);
         Check.present("until", until);
-        Limits.check(CampaignSettings.class, scene, vary, table, variants, runs, until, seed);
+        Check.present("sensitivity", sensitivity);
+        Limits.check(CampaignSettings.class, scene, vary, table, variants, runs, until, sensitivity, seed);
         if (variants.size() > MOST_VARIANTS) {
             throw new IllegalArgumentException("variants has " + variants.size() + " entries, must have at most 100");
         }
@@ -60,6 +63,9 @@ public record CampaignSettings(
         if (until.isPresent() && until.get().variant().isPresent()) {
             checkNamed("until.variant", until.get().variant().get(), variants);
         }
+        if (sensitivity.isPresent() && sensitivity.get().variant().isPresent()) {
+            checkNamed("sensitivity.variant", sensitivity.get().variant().get(), variants);
+        }
         if (until.isPresent() && until.get().variant().isEmpty() && variants.size() > 1) {
             throw new IllegalArgumentException("until needs 'variant': one of " + String.join(", ", variants.keySet()));
         }
@@ -69,7 +75,7 @@ public record CampaignSettings(
     @Defaults("scene")
     public static CampaignSettings of(String scene) {
         return new CampaignSettings(
-                scene, Map.of(), Optional.empty(), Map.of(), Optional.empty(), Optional.empty(), 1L);
+                scene, Map.of(), Optional.empty(), Map.of(), Optional.empty(), Optional.empty(), Optional.empty(), 1L);
     }
 
     /** The number of cases, or, if it depends on their outcomes, the largest number. */

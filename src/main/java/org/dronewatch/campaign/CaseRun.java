@@ -31,10 +31,14 @@ public final class CaseRun {
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public static CaseResult of(CampaignPlan plan, int number, String variant) {
-        List<String> values = plan.values(number);
-        long seed = plan.seed(number);
+        return of(plan, plan, number, variant);
+    }
+
+    static CaseResult of(CampaignPlan plan, Cases cases, int number, String variant) {
+        List<String> values = cases.values(number);
+        long seed = cases.seed(number);
         try {
-            SceneSettings settings = plan.settings(number, variant);
+            SceneSettings settings = plan.settings(cases, number, variant);
             try (RunSession session =
                     new RunSession(settings, seed, plan.variant(variant).models())) {
                 while (session.nextTime().isPresent()) {

@@ -1,29 +1,42 @@
 package org.dronewatch.campaign;
 
 import java.util.List;
+import java.util.Optional;
 
 /** Where a campaign ends: after a fixed number of cases, or when its rule stops. They are added in their order. */
 public final class Stopping {
-    private final CampaignPlan plan;
+    private final int most;
+    private final int variants;
+    private final Optional<UntilSettings> until;
+    private final String observed;
     private int cases;
     private int count;
     private int known;
 
+    /** The end of a campaign. */
     public Stopping(CampaignPlan plan) {
-        this.plan = plan;
+        this.most = plan.size();
+        this.variants = plan.variants().size();
+        this.until = plan.settings().until();
+        this.observed = plan.observed();
+    }
+
+    /** The end of cases whose number is fixed. */
+    public Stopping(Cases cases) {
+        this.most = cases.size();
+        this.variants = cases.variants().size();
+        this.until = Optional.empty();
+        this.observed = "";
     }
 
     /** Whether no further case is needed. */
     public boolean isReached() {
-        return cases >= plan.runs() || isPrecise();
+        return cases >= most || isPrecise();
     }
 
     /** Whether the probability is known as precisely as the campaign asks; false for a fixed number of cases. */
     public boolean isPrecise() {
-        return plan.settings()
-                .until()
-                .map(until -> until.rule().stops(proportion()))
-                .orElse(false);
+        return until.map(one -> one.rule().stops(proportion())).orElse(false);
     }
 
     /** The cases so far that have the outcome of the rule, of those in which it makes sense. */
@@ -38,7 +51,6 @@ public final class Stopping {
      * @return how many of the cases belong to the campaign
      */
     public int add(List<CaseResult> results) {
-        int variants = plan.variants().size();
         int added = 0;
         while (added * variants < results.size() && !isReached()) {
             addCase(results.subList(added * variants, (added + 1) * variants));
@@ -49,12 +61,11 @@ public final class Stopping {
 
     private void addCase(List<CaseResult> results) {
         cases++;
-        plan.settings().until().ifPresent(until -> {
-            String variant = plan.observed();
+        until.ifPresent(rule -> {
             for (CaseResult result : results) {
-                if (result.variant().equals(variant) && until.of().isKnown(result)) {
+                if (result.variant().equals(observed) && rule.of().isKnown(result)) {
                     known++;
-                    count += until.of().isMetBy(result) ? 1 : 0;
+                    count += rule.of().isMetBy(result) ? 1 : 0;
                 }
             }
         });

@@ -191,6 +191,45 @@ class CampaignCommandTest {
         assertThat(Program.run(command).code()).isZero();
     }
 
+    /** The distance decides how early the radar, which sees farther than all of them, gives its warning. */
+    @Test
+    void furtherCasesShowWhichSettingsMatter() throws IOException {
+        Path file = Files.writeString(
+                directory.resolve("matters.campaign.yaml"),
+                """
+                scene: site.yaml
+                vary:
+                  drones.intruder.flight.distance: {uniform: {from: 100 m, to: 350 m}}
+                  drones.intruder.flight.height: {uniform: {from: 39.9 m, to: 40 m}}
+                runs: 1
+                sensitivity: {method: sobol, base: 20}
+                """);
+        String[] command = {"campaign", file.toString(), "--out=" + directory.resolve("matters")};
+        Outcome matters = Program.run(command);
+        JsonNode distance = json("matters/campaign.json").get("sensitivity").get(0);
+        String before = Files.readString(directory.resolve("matters/campaign.json"));
+
+        assertThat(matters.code()).as(matters.err()).isZero();
+        assertThat(matters.err())
+                .contains("sensitivity: 100 more cases of scene, 5 for each of 20 groups with 3 factors");
+        assertThat(distance.propertyNames())
+                .containsExactly("path", "first", "low", "high", "total", "total_low", "total_high");
+        assertThat(distance.get("total").asDouble()).isBetween(0.9, 1.1);
+        assertThat(matters.out())
+                .contains("what explains the warning time of scene, in % of its variance")
+                .containsPattern("drones.intruder.flight.distance +alone +\\d")
+                .containsPattern("chance +alone");
+        assertThat(Files.readAllLines(directory.resolve("matters/sensitivity.csv")))
+                .hasSize(101);
+
+        Files.delete(directory.resolve("matters/sensitivity/000001.csv"));
+        assertThat(Program.run(Stream.concat(Stream.of(command), Stream.of("--resume"))
+                                .toArray(String[]::new))
+                        .code())
+                .isZero();
+        assertThat(Files.readString(directory.resolve("matters/campaign.json"))).isEqualTo(before);
+    }
+
     @Test
     void aCaseAloneIsThatOfTheCampaign() throws IOException {
         Outcome alone = campaign("none", "--case", "7");

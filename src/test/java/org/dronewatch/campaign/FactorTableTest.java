@@ -42,7 +42,7 @@ class FactorTableTest {
     void theRowsAreTheCases(String line) throws IOException {
         CampaignPlan plan = plan(line);
 
-        assertThat(plan.runs()).isEqualTo(3);
+        assertThat(plan.size()).isEqualTo(3);
         assertThat(plan.paths()).containsExactly("drones.intruder.flight.bearing", "drones.intruder.speed");
         assertThat(plan.values(1)).containsExactly("-20 deg", "36 km/h");
         assertThat(plan.settings(1, "scene").drones().get("intruder").speed()).isEqualTo(10.0);
@@ -58,11 +58,11 @@ class FactorTableTest {
                 runs: 2
                 """);
 
-        assertThat(plan.runs()).isEqualTo(2);
+        assertThat(plan.size()).isEqualTo(2);
         assertThat(plan.values(1)).hasSize(3).startsWith("-20 deg", "36 km/h");
-        assertThat(plan("table: factors.csv\nruns: 9").runs()).isEqualTo(3);
+        assertThat(plan("table: factors.csv\nruns: 9").size()).isEqualTo(3);
         assertThat(plan("table: factors.csv\nuntil: {of: detected, halfWidth: 0.4}")
-                        .runs())
+                        .size())
                 .isEqualTo(3);
     }
 

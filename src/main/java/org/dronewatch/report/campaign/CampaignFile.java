@@ -4,11 +4,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.campaign.CampaignPlan;
-import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
 import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.Stopping;
 import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
@@ -27,13 +28,11 @@ final class CampaignFile {
     private static final double SECTOR_DEG = 360.0 / VariantSummary.SECTORS;
 
     private final CampaignPlan plan;
-    private final CampaignSummary summary;
-    private final Stopping stopping;
+    private final CampaignResult result;
 
-    CampaignFile(CampaignPlan plan, CampaignSummary summary, Stopping stopping) {
+    CampaignFile(CampaignPlan plan, CampaignResult result) {
         this.plan = plan;
-        this.summary = summary;
-        this.stopping = stopping;
+        this.result = result;
     }
 
     ObjectNode toJson() {
@@ -41,18 +40,27 @@ final class CampaignFile {
         root.put("format", FORMAT);
         root.put("scene", plan.settings().scene());
         root.put("seed", plan.settings().seed());
-        root.put("runs", plan.runs());
+        root.put("runs", plan.size());
         root.put("confidence", CONFIDENCE);
         plan.settings().until().ifPresent(until -> add(root.putObject("until"), until));
         ObjectNode variants = root.putObject("variants");
-        summary.variants().forEach((name, variant) -> add(variants.putObject(name), variant));
+        result.summary().variants().forEach((name, variant) -> add(variants.putObject(name), variant));
         ArrayNode pairs = root.putArray("pairs");
-        summary.comparisons().forEach(pair -> add(pairs.addObject(), pair));
-        root.put("complete", stopping.isReached());
+        result.summary().comparisons().forEach(pair -> add(pairs.addObject(), pair));
+        result.sensitivity().ifPresent(sensitivity -> {
+            root.put("sensitivity_of", sensitivity.settings().output().name().toLowerCase(Locale.ROOT));
+            root.put("sensitivity_variant", sensitivity.variant());
+            ArrayNode influences = root.putArray("sensitivity");
+            sensitivity.influences().forEach(one -> add(influences.addObject(), one));
+        });
+        boolean isExplained =
+                plan.sensitivity().isEmpty() || result.sensitivity().isPresent();
+        root.put("complete", result.stopping().isReached() && isExplained);
         return root;
     }
 
     private void add(ObjectNode node, UntilSettings until) {
+        Stopping stopping = result.stopping();
         Proportion proportion = stopping.proportion();
         Proportion.Interval interval = until.rule().interval(proportion);
         node.put("of", key(until.of()));
@@ -94,6 +102,22 @@ final class CampaignFile {
         }
         ObjectNode sensors = node.putObject("by_sensor");
         variant.firstSensors().forEach(sensors::put);
+    }
+
+    private static void add(ObjectNode node, Sensitivity.Influence influence) {
+        node.put("path", influence.path());
+        influence.index().ifPresent(index -> {
+            node.put("first", Numbers.rounded(index.first()));
+            node.put("low", Numbers.rounded(index.low()));
+            node.put("high", Numbers.rounded(index.high()));
+            node.put("total", Numbers.rounded(index.total()));
+            node.put("total_low", Numbers.rounded(index.totalLow()));
+            node.put("total_high", Numbers.rounded(index.totalHigh()));
+        });
+        influence.effect().ifPresent(effect -> {
+            node.put("mu_star", Numbers.rounded(effect.magnitude()));
+            node.put("sigma", Numbers.rounded(effect.deviation()));
+        });
     }
 
     private static void add(ObjectNode node, VariantComparison pair) {

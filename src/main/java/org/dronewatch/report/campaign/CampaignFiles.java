@@ -1,7 +1,6 @@
 package org.dronewatch.report.campaign;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
@@ -10,13 +9,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.Cases;
+import org.dronewatch.campaign.Sensitivity;
+import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Stopping;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.WholeFile;
@@ -28,9 +30,10 @@ import tools.jackson.databind.node.ObjectNode;
  * The directory of a campaign. Each chunk of cases is written whole when it is done; only the same campaign
  * can be resumed from them. One process at a time may write into it. For one thread.
  */
-public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
+public final class CampaignFiles implements AutoCloseable {
     private static final String PLAN = "plan.json";
     private static final String CHUNKS = "chunks";
+    private static final String SENSITIVITY = "sensitivity";
     private static final String LOCK = ".lock";
     private static final String UNFINISHED = ".partial-*";
 
@@ -52,10 +55,9 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
         CampaignPlanFile file = new CampaignPlanFile(plan);
         try {
             checkFresh(file, resume);
-            Files.createDirectories(this.directory.resolve(CHUNKS));
+            Files.createDirectories(this.directory);
             this.lockFile = lock();
             removeUnfinished(this.directory);
-            removeUnfinished(this.directory.resolve(CHUNKS));
         } catch (IOException e) {
             throw new InputException(asked() + " cannot be written: " + e.getMessage(), e);
         }
@@ -111,7 +113,10 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
             for (Path file : files) {
                 // What a process that was killed right after its start may leave behind.
                 String name = String.valueOf(file.getFileName());
-                if (!name.equals(LOCK) && !name.equals(CHUNKS) && !name.startsWith(".partial-")) {
+                if (!name.equals(LOCK)
+                        && !name.equals(CHUNKS)
+                        && !name.equals(SENSITIVITY)
+                        && !name.startsWith(".partial-")) {
                     return false;
                 }
             }
@@ -143,76 +148,67 @@ public final class CampaignFiles implements CampaignRun.Chunks, AutoCloseable {
         }
     }
 
-    private Path chunk(int number) {
-        return directory.resolve(CHUNKS).resolve(String.format(Locale.ROOT, "%06d.csv", number));
+    /** The chunks of the campaign's cases. */
+    public CampaignRun.Chunks chunks() {
+        return chunks(plan, CHUNKS);
     }
 
-    /** A damaged file does not count as a chunk: its cases are run again. */
-    @Override
-    public Optional<List<CaseResult>> find(int number) {
-        if (!Files.isRegularFile(chunk(number))) {
-            return Optional.empty();
-        }
+    /** The chunks of the further cases that show which settings matter. */
+    public CampaignRun.Chunks chunks(SensitivityCases cases) {
+        return chunks(cases, SENSITIVITY);
+    }
+
+    private CaseChunks chunks(Cases cases, String name) {
         try {
-            List<CaseResult> results = table.read(chunk(number));
-            return isWhole(number, results) ? Optional.of(results) : Optional.empty();
+            Path chunks = Files.createDirectories(directory.resolve(name));
+            removeUnfinished(chunks);
+            return new CaseChunks(cases, chunks, table);
         } catch (IOException e) {
-            return Optional.empty();
+            throw new InputException(asked() + " cannot be written: " + e.getMessage(), e);
         }
-    }
-
-    private boolean isWhole(int number, List<CaseResult> results) {
-        int first = number * CampaignRun.CHUNK;
-        int cases = Math.min(CampaignRun.CHUNK, plan.runs() - first);
-        List<String> variants = plan.variants();
-        if (results.size() != cases * variants.size()) {
-            return false;
-        }
-        for (int i = 0; i < results.size(); i++) {
-            CaseResult result = results.get(i);
-            int one = first + i / variants.size();
-            if (result.number() != one
-                    || !result.variant().equals(variants.get(i % variants.size()))
-                    || result.seed() != plan.seed(one)
-                    || !result.values().equals(plan.values(one))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    @Override
-    public void put(int number, List<CaseResult> results) {
-        new WholeFile("--out", chunk(number).toString()).write(stream -> table.write(stream, results));
     }
 
     /**
-     * Writes {@code runs.csv} and {@code campaign.json} from the chunks that are there.
+     * Writes {@code runs.csv}, {@code sensitivity.csv} and {@code campaign.json} from the chunks that are there.
      *
      * @return the results of the campaign so far
      */
     public CampaignResult finish() {
         CampaignSummary summary = new CampaignSummary(plan.variants());
         Stopping stopping = new Stopping(plan);
-        new WholeFile("--out", directory.resolve("runs.csv").toString())
-                .write(stream -> copyAll(stream, summary, stopping));
-        writeJson("campaign.json", new CampaignFile(plan, summary, stopping).toJson());
-        return new CampaignResult(summary, stopping);
+        int variants = plan.variants().size();
+        copyAll("runs.csv", plan, chunks(), stopping, results -> {
+            for (int i = 0; i < results.size(); i += variants) {
+                summary.add(results.subList(i, i + variants));
+            }
+        });
+        Optional<Sensitivity> sensitivity =
+                plan.sensitivity().map(this::sensitivity).filter(Sensitivity::isComplete);
+        CampaignResult result = new CampaignResult(summary, stopping, sensitivity);
+        writeJson("campaign.json", new CampaignFile(plan, result).toJson());
+        return result;
     }
 
-    /** Copies the cases that are there, up to the one with which the campaign ends. */
-    private void copyAll(OutputStream stream, CampaignSummary summary, Stopping stopping) throws IOException {
-        int variants = plan.variants().size();
-        int chunks = new CampaignRun(plan).chunks();
-        table.write(stream, List.of());
-        for (int number = 0; number < chunks && !stopping.isReached(); number++) {
-            List<CaseResult> results = find(number).orElse(List.of());
-            int cases = stopping.add(results);
-            for (int i = 0; i < cases; i++) {
-                summary.add(results.subList(i * variants, (i + 1) * variants));
+    private Sensitivity sensitivity(SensitivityCases cases) {
+        Sensitivity sensitivity = new Sensitivity(cases);
+        copyAll("sensitivity.csv", cases, chunks(cases), new Stopping(cases), sensitivity::add);
+        return sensitivity;
+    }
+
+    /** Copies the cases that are there into a table, up to the one with which they end. */
+    private void copyAll(
+            String name, Cases cases, CampaignRun.Chunks chunks, Stopping stopping, Consumer<List<CaseResult>> also) {
+        int count = CampaignRun.chunks(cases);
+        new WholeFile("--out", directory.resolve(name).toString()).write(stream -> {
+            table.write(stream, List.of());
+            for (int number = 0; number < count && !stopping.isReached(); number++) {
+                List<CaseResult> there = chunks.find(number).orElse(List.of());
+                int variants = cases.variants().size();
+                List<CaseResult> results = there.subList(0, stopping.add(there) * variants);
+                also.accept(results);
+                table.writeRows(stream, results);
             }
-            table.writeRows(stream, results.subList(0, cases * variants));
-        }
+        });
     }
 
     private void writeJson(String name, ObjectNode content) {

@@ -32,7 +32,7 @@ final class CampaignPlanFile {
         root.put("format", FORMAT);
         root.put("scene", plan.settings().scene());
         root.put("seed", plan.settings().seed());
-        root.put("runs", plan.runs());
+        root.put("runs", plan.size());
         ArrayNode variants = root.putArray("variants");
         plan.variants().forEach(variants::add);
         ArrayNode paths = root.putArray("vary");

@@ -1,0 +1,44 @@
+package org.dronewatch.campaign;
+
+/** A number that every case has, whose variation can be explained. */
+public enum CampaignQuantity {
+    /** The warning time, s; 0 without an alert. */
+    WARNING_S("warning time", "s"),
+    /** The range of the first detection, m; 0 without one. */
+    RANGE_M("range of the first detection", "m"),
+    /** 1 in a case in which a sensor detects an attacking drone, otherwise 0. */
+    DETECTED("detection", ""),
+    /** 1 in a case with an alert, otherwise 0. */
+    ALERTED("alert", ""),
+    /** 1 in a case with an alert in time, otherwise 0. */
+    IN_TIME("alert in time", "");
+
+    private final String words;
+    private final String unit;
+
+    CampaignQuantity(String words, String unit) {
+        this.words = words;
+        this.unit = unit;
+    }
+
+    /** What it is, in words. */
+    public String words() {
+        return words;
+    }
+
+    /** Its unit; empty for a probability. */
+    public String unit() {
+        return unit;
+    }
+
+    /** Its value in a case that did not fail. */
+    double of(CaseResult result) {
+        return switch (this) {
+            case WARNING_S -> result.warning().orElse(0.0);
+            case RANGE_M -> result.range().orElse(0.0);
+            case DETECTED -> Outcome.DETECTED.isMetBy(result) ? 1.0 : 0.0;
+            case ALERTED -> Outcome.ALERTED.isMetBy(result) ? 1.0 : 0.0;
+            case IN_TIME -> Outcome.IN_TIME.isMetBy(result) ? 1.0 : 0.0;
+        };
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronewatch.campaign.sensitivity;
+
+/**
+ * At which values of its factors a function is evaluated so that the influence of each can be estimated. Evaluations
+ * come in groups. Within a group each factor has one of two values, the first or the second. Immutable; for all
+ * threads.
+ */
+public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
+    /** The number of factors. */
+    int factors();
+
+    /** The number of groups. */
+    int base();
+
+    /** The number of evaluations in each group. */
+    int groupSize();
+
+    /** Whether a factor has its second value in an evaluation. */
+    boolean isSecond(int evaluation, int factor);
+
+    /**
+     * The value of a factor in an evaluation as a quantile of its distribution, from 0, below 1.
+     *
+     * @param evaluation from 0, below {@link #size()}
+     */
+    double quantile(int evaluation, int factor);
+
+    /** The number of all evaluations. */
+    default int size() {
+        return Math.multiplyExact(base(), groupSize());
+    }
+
+    /** The group of an evaluation. */
+    default int group(int evaluation) {
+        return evaluation / groupSize();
+    }
+
+    /** Random numbers that depend on nothing but the arguments. */
+    @FunctionalInterface
+    interface Uniform01 {
+        /**
+         * A number from 0, below 1.
+         *
+         * @param isSecond for the second value of the factor
+         */
+        double draw(int group, int factor, boolean isSecond);
+    }
+}

@@ -1,0 +1,72 @@
+package org.dronewatch.campaign.sensitivity;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.stream.IntStream;
+
+/**
+ * Morris's design (Morris, Technometrics 33, 1991): in each group the factors change from their first value to their
+ * second one by one, in a random order. The values are the middles of four equal parts of the distribution, and the
+ * second is half of the distribution from the first.
+ *
+ * @param factors number of factors, 1 or more
+ * @param base number of groups, 2 or more
+ * @param values decide the first values
+ * @param order decide the order: the factor with the least number changes first
+ */
+public record MorrisDesign(int factors, int base, Uniform01 values, Uniform01 order) implements FactorDesign {
+    /** By how much a factor changes, as a part of its distribution. */
+    static final double STEP = 0.5;
+
+    private static final int LEVELS = 4;
+
+    /** Checks the limits. */
+    public MorrisDesign {
+        if (factors < 1 || base < 2) {
+            throw new IllegalArgumentException(factors + " factors, base " + base + ": must be 1 and 2 or more");
+        }
+    }
+
+    @Override
+    public int groupSize() {
+        return factors + 1;
+    }
+
+    /** The factors of a group in the order in which they change. */
+    int[] sequence(int group) {
+        double[] keys = new double[factors];
+        Arrays.setAll(keys, factor -> order.draw(group, factor, false));
+        return IntStream.range(0, factors)
+                .boxed()
+                .sorted(Comparator.comparingDouble(factor -> keys[factor]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+    }
+
+    @Override
+    public boolean isSecond(int evaluation, int factor) {
+        int[] sequence = sequence(group(evaluation));
+        int changed = evaluation % groupSize();
+        for (int i = 0; i < changed; i++) {
+            if (sequence[i] == factor) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public double quantile(int evaluation, int factor) {
+        double first = first(group(evaluation), factor);
+        return isSecond(evaluation, factor) ? first + step(group(evaluation), factor) : first;
+    }
+
+    private double first(int group, int factor) {
+        return (Math.floor(LEVELS * values.draw(group, factor, false)) + 0.5) / LEVELS;
+    }
+
+    /** The change of a factor in a group, {@link #STEP} or its negative. */
+    double step(int group, int factor) {
+        return first(group, factor) < STEP ? STEP : -STEP;
+    }
+}

@@ -1,0 +1,84 @@
+package org.dronewatch.report.campaign;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import org.dronewatch.campaign.CampaignQuantity;
+import org.dronewatch.campaign.Sensitivity;
+import org.dronewatch.campaign.sensitivity.MorrisEffect;
+import org.dronewatch.campaign.sensitivity.SobolIndex;
+
+/** Results of campaigns in sentences. */
+public final class CampaignWords {
+    private static final double PERCENT = 100.0;
+
+    private CampaignWords() {}
+
+    /** Which settings matter: a line for each, the most influential first, and chance last. */
+    public static List<String> sensitivity(Sensitivity sensitivity) {
+        CampaignQuantity output = sensitivity.settings().output();
+        String what = output.words() + " of " + sensitivity.variant();
+        List<Sensitivity.Influence> influences = new ArrayList<>(sensitivity.influences());
+        List<String> lines = new ArrayList<>();
+        if (influences.isEmpty()) {
+            return List.of("what explains the " + what + ": nothing, because it is the same in all cases");
+        }
+        influences.sort(Comparator.comparing(Sensitivity.Influence::isChance)
+                .thenComparing(Comparator.comparingDouble(CampaignWords::size).reversed()));
+        boolean isSobol = influences.get(0).index().isPresent();
+        lines.add(
+                isSobol
+                        ? "what explains the " + what + ", in % of its variance, with 95 % confidence intervals:"
+                        : "effect on the " + what + " of a change across the whole distribution"
+                                + (output.unit().isEmpty() ? "" : " [" + output.unit() + "]")
+                                + ": mean magnitude (mu*), deviation (sigma)");
+        int width =
+                influences.stream().mapToInt(one -> name(one).length()).max().orElseThrow();
+        for (Sensitivity.Influence one : influences) {
+            lines.add(String.format(Locale.ROOT, "  %-" + width + "s  ", name(one))
+                    + one.index()
+                            .map(CampaignWords::words)
+                            .orElseGet(() -> words(one.effect().orElseThrow())));
+        }
+        if (sensitivity.failed() > 0) {
+            lines.add(
+                    String.format(Locale.ROOT, "  %,d cases failed; their groups are left out", sensitivity.failed()));
+        }
+        return lines;
+    }
+
+    /** A setting by its path, or chance. */
+    static String name(Sensitivity.Influence influence) {
+        return influence.isChance() ? "chance" : influence.path();
+    }
+
+    private static double size(Sensitivity.Influence influence) {
+        return influence
+                .index()
+                .map(SobolIndex::total)
+                .orElseGet(() -> influence.effect().orElseThrow().magnitude());
+    }
+
+    private static String words(SobolIndex index) {
+        return String.format(
+                Locale.ROOT,
+                "alone %5.1f (%.1f to %.1f), with interactions %5.1f (%.1f to %.1f)",
+                percent(index.first()),
+                percent(index.low()),
+                percent(index.high()),
+                percent(index.total()),
+                percent(index.totalLow()),
+                percent(index.totalHigh()));
+    }
+
+    private static String words(MorrisEffect effect) {
+        return String.format(Locale.ROOT, "%8.3f, %8.3f", effect.magnitude(), effect.deviation());
+    }
+
+    /** Without a negative zero. */
+    private static double percent(double part) {
+        double percent = PERCENT * part;
+        return Math.abs(percent) < 0.05 ? 0.0 : percent;
+    }
+}
