@@ -35,9 +35,9 @@ final class CoverageForm extends JPanel {
     private final JComboBox<String> drones = new JComboBox<>();
     private final JComboBox<String> headings = new JComboBox<>();
     private final JTextField heights =
-            field(FieldGrid.HEIGHTS.stream().map(Texts::value).collect(Collectors.joining(", ")), 9);
+            field(FieldGrid.HEIGHTS.stream().map(Texts::value).collect(Collectors.joining(", ")), 11);
     private final JTextField side = field(Texts.value(FieldGrid.DEFAULT_SIDE), 3);
-    private final JTextField cell = field("", 5);
+    private final JTextField cell = field("", 6);
     private transient SceneSettings settings;
 
     /** What was chosen. */

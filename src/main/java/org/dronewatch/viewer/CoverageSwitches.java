@@ -114,6 +114,11 @@ final class CoverageSwitches extends JPanel {
         return sensors.stream().map(Row::box).toList();
     }
 
+    /** What each sensor makes of the drone in the cell under the pointer. */
+    List<String> reasons() {
+        return sensors.stream().map(row -> row.reason().getText()).toList();
+    }
+
     /** States what is known about a cell at once; margins come with the evidence. */
     void describe(CellWords words, FieldCoverage coverage) {
         for (Row row : sensors) {

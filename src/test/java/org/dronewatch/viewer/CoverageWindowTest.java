@@ -1,0 +1,204 @@
+package org.dronewatch.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import javax.accessibility.AccessibleContext;
+import javax.imageio.ImageIO;
+import javax.swing.JCheckBox;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.render.Orbit;
+import org.dronewatch.render.Yard;
+import org.dronewatch.scene.SceneRunner;
+import org.jogamp.vecmath.Point2d;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The coverage in the real window, on a display. Its picture is kept in target/viewer. */
+class CoverageWindowTest {
+    private static final long PATIENCE_NANOS = 60_000_000_000L;
+
+    @TempDir
+    private Path directory;
+
+    private Viewer viewer;
+    private CoveragePanel panel;
+
+    @BeforeEach
+    void open() throws Exception {
+        assumeTrue(
+                Viewer.obstacle().isEmpty(),
+                () -> "no window: " + Viewer.obstacle().orElse(""));
+        Yard yard = new Yard(directory);
+        SceneRunner runner = new SceneRunner(yard).set("run.duration", "1 s");
+        viewer = Viewer.open(yard, runner, 2, directory.resolve("viewer.properties"));
+        panel = viewer.pane().coverage();
+        onEventThread(() -> {
+            panel.form().set("2, 6", "50", "1");
+            return null;
+        });
+        viewer.showCoverage();
+        runner.listener(viewer.listener()).cancelWhen(viewer::isClosed).run();
+        viewer.finished(true);
+        await("the coverage", () -> panel.shown().isPresent() && viewer.pane().isIdle());
+    }
+
+    @AfterEach
+    void close() {
+        if (viewer != null) {
+            viewer.close();
+        }
+    }
+
+    private static <T> T onEventThread(Callable<T> work) throws Exception {
+        FutureTask<T> task = new FutureTask<>(work);
+        SwingUtilities.invokeAndWait(task);
+        return task.get();
+    }
+
+    private static void await(String what, BooleanSupplier condition) throws Exception {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        while (!onEventThread(condition::getAsBoolean)) {
+            assertThat(System.nanoTime()).as(what).isLessThan(end);
+            Thread.sleep(20);
+        }
+    }
+
+    private static void key(Component part, int code, char typed) throws Exception {
+        onEventThread(() -> {
+            long now = System.currentTimeMillis();
+            part.dispatchEvent(new KeyEvent(part, KeyEvent.KEY_PRESSED, now, 0, code, typed));
+            part.dispatchEvent(new KeyEvent(part, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, typed));
+            part.dispatchEvent(new KeyEvent(part, KeyEvent.KEY_RELEASED, now, 0, code, typed));
+            return null;
+        });
+    }
+
+    private void focus(Component part) throws Exception {
+        onEventThread(part::requestFocusInWindow);
+        await("the focus", part::isFocusOwner);
+    }
+
+    private static Stream<Component> all(Container inside) {
+        return Stream.of(inside.getComponents())
+                .flatMap(part -> Stream.concat(
+                        Stream.of(part), part instanceof Container container ? all(container) : Stream.of()));
+    }
+
+    @Test
+    void itIsUsedByKeysAloneAndEverythingHasAName() throws Exception {
+        List<JTextField> fields = onEventThread(() -> all(panel)
+                .filter(JTextField.class::isInstance)
+                .map(JTextField.class::cast)
+                .toList());
+        assertThat(fields).hasSize(3);
+        // The keys 1 to 3 change the view, but not while one is typing.
+        Orbit before = onEventThread(() -> viewer.pane().world().orbit());
+        JTextField side = fields.get(1);
+        focus(side);
+        onEventThread(() -> {
+            side.setText("");
+            return null;
+        });
+        key(side, KeyEvent.VK_3, '3');
+        key(side, KeyEvent.VK_2, '2');
+        String typed = onEventThread(() -> side.getText());
+        assertThat(typed).isEqualTo("32");
+        assertThat(onEventThread(() -> viewer.pane().world().orbit())).isEqualTo(before);
+        key(side, KeyEvent.VK_ENTER, '\n');
+        await(
+                "Enter computes",
+                () -> panel.shown().isPresent()
+                        && panel.shown().get().coverage().grid().side() == 32.0
+                        && viewer.pane().isIdle());
+
+        // Space switches the sensor, and does not start the run.
+        JCheckBox microphone = onEventThread(() -> panel.switches().boxes().get(1));
+        boolean isPlaying = onEventThread(() -> viewer.pane().playback().isPlaying());
+        focus(microphone);
+        key(microphone, KeyEvent.VK_SPACE, ' ');
+        await("the switch", () -> panel.shown().orElseThrow().off().contains("microphone"));
+        assertThat(onEventThread(() -> viewer.pane().playback().isPlaying())).isEqualTo(isPlaying);
+        await("the picture", () -> viewer.pane().isIdle());
+        keep();
+
+        assertThat(skinShown()).isTrue();
+        focus(viewer.pane().world());
+        key(viewer.pane().world(), KeyEvent.VK_K, 'k');
+        assertThat(skinShown()).isFalse();
+        key(viewer.pane().world(), KeyEvent.VK_K, 'k');
+        assertThat(skinShown()).isTrue();
+
+        List<String> unnamed = onEventThread(() -> all(panel)
+                .filter(part -> part.isFocusable() && part.isShowing() && part.isEnabled())
+                .filter(part -> part instanceof JTextField
+                        || part instanceof javax.swing.AbstractButton
+                        || part instanceof javax.swing.JSlider
+                        || part instanceof javax.swing.JComboBox<?>)
+                // The arrow of a box belongs to the box.
+                .filter(part -> !(part.getParent() instanceof javax.swing.JComboBox<?>))
+                .filter(part -> {
+                    AccessibleContext context = part.getAccessibleContext();
+                    return context.getAccessibleName() == null
+                            || context.getAccessibleName().isBlank();
+                })
+                .map(part -> part.getClass().getName())
+                .toList());
+        assertThat(unnamed).isEmpty();
+    }
+
+    private boolean skinShown() throws Exception {
+        return onEventThread(() -> viewer.pane().world().style().skin().isPresent());
+    }
+
+    @Test
+    void thePointerNamesWhatHidesTheDrone() throws Exception {
+        WorldPanel world = viewer.pane().world();
+        // Behind the wall, seen from above.
+        onEventThread(() -> {
+            viewer.pane().views().get(1).actionPerformed(null);
+            return null;
+        });
+        await("the plan", () -> viewer.pane().isIdle());
+        Point2d at = onEventThread(() -> world.orbit()
+                .camera(world.getWidth(), world.getHeight())
+                .pixelOf(new Position(0.0, 6.0, 0.0).toPoint3d())
+                .orElseThrow());
+        onEventThread(() -> {
+            world.dispatchEvent(new MouseEvent(
+                    world, MouseEvent.MOUSE_MOVED, System.currentTimeMillis(), 0, (int) at.x, (int) at.y, 0, false, 0));
+            return null;
+        });
+        await("the evidence", () -> panel.cell().contains("decides"));
+        String cell = onEventThread(() -> panel.cell());
+        assertThat(cell).startsWith("At 2 m above the ground: ");
+        String reason = onEventThread(() -> panel.switches().reasons().get(0));
+        assertThat(reason).isEqualTo("hidden by a building (yard.obj)");
+    }
+
+    private void keep() throws Exception {
+        Rectangle bounds = onEventThread(() -> viewer.window().frame().getBounds());
+        Path kept = Files.createDirectories(Path.of("target", "viewer"));
+        ImageIO.write(
+                new Robot().createScreenCapture(bounds),
+                "png",
+                kept.resolve("coverage.png").toFile());
+    }
+}
