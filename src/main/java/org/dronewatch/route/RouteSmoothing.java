@@ -18,7 +18,7 @@ final class RouteSmoothing {
     private static final int SWEEPS = 40;
 
     /** A sweep that gains less than this fraction is the last one with its step. */
-    private static final double GAIN = 1e-5;
+    private static final double GAIN = 1e-4;
 
     /** A leg is not split once it is shorter than this number of posts. */
     private static final double SHORTEST = 1.5;
@@ -165,7 +165,7 @@ final class RouteSmoothing {
             for (int i = 1; i < points.size() - 1; i++) {
                 double local = local(i);
                 before += local;
-                gained += local - move(i, local, step);
+                gained += local > 0.0 ? local - move(i, local, step) : 0.0;
             }
             if (!(gained > GAIN * before)) {
                 return;

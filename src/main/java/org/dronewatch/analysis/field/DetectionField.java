@@ -257,6 +257,11 @@ public final class DetectionField {
         return columns.isInside(height, column, row);
     }
 
+    /** The height of the ground below a column, m; NaN where there is none. */
+    public double ground(int column, int row) {
+        return columns.ground(column, row);
+    }
+
     /**
      * The middle of a cell, m.
      *

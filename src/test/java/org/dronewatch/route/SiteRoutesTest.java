@@ -1,0 +1,136 @@
+package org.dronewatch.route;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.geometry.Position;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Before a radar that looks once a second, detects within 150 m what moves radially, and sees nothing behind boxes. */
+class SiteRoutesTest {
+    private static final FieldGrid GRID = new FieldGrid(0, 0, 500, 20, List.of(10.0, 26.0, 60.0));
+    private static final Position RADAR = new Position(0, 0, 4);
+    private static final double CERTAIN = -Math.log(1e-6);
+
+    @TempDir
+    private Path directory;
+
+    private FieldSite site;
+    private DetectionField field;
+
+    @BeforeEach
+    void assess() throws IOException {
+        site = FieldSite.in(
+                directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 10], radius: 30}, response: 5 s}\n");
+        field = site.field(GRID, 2);
+    }
+
+    private double rate() {
+        return site.settings().enabledSensors().get("round").rate();
+    }
+
+    @Test
+    void ratesAreThoseOfTheLooksInEveryCell() {
+        FieldExposure exposure = FieldExposure.of(field, site.settings());
+        long seed = 31;
+        SplittableRandom random = new SplittableRandom(seed);
+        int detecting = 0;
+        for (int i = 0; i < 2000; i++) {
+            int level = random.nextInt(3);
+            int column = random.nextInt(25);
+            int row = random.nextInt(25);
+            int course = random.nextInt(8);
+            Position at = field.middle(level, column, row);
+            double found = exposure.rate(at.x(), at.y(), at.z(), 2.0 * Math.PI * course / 8, 0);
+            int crossing = crossing(at, course);
+            int steps = field.steps(0, level, column, row, crossing >= 0 ? crossing : course);
+            double expected = steps == 250 ? rate() * CERTAIN : -rate() * Math.log(1.0 - steps / 250.0);
+            assertThat(found).as("seed %d, cell %d", seed, i).isCloseTo(expected, within(1e-6 * (1.0 + expected)));
+            Position edge = new Position(at.x() + 9.9, at.y() - 9.9, at.z());
+            assertThat(exposure.least(at, edge, 0)).isLessThanOrEqualTo(found);
+            detecting += found > 0.0 ? 1 : 0;
+        }
+        assertThat(detecting).isBetween(200, 1800);
+    }
+
+    /** On both courses across its line of sight, the radar is blind; elsewhere it is not. */
+    @Test
+    void aCourseAcrossTheLineOfSightHasItsOwnRate() {
+        FieldExposure exposure = FieldExposure.of(field, site.settings());
+        double bearing = Math.atan2(90.0, -50.0);
+        for (double side = -1.0; side <= 1.0; side += 2.0) {
+            double across = bearing + side * Math.PI / 2;
+            assertThat(exposure.rate(90.0, -50.0, 60.0, across, 0)).isEqualTo(0.0);
+            assertThat(exposure.rate(90.0, -50.0, 60.0, across + Math.toRadians(4.9), 0))
+                    .isEqualTo(0.0);
+        }
+        assertThat(exposure.rate(90.0, -50.0, 60.0, bearing, 0)).isCloseTo(rate() * CERTAIN, within(1e-6));
+    }
+
+    /** Only a course that is exactly that of the compass is nearer than one across the line of sight. */
+    private int crossing(Position at, int course) {
+        double heading = 2.0 * Math.PI * course / 8;
+        for (int i = 8; i < field.courses().size(); i++) {
+            Course other = field.courses().get(i);
+            double angle = Math.abs(Math.IEEEremainder(other.heading(at) - heading, 2.0 * Math.PI));
+            if (other.kind() == Course.Kind.CROSSING && angle == 0.0) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    @Test
+    void theWeakestOfAllSectorsIsTheWeakestOfAll() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        WeakestRoute all = routes.fromAnywhere().orElseThrow();
+        double weakest = Double.POSITIVE_INFINITY;
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            WeakestRoute route = routes.from(sector).orElseThrow();
+            Position start = route.path().points().get(0);
+            assertThat(Math.IEEEremainder(Math.atan2(start.x(), start.y()) - sector * Math.PI / 4, 2.0 * Math.PI))
+                    .isBetween(-Math.PI / 8, Math.PI / 8);
+            assertThat(route.lower()).isBetween(0.0, route.exposure());
+            assertFlyable(route);
+            weakest = Math.min(weakest, route.exposure());
+        }
+        assertThat(all.exposure()).isLessThanOrEqualTo(weakest * 1.01 + 1e-9);
+    }
+
+    /** Sensors add up to the whole exposure, of which the part that is in time is no more. */
+    private void assertFlyable(WeakestRoute route) {
+        List<Position> points = route.path().points();
+        assertThat(points.get(points.size() - 1).distance(new Position(0, 0, 10)))
+                .isLessThanOrEqualTo(30.0 + GRID.cell() + 1e-9);
+        assertThat(route.seconds()).isGreaterThan((250.0 - 50.0) / 12.0);
+        for (int i = 1; i < points.size(); i++) {
+            double rise = points.get(i).z() - points.get(i - 1).z();
+            assertThat(Math.abs(rise) / 3.0).isLessThanOrEqualTo(route.seconds());
+            assertThat(points.get(i).z()).isBetween(10.0 - 1e-6, 75.0 + 1e-6);
+        }
+    }
+
+    /** Beyond its range, nothing is exposed; within it, the route hides behind boxes or crosses the line of sight. */
+    @Test
+    void theSensorSeesNoMoreThanTheWholeRoute() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        WeakestRoute route = routes.fromAnywhere().orElseThrow();
+        FieldExposure exposure = FieldExposure.of(field, site.settings());
+
+        assertThat(routes.bySensor(route)).containsOnlyKeys("round");
+        assertThat(routes.bySensor(route).get("round")).isGreaterThanOrEqualTo(route.exposure() - 1e-9);
+        Position start = route.path().points().get(0);
+        assertThat(start.distance(RADAR)).isGreaterThan(150.0);
+        assertThat(exposure.rate(start.x(), start.y(), start.z(), 0.0, 0)).isEqualTo(0.0);
+    }
+}
