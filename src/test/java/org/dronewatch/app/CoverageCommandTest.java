@@ -382,6 +382,16 @@ class CoverageCommandTest {
         assertThat(names(run)).containsExactly("result.json");
     }
 
+    @Test
+    void aRunLeavesTheResultsOfACoverageAlone() throws IOException {
+        Path field = Files.createDirectories(directory.resolve("a-field"));
+        Files.writeString(field.resolve("coverage.json"), "{}");
+        Outcome outcome = Program.run("run", directory.resolve("site.yaml").toString(), "--out=" + field);
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("a-field holds the results of a coverage", "name another directory");
+        assertThat(names(field)).containsExactly("coverage.json");
+    }
+
     private static Outcome coverage(Path site, String heights, Path out) {
         Outcome outcome = Program.run(
                 "coverage", site.toString(), "--side=40", "--cell=20", "--heights=" + heights, "--out=" + out);
