@@ -140,6 +140,36 @@ final class CampaignLines {
         }
     }
 
+    /** The first cases in which the variants differ in the most demanding outcome, with their values. */
+    static void printDeciding(CampaignPlan plan, CampaignSummary summary, PrintWriter out) {
+        List<VariantComparison> pairs = summary.comparisons();
+        if (pairs.isEmpty()) {
+            return;
+        }
+        VariantComparison pair = pairs.get(pairs.size() - 1);
+        int all = pair.difference().onlyA() + pair.difference().onlyB();
+        out.println();
+        if (all == 0) {
+            out.println("no case decides: " + word(pair.outcome()) + " is the same for both in all of them");
+            return;
+        }
+        int width = Math.max(pair.a().length(), pair.b().length());
+        out.printf(
+                Locale.ROOT,
+                "cases that decide (%,d of %,d), by who alone is %s:%n",
+                pair.deciding().size(),
+                all,
+                word(pair.outcome()));
+        for (int number : pair.deciding()) {
+            List<String> values = plan.values(number);
+            StringBuilder line = new StringBuilder();
+            for (int i = 0; i < values.size(); i++) {
+                line.append("  ").append(plan.paths().get(i)).append('=').append(values.get(i));
+            }
+            out.printf(Locale.ROOT, "%8d  %-" + width + "s%s%n", number, pair.betterIn(number), line);
+        }
+    }
+
     private static String word(Outcome outcome) {
         return outcome.name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }

@@ -40,6 +40,7 @@ import picocli.CommandLine.Spec;
             RenderCommand.class,
             CoverageCommand.class,
             CampaignCommand.class,
+            CompareCommand.class,
             AlarmsCommand.class,
             CalibrateCommand.class,
             BenchCommand.class,

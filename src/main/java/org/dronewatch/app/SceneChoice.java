@@ -42,6 +42,13 @@ final class SceneChoice {
         return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseGet(this::fromClass);
     }
 
+    /** A new scene by its name, as it is. */
+    static Scene named(String name) {
+        SceneChoice choice = new SceneChoice();
+        choice.name = name;
+        return choice.create();
+    }
+
     /** The file that describes the scene; empty when it is packaged or a class. */
     Optional<Path> sceneFile() {
         return SceneFile.isFileName(name) ? Optional.of(file()) : Optional.empty();

@@ -9,7 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
@@ -46,6 +48,19 @@ public final class CampaignPlan implements Cases {
      * @throws InputException in one line when anything is wrong
      */
     public CampaignPlan(CampaignSettings settings, Path directory, Consumer<String> notes) {
+        this(settings, directory, name -> CampaignVariant.scene(directory, name), notes);
+    }
+
+    /**
+     * The same with scenes from elsewhere.
+     *
+     * @param directory of the table
+     * @param scenes give the scene of a name
+     * @param notes receives a line for each file read, and each warning
+     * @throws InputException in one line when anything is wrong
+     */
+    public CampaignPlan(
+            CampaignSettings settings, Path directory, Function<String, Scene> scenes, Consumer<String> notes) {
         this.settings = settings;
         this.table =
                 settings.table().map(name -> FactorTable.read(directory, name)).orElse(FactorTable.NONE);
@@ -55,7 +70,7 @@ public final class CampaignPlan implements Cases {
         named.forEach((name, changes) -> {
             CampaignVariant variant = CampaignVariant.of(
                     name,
-                    directory,
+                    scenes,
                     settings.scene(),
                     changes,
                     variants.values().stream().findFirst(),

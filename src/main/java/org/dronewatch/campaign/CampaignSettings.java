@@ -11,6 +11,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 
 /**
  * A campaign: many cases of a scene, whose settings are drawn at random, each run with every variant.
@@ -76,6 +77,21 @@ public record CampaignSettings(
     public static CampaignSettings of(String scene) {
         return new CampaignSettings(
                 scene, Map.of(), Optional.empty(), Map.of(), Optional.empty(), Optional.empty(), Optional.empty(), 1L);
+    }
+
+    /** A copy of another scene, which ends after a fixed number of cases and has no sensitivities. */
+    public CampaignSettings withScene(String other) {
+        return new CampaignSettings(other, vary, table, Map.of(), runs, Optional.empty(), Optional.empty(), seed);
+    }
+
+    /** A copy with other settings that vary. */
+    public CampaignSettings withVary(Map<String, Variation> others) {
+        return SettingsForm.with(this, "vary", others);
+    }
+
+    /** A copy with other variants. */
+    public CampaignSettings withVariants(Map<String, Map<String, String>> others) {
+        return SettingsForm.with(this, "variants", others);
     }
 
     /** The number of cases, or, if it depends on their outcomes, the largest number. */

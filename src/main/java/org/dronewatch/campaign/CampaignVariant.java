@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -28,7 +29,7 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
     /**
      * Reads a variant's scene and loads its models.
      *
-     * @param directory of the campaign file
+     * @param scenes give the scene of a name
      * @param scene name of the campaign's scene
      * @param changes the variant's settings by their paths
      * @param first the first variant, unless this is the first: if both have the same scene, they share its models
@@ -37,13 +38,13 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
      */
     static CampaignVariant of(
             String name,
-            Path directory,
+            Function<String, Scene> scenes,
             String scene,
             Map<String, String> changes,
             Optional<CampaignVariant> first,
             Consumer<String> notes) {
         String named = changes.getOrDefault(CampaignSettings.SCENE, scene);
-        SceneRunner runner = new SceneRunner(scene(directory, named)).notes(notes);
+        SceneRunner runner = new SceneRunner(scenes.apply(named)).notes(notes);
         first.filter(other -> other.scene().equals(named)).ifPresent(other -> runner.share(other.models()));
         changes.forEach((path, value) -> {
             if (!path.equals(CampaignSettings.SCENE)) {
@@ -56,7 +57,7 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
     }
 
     /** Not a class by its name: no code is loaded from data. */
-    private static Scene scene(Path directory, String name) {
+    static Scene scene(Path directory, String name) {
         if (SceneFile.isFileName(name)) {
             Path file = directory.resolve(name).normalize();
             if (!file.startsWith(directory.normalize())) {

@@ -2,7 +2,9 @@ package org.dronewatch.campaign;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Two variants compared case by case, by one outcome. Cases are added one by one; for one thread. */
 public final class VariantComparison {
@@ -12,6 +14,7 @@ public final class VariantComparison {
     private final String b;
     private final Outcome outcome;
     private final List<Integer> deciding = new ArrayList<>();
+    private final Set<Integer> decidedForA = new HashSet<>();
     private int onlyA;
     private int onlyB;
     private int both;
@@ -34,6 +37,9 @@ public final class VariantComparison {
         onlyB += outcome.isMetBy(ofB) ? 1 : 0;
         if (deciding.size() < MOST_CASES) {
             deciding.add(ofA.number());
+            if (outcome.isMetBy(ofA)) {
+                decidedForA.add(ofA.number());
+            }
         }
     }
 
@@ -60,6 +66,11 @@ public final class VariantComparison {
     /** The result. */
     public PairedDifference difference() {
         return new PairedDifference(onlyA, onlyB, both);
+    }
+
+    /** The variant that alone has the outcome in one of the cases of {@link #deciding()}. */
+    public String betterIn(int number) {
+        return decidedForA.contains(number) ? a : b;
     }
 
     /** The first 20 cases in which the variants differ. */

@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.RunSession;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -172,6 +174,50 @@ class CampaignRunTest {
         assertThat(scene.proportion(Outcome.IN_TIME, "intruder").orElseThrow().count())
                 .isBetween(1, 9);
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    /** The second radar draws the same numbers whether the first one has a shorter range, or is switched off. */
+    @Test
+    void sensorsThatLayoutsHaveInCommonDrawTheSameNumbers() throws IOException {
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+        String site = Files.readString(directory.resolve("site.yaml"));
+        String second = "  second: {use: spotterrf-c550ext, position: [50, 0, 10],"
+                + " aim: {azimuth: 10 deg, elevation: 0 deg}}\n";
+        Files.writeString(directory.resolve("pair.yaml"), site.replace("alert:", second + "alert:"));
+        CampaignPlan pair = CampaignSite.plan(
+                directory,
+                """
+                scene: pair.yaml
+                vary:
+                  drones.intruder.flight.bearing: {uniform: {from: -60 deg, to: 60 deg}}
+                variants:
+                  both: {}
+                  near: {sensors.radar.maxRange: 350 m}
+                  off: {sensors.radar.enabled: false}
+                runs: 8
+                """);
+        for (int number = 0; number < 8; number++) {
+            List<Observation> both = observations(pair, number, "both");
+            assertThat(observations(pair, number, "near")).isEqualTo(both);
+            assertThat(observations(pair, number, "off")).isEqualTo(both);
+        }
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    private static List<Observation> observations(CampaignPlan plan, int number, String variant) {
+        List<Observation> observations = new ArrayList<>();
+        try (RunSession session = new RunSession(
+                plan.settings(number, variant),
+                plan.seed(number),
+                plan.variant(variant).models())) {
+            while (session.nextTime().isPresent()) {
+                session.advance().observations().stream()
+                        .filter(one -> one.look().sensor().equals("second"))
+                        .forEach(observations::add);
+            }
+        }
+        assertThat(observations).isNotEmpty();
+        return observations;
     }
 
     @Test

@@ -1,0 +1,99 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.campaign.CampaignSite;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.json.JsonMapper;
+
+class CompareCommandTest {
+    @TempDir
+    private static Path directory;
+
+    private static String site;
+    private static String campaign;
+
+    @BeforeAll
+    static void write() throws IOException {
+        campaign = CampaignSite.in(directory, CampaignSite.TWO_RANGES).toString();
+        site = directory.resolve("site.yaml").toString();
+    }
+
+    private static Outcome compare(String... arguments) {
+        return Program.run(
+                Stream.concat(Stream.of("compare"), Stream.of(arguments)).toArray(String[]::new));
+    }
+
+    @Test
+    void aChangedSettingIsComparedOnTheCasesOfACampaignFile() throws IOException {
+        Outcome outcome = compare(site, "--with=sensors.radar.maxRange=350m", "--vary=" + campaign);
+        List<String> rows = outcome.out().lines().toList();
+        int deciding = rows.indexOf(rows.stream()
+                .filter(row -> row.startsWith("cases that decide"))
+                .findFirst()
+                .orElseThrow());
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out())
+                .containsPattern("in time: site - site-changed = \\+\\d+\\.\\d points .* only site-changed in 0 of 60"
+                        + " cases, p = \\d");
+        assertThat(rows.subList(deciding + 1, rows.size()))
+                .isNotEmpty()
+                .allMatch(row -> row.matches(" +\\d+  site  +drones\\.intruder\\.flight\\.bearing=-?\\d.* deg"
+                        + "  drones\\.intruder\\.flight\\.distance=.* m  drones\\.intruder\\.speed=[12]0 m/s"));
+    }
+
+    @Test
+    void theSameSceneDoesNotDiffer() {
+        Outcome outcome = compare(site, site, "--runs=30");
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err()).contains("varies: drones.intruder.flight.bearing");
+        assertThat(outcome.out())
+                .contains("= +0.0 points", "only site in 0, only site-changed in 0 of 30 cases, p = 1")
+                .contains("no case decides: in time is the same for both in all of them");
+    }
+
+    @Test
+    void aSensorMayBeSwitchedOffAndTheResultsBeWritten() throws IOException {
+        Path out = directory.resolve("off");
+        Outcome outcome = compare(site, "--with=sensors.radar.enabled=false", "--runs=20", "--seed=7", "--out=" + out);
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out()).containsPattern("site-changed +20 +0 +0\\.0 \\(0\\.0 to");
+        assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(41);
+        assertThat(JsonMapper.builder()
+                        .build()
+                        .readTree(out.resolve("campaign.json").toFile())
+                        .get("seed")
+                        .asInt())
+                .isEqualTo(7);
+    }
+
+    @Test
+    void wrongInputIsOneLine() {
+        refused(compare(site), "needs a second scene, or --with PATH=VALUE");
+        refused(compare(site, "--with=sensors.radar"), "--with sensors.radar: must be PATH=VALUE");
+        refused(compare(site, "--with=sensors.rader.maxRange=1"), "sensors.rader.maxRange");
+        refused(compare(site, "nowhere.yaml"), "nowhere.yaml");
+        refused(compare(site, site, "--runs=0"), "--runs=0: runs 0 must be 1 to 1e6");
+        refused(
+                compare(site, "--with=drones.intruder.speed=1", "--vary=" + campaign),
+                "would override 'drones.intruder.speed', which varies");
+    }
+
+    private static void refused(Outcome wrong, String message) {
+        assertThat(wrong.code()).as(wrong.err()).isEqualTo(2);
+        assertThat(wrong.err().lines().filter(line -> line.contains(message)))
+                .as(wrong.err())
+                .hasSize(1);
+    }
+}
