@@ -3,6 +3,11 @@ package org.dronewatch.app;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
@@ -11,11 +16,14 @@ import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.CaseRun;
-import org.dronewatch.campaign.Cases;
+import org.dronewatch.campaign.Shard;
 import org.dronewatch.report.campaign.CampaignFiles;
+import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.setting.file.FileHash;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -23,6 +31,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Runs a scene many times with values drawn at random. */
 @Command(
@@ -37,7 +46,8 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  dronewatch campaign scenes/two-radars.campaign.yaml --out vendors",
             "  dronewatch campaign scenes/two-radars.campaign.yaml --out vendors --resume",
-            "  dronewatch campaign scenes/two-radars.campaign.yaml --case 10"
+            "  dronewatch campaign scenes/two-radars.campaign.yaml --case 10",
+            "  dronewatch campaign scenes/two-radars.campaign.yaml --shard 1/4 --out part-1"
         })
 final class CampaignCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "FILE.yaml", description = "Campaign file: what is run, and what varies.")
@@ -63,6 +73,12 @@ final class CampaignCommand implements Callable<Integer> {
             description = "Runs a single case, counted from 0, and prints its results; nothing is written.")
     private Integer only;
 
+    @Option(
+            names = "--shard",
+            paramLabel = "I/N",
+            description = "Runs the I-th of N parts of the cases; 'merge' joins the parts.")
+    private String shard;
+
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
@@ -75,13 +91,52 @@ final class CampaignCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Path given = path("campaign file", file);
-        CampaignSettings settings = settings(given);
-        PrintWriter err = spec.commandLine().getErr();
+        Shard part = shard();
+        return threads.call(() -> {
+            CampaignPlan plan = plan(spec.commandLine().getErr());
+            if (!part.isAll() && plan.settings().until().isPresent()) {
+                throw new InputException("--shard " + part
+                        + ": a campaign that ends by 'until' cannot be divided, because its cases decide their number");
+            }
+            return only == null ? runAll(plan, part, name(given)) : runOne(plan);
+        });
+    }
+
+    private Shard shard() {
+        try {
+            return shard == null ? Shard.ALL : Shard.parse(shard);
+        } catch (IllegalArgumentException e) {
+            throw new InputException("--shard " + PlainText.value(shard) + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Reads the campaign and loads its models. */
+    CampaignPlan plan(PrintWriter err) {
+        Path given = path("campaign file", file);
         Loaded loaded = new Loaded(err);
-        Path directory = given.toAbsolutePath().normalize().getParent();
-        CampaignPlan plan = new CampaignPlan(settings, directory, loaded::note);
+        CampaignPlan plan = new CampaignPlan(settings(given), directory(given), loaded::note);
         loaded.done();
-        return threads.call(() -> only == null ? runAll(plan, name(given)) : runOne(plan));
+        return plan;
+    }
+
+    private static Path directory(Path given) {
+        return given.toAbsolutePath().normalize().getParent();
+    }
+
+    /**
+     * Where results come from.
+     *
+     * @param command the arguments of the command line that gives them
+     */
+    ObjectNode provenance(CampaignPlan plan, List<String> command) {
+        Path given = path("campaign file", file);
+        List<FileHash> files = new ArrayList<>(List.of(InputFiles.hash(given)));
+        plan.settings()
+                .table()
+                .ifPresent(name -> files.add(InputFiles.hash(directory(given).resolve(name))));
+        Map<String, InputFiles> variants = new LinkedHashMap<>();
+        plan.variants().forEach(name -> variants.put(name, plan.inputs(name)));
+        return ProvenanceFile.of(Instant.now(), command, threads.number(), files, variants);
     }
 
     private CampaignSettings settings(Path given) {
@@ -121,16 +176,20 @@ final class CampaignCommand implements Callable<Integer> {
         return 0;
     }
 
-    private int runAll(CampaignPlan plan, String name) {
+    private int runAll(CampaignPlan plan, Shard part, String name) {
         PrintWriter err = spec.commandLine().getErr();
         Path directory = out == null ? Path.of("target", "campaigns", name) : path("--out", out);
         Interruption interruption = main.interruption();
         plan.sensitivity().ifPresent(cases -> err.println(CampaignLines.cost(plan, cases)));
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
+            files.writeProvenance(
+                    provenance(plan, spec.root().commandLine().getParseResult().originalArgs()));
             boolean whole = true;
             try {
-                run(plan, plan, files.chunks(), name);
-                plan.sensitivity().ifPresent(cases -> run(plan, cases, files.chunks(cases), name + ": sensitivity"));
+                run(new CampaignRun(plan, plan, part), files.chunks(), name);
+                plan.sensitivity()
+                        .ifPresent(cases ->
+                                run(new CampaignRun(plan, cases, part), files.chunks(cases), name + ": sensitivity"));
             } catch (CancellationException e) {
                 if (!interruption.happened()) {
                     throw e;
@@ -142,15 +201,18 @@ final class CampaignCommand implements Callable<Integer> {
             if (!whole) {
                 err.println("interrupted: --resume runs the cases that are missing");
             }
+            if (!part.isAll()) {
+                err.println("part " + part + " of the campaign: 'merge' joins the parts");
+            }
             err.println("results in " + directory);
         }
         return 0;
     }
 
-    private void run(CampaignPlan plan, Cases cases, CampaignRun.Chunks chunks, String name) {
+    private void run(CampaignRun run, CampaignRun.Chunks chunks, String name) {
         PrintWriter err = spec.commandLine().getErr();
-        try (CaseProgress progress = new CaseProgress(name, cases.size(), err)) {
-            new CampaignRun(plan, cases).run(chunks, progress);
+        try (CaseProgress progress = new CaseProgress(name, run.size(), err)) {
+            run.run(chunks, progress);
         }
     }
 

@@ -41,6 +41,8 @@ import picocli.CommandLine.Spec;
             CoverageCommand.class,
             CampaignCommand.class,
             CompareCommand.class,
+            MergeCommand.class,
+            AgainCommand.class,
             AlarmsCommand.class,
             CalibrateCommand.class,
             BenchCommand.class,

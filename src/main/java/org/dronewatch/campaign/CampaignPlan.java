@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Draws;
@@ -225,6 +226,11 @@ public final class CampaignPlan implements Cases {
             one = of.with(one, path, values.get(i++));
         }
         return one;
+    }
+
+    /** The settings and files that a variant was read from, with its models. */
+    public InputFiles inputs(String variant) {
+        return variants.get(variant).runner().inputs();
     }
 
     /** What all cases and variants share of their sites. */

@@ -17,6 +17,7 @@ public final class CampaignRun {
 
     private final CampaignPlan plan;
     private final Cases cases;
+    private final Shard shard;
 
     /** Where the results of chunks are kept. */
     public interface Chunks {
@@ -50,8 +51,27 @@ public final class CampaignRun {
 
     /** A run of other cases of the same variants, such as those that show which settings matter. */
     public CampaignRun(CampaignPlan plan, Cases cases) {
+        this(plan, cases, Shard.ALL);
+    }
+
+    /** A run of some of the cases. */
+    public CampaignRun(CampaignPlan plan, Cases cases, Shard shard) {
         this.plan = plan;
         this.cases = cases;
+        this.shard = shard;
+    }
+
+    /** The number of cases that are run; the largest number if the outcomes decide how many there are. */
+    public int size() {
+        int size = 0;
+        for (int chunk = 0; chunk < chunks(cases); chunk++) {
+            size += shard.has(chunk) ? size(chunk) : 0;
+        }
+        return size;
+    }
+
+    private int size(int chunk) {
+        return Math.min(CHUNK, cases.size() - chunk * CHUNK);
     }
 
     /** The number of chunks; the largest number if the outcomes decide how many cases there are. */
@@ -68,8 +88,11 @@ public final class CampaignRun {
     public void run(Chunks kept, Progress progress) {
         Stopping stopping = cases == plan ? new Stopping(plan) : new Stopping(cases);
         for (int chunk = 0; chunk < chunks(cases) && !stopping.isReached(); chunk++) {
+            if (!shard.has(chunk)) {
+                continue;
+            }
             int first = chunk * CHUNK;
-            int count = Math.min(CHUNK, cases.size() - first);
+            int count = size(chunk);
             Optional<List<CaseResult>> there = kept.find(chunk);
             if (there.isPresent()) {
                 progress.kept(count);

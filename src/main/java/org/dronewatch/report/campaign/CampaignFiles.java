@@ -22,6 +22,7 @@ import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Stopping;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.node.ObjectNode;
@@ -31,9 +32,13 @@ import tools.jackson.databind.node.ObjectNode;
  * can be resumed from them. One process at a time may write into it. For one thread.
  */
 public final class CampaignFiles implements AutoCloseable {
-    private static final String PLAN = "plan.json";
-    private static final String CHUNKS = "chunks";
-    private static final String SENSITIVITY = "sensitivity";
+    /** The directory of the chunks of the campaign's cases. */
+    static final String CHUNKS = "chunks";
+
+    /** The directory of the chunks of further cases. */
+    static final String SENSITIVITY = "sensitivity";
+
+    private static final String PLAN = CampaignPlanFile.NAME;
     private static final String LOCK = ".lock";
     private static final String UNFINISHED = ".partial-*";
 
@@ -209,6 +214,15 @@ public final class CampaignFiles implements AutoCloseable {
                 table.writeRows(stream, results);
             }
         });
+    }
+
+    /**
+     * Writes where the results come from.
+     *
+     * @param provenance the contents of the file
+     */
+    public void writeProvenance(ObjectNode provenance) {
+        writeJson(ProvenanceFile.NAME, provenance);
     }
 
     private void writeJson(String name, ObjectNode content) {

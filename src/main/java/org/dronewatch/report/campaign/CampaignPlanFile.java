@@ -17,6 +17,9 @@ import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code plan.json}: what is run, with the hash of all that it depends on. */
 final class CampaignPlanFile {
+    /** The name of the file. */
+    static final String NAME = "plan.json";
+
     private static final int FORMAT = 1;
     private static final String HASH = "hash";
     private static final long LONGEST = 1 << 20;

@@ -1,9 +1,12 @@
 package org.dronewatch.report.provenance;
 
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Timing;
+import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.file.FileHash;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -13,29 +16,60 @@ import tools.jackson.databind.node.ObjectNode;
 public final class ProvenanceFile {
     private ProvenanceFile() {}
 
+    /** The name of the file. */
+    public static final String NAME = "provenance.json";
+
     /** All keys; {@code command} only if there was a command. */
     public static ObjectNode of(Provenance provenance, SceneResult result) {
+        ObjectNode root = program(provenance.date(), provenance.command(), result.threads());
+        addTimes(root, result.timing());
+        ObjectNode scene = root.putObject("scene");
+        scene.put("name", result.scene());
+        addInputs(root, scene, provenance.inputs());
+        return root;
+    }
+
+    /**
+     * That of a campaign.
+     *
+     * @param command the arguments of the command line
+     * @param files the campaign file, and the table of its cases if it has one
+     * @param variants what each variant was read from, by its name
+     */
+    public static ObjectNode of(
+            Instant date, List<String> command, int threads, List<FileHash> files, Map<String, InputFiles> variants) {
+        ObjectNode root = program(date.truncatedTo(ChronoUnit.SECONDS), command, threads);
+        addFiles(root.putObject("campaign").putArray("files"), files);
+        ObjectNode all = root.putObject("variants");
+        variants.forEach((name, inputs) -> {
+            ObjectNode variant = all.putObject(name);
+            addInputs(variant, variant.putObject("scene"), inputs);
+        });
+        return root;
+    }
+
+    private static ObjectNode program(Instant date, List<String> command, int threads) {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("program", ProgramVersion.PROGRAM);
-        root.put("version", provenance.version());
-        root.put("date", provenance.date().toString());
-        if (!provenance.command().isEmpty()) {
-            ArrayNode command = root.putArray("command");
-            provenance.command().forEach(command::add);
+        root.put("version", ProgramVersion.text());
+        root.put("date", date.toString());
+        if (!command.isEmpty()) {
+            ArrayNode words = root.putArray("command");
+            command.forEach(words::add);
         }
         root.put("java_version", System.getProperty("java.version"));
         root.put("java_vendor", System.getProperty("java.vendor"));
         root.put("operating_system", Provenance.operatingSystem());
         root.put("architecture", Provenance.architecture());
-        root.put("threads", result.threads());
-        addTimes(root, result.timing());
-        ObjectNode scene = root.putObject("scene");
-        scene.put("name", result.scene());
-        scene.put("settings_sha256", provenance.inputs().settingsHash());
-        addFiles(scene.putArray("files"), provenance.inputs().scene());
-        ArrayNode models = root.putArray("models");
-        provenance.inputs().models().forEach((name, files) -> addModel(models.addObject(), name, files));
+        root.put("threads", threads);
         return root;
+    }
+
+    private static void addInputs(ObjectNode target, ObjectNode scene, InputFiles inputs) {
+        scene.put("settings_sha256", inputs.settingsHash());
+        addFiles(scene.putArray("files"), inputs.scene());
+        ArrayNode models = target.putArray("models");
+        inputs.models().forEach((name, files) -> addModel(models.addObject(), name, files));
     }
 
     private static void addTimes(ObjectNode root, Timing timing) {

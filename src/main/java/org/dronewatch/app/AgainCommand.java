@@ -1,0 +1,109 @@
+package org.dronewatch.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.report.provenance.RecordedCommand;
+import org.dronewatch.report.provenance.SameBytes;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Repeats a run or a campaign, and compares the results. */
+@Command(
+        name = "again",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Repeats the run or campaign of a provenance.json, and states for each file beside it whether the new one has"
+                    + " the same bytes; the exit code is 1 if not.",
+            "Relative paths are resolved as when it was first run, from the current directory."
+        },
+        footer = {"", "Example:", "  dronewatch again results/provenance.json"})
+final class AgainCommand implements Callable<Integer> {
+    @Parameters(index = "0", paramLabel = "PROVENANCE.json", description = "States what was run.")
+    private String file;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "New directory for the new results; without it, they are not kept.")
+    private String out;
+
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        Path given = path(PlainText.value(file), file).toAbsolutePath();
+        RecordedCommand recorded = RecordedCommand.read(given);
+        Replay replay = new Replay(given, recorded);
+        if (out != null) {
+            Path target = path("--out " + PlainText.value(out), out);
+            if (Files.exists(target)) {
+                throw new InputException("--out " + PlainText.value(out) + ": exists already: name a new directory");
+            }
+            return repeat(given, recorded, replay, target);
+        }
+        Path temporary = Files.createTempDirectory("dronewatch-again-");
+        try {
+            return repeat(given, recorded, replay, temporary.resolve("results"));
+        } finally {
+            delete(temporary);
+        }
+    }
+
+    private static Path path(String asked, String name) {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException e) {
+            throw new InputException(asked + ": not a path: " + e.getReason(), e);
+        }
+    }
+
+    private int repeat(Path given, RecordedCommand recorded, Replay replay, Path target) {
+        List<String> words = replay.words(target);
+        words.add("--threads=" + threads.number());
+        int code = Main.execute(
+                new PrintWriter(Writer.nullWriter()), spec.commandLine().getErr(), words.toArray(String[]::new));
+        if (code != 0) {
+            return code;
+        }
+        PrintWriter print = spec.commandLine().getOut();
+        List<String> changed = recorded.differences(RecordedCommand.read(target.resolve(ProvenanceFile.NAME)));
+        if (!changed.isEmpty()) {
+            print.println("not the same as then: " + String.join(", ", changed));
+        }
+        Map<String, SameBytes.State> states = SameBytes.compare(given.getParent(), target);
+        states.forEach((name, state) ->
+                print.printf("%-9s  %s%n", state.name().toLowerCase(Locale.ROOT), PlainText.value(name)));
+        boolean same = !states.isEmpty() && states.values().stream().allMatch(state -> state == SameBytes.State.SAME);
+        print.println(same ? "the results have the same bytes" : "the results are not the same");
+        return same ? 0 : Main.FAILED;
+    }
+
+    private static void delete(Path directory) throws IOException {
+        try (Stream<Path> files = Files.walk(directory)) {
+            for (Path one : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(one);
+            }
+        }
+    }
+}

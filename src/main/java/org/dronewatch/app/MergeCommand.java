@@ -1,0 +1,118 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.Cases;
+import org.dronewatch.report.campaign.CampaignFiles;
+import org.dronewatch.report.campaign.CampaignPart;
+import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.report.provenance.RecordedCommand;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Joins the parts of a campaign that were run separately. */
+@Command(
+        name = "merge",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Joins the parts of a campaign that were run with --shard into the results of the whole campaign, byte for"
+                    + " byte.",
+            "The campaign file is read again, at the path that the first part was run with."
+        },
+        footer = {"", "Example:", "  dronewatch merge part-1 part-2 part-3 part-4 --out vendors"})
+final class MergeCommand implements Callable<Integer> {
+    private static final int MOST_NAMED = 5;
+
+    @Parameters(arity = "1..*", paramLabel = "DIR", description = "The results of each part.")
+    private List<String> parts = new ArrayList<>();
+
+    @Option(names = "--out", required = true, paramLabel = "DIR", description = "New directory for the results.")
+    private String out;
+
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        Path first = path("", parts.get(0)).resolve(ProvenanceFile.NAME);
+        Replay part = new Replay(first, RecordedCommand.read(first));
+        return threads.call(
+                () -> merge(part, part.campaign().plan(spec.commandLine().getErr())));
+    }
+
+    private static Path path(String option, String name) {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException e) {
+            throw new InputException(option + PlainText.value(name) + ": not a path: " + e.getReason(), e);
+        }
+    }
+
+    private int merge(Replay part, CampaignPlan plan) {
+        List<CampaignPart> there = parts.stream()
+                .map(name -> new CampaignPart(plan, path("", name)))
+                .toList();
+        checkWhole("cases", plan, there);
+        plan.sensitivity().ifPresent(further -> checkWhole("further cases", further, there));
+        Path directory = path("--out ", out);
+        try (CampaignFiles files = new CampaignFiles(plan, directory, false)) {
+            files.writeProvenance(part.campaign().provenance(plan, part.wordsOfAll(directory)));
+            copy(plan, there, files.chunks());
+            plan.sensitivity().ifPresent(further -> copy(further, there, files.chunks(further)));
+            CampaignLines.print(plan, files.finish(), spec.commandLine().getOut());
+        }
+        PrintWriter err = spec.commandLine().getErr();
+        err.println("results in " + directory);
+        return 0;
+    }
+
+    private static void copy(Cases cases, List<CampaignPart> there, CampaignRun.Chunks target) {
+        for (int chunk = 0; chunk < CampaignRun.chunks(cases); chunk++) {
+            target.put(chunk, find(cases, there, chunk).orElseThrow());
+        }
+    }
+
+    private static Optional<List<CaseResult>> find(Cases cases, List<CampaignPart> there, int chunk) {
+        return there.stream()
+                .map(part -> part.find(cases, chunk))
+                .flatMap(Optional::stream)
+                .findFirst();
+    }
+
+    private static void checkWhole(String what, Cases cases, List<CampaignPart> there) {
+        List<String> missing = new ArrayList<>();
+        int first = -1;
+        int chunks = CampaignRun.chunks(cases);
+        for (int chunk = 0; chunk <= chunks; chunk++) {
+            boolean isMissing = chunk < chunks && find(cases, there, chunk).isEmpty();
+            if (isMissing && first < 0) {
+                first = chunk * CampaignRun.CHUNK;
+            } else if (!isMissing && first >= 0) {
+                missing.add(first + " to " + (Math.min(chunk * CampaignRun.CHUNK, cases.size()) - 1));
+                first = -1;
+            }
+        }
+        if (!missing.isEmpty()) {
+            String more = missing.size() > MOST_NAMED ? " and others" : "";
+            throw new InputException("no directory has the " + what + " "
+                    + String.join(", ", missing.subList(0, Math.min(MOST_NAMED, missing.size()))) + more);
+        }
+    }
+}

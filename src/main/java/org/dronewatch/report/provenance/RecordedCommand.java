@@ -1,0 +1,67 @@
+package org.dronewatch.report.provenance;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.BoundedFile;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * The command that a {@code provenance.json} states, and what it was run on. The file is data that anybody may have
+ * written.
+ *
+ * @param words the arguments of the command line
+ * @param content the whole file
+ */
+public record RecordedCommand(List<String> words, JsonNode content) {
+    private static final int LARGEST = 16 << 20;
+    private static final int MOST_WORDS = 10_000;
+
+    /** What may differ between two results, and explain that they are not the same. */
+    private static final List<String> GROUNDS = List.of(
+            "version", "java_version", "java_vendor", "architecture", "scene", "models", "campaign", "variants");
+
+    /** Copies the list. */
+    public RecordedCommand {
+        words = List.copyOf(words);
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws InputException in one line when it is no such file, or states no command
+     */
+    public static RecordedCommand read(Path file) {
+        JsonNode root;
+        try {
+            root = JsonMapper.builder()
+                    .build()
+                    .readTree(new String(BoundedFile.read(file, LARGEST), StandardCharsets.UTF_8));
+        } catch (JacksonException e) {
+            throw new InputException(PlainText.value(file) + ": is not JSON", e);
+        }
+        if (!ProgramVersion.PROGRAM.equals(root.path("program").asString(""))) {
+            throw new InputException(PlainText.value(file) + ": is no provenance.json of " + ProgramVersion.PROGRAM);
+        }
+        JsonNode command = root.path("command");
+        if (!command.isArray() || command.isEmpty() || command.size() > MOST_WORDS) {
+            throw new InputException(
+                    PlainText.value(file) + ": states no command; a run by a program is repeated by that program");
+        }
+        List<String> words = new ArrayList<>();
+        command.forEach(word -> words.add(word.asString("")));
+        return new RecordedCommand(words, root);
+    }
+
+    /** What is not the same in another provenance, by the names of its keys. */
+    public List<String> differences(RecordedCommand other) {
+        return GROUNDS.stream()
+                .filter(key -> !content.path(key).equals(other.content.path(key)))
+                .toList();
+    }
+}
