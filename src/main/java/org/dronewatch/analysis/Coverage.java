@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
-import java.util.function.Supplier;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
@@ -16,6 +15,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
@@ -28,7 +28,7 @@ public final class Coverage {
     private final SurfaceHeights heights;
     private final boolean isKnownEverywhere;
     private final Map<String, SensorSettings<?>> sensors;
-    private final Map<String, Prober.Answer[]> answers = new LinkedHashMap<>();
+    private final Map<String, Prober.Findings> findings = new LinkedHashMap<>();
     private final Map<String, Prober> probers = new LinkedHashMap<>();
 
     private Coverage(
@@ -63,7 +63,6 @@ public final class Coverage {
         SurfaceHeights heights = new SurfaceHeights(stage.world(), grid);
         Coverage coverage = new Coverage(
                 grid, settings.enabledSensors(), heights, stage.world().isKnownEverywhere());
-        List<Supplier<Prober.Answer[]>> tasks = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             Prober prober = new Prober(
                     grid,
@@ -75,14 +74,8 @@ public final class Coverage {
                     settings.run().seed(),
                     new Assessor(id, sensor, stage.world()));
             coverage.probers.put(id, prober);
-            tasks.add(() -> prober.probe(progress));
+            coverage.findings.put(id, prober.probe(progress));
         });
-        Prober.Answer[][] results = new Prober.Answer[tasks.size()][];
-        Workers.forEach(results.length, i -> results[i] = tasks.get(i).get());
-        int next = 0;
-        for (String id : settings.enabledSensors().keySet()) {
-            coverage.answers.put(id, results[next++]);
-        }
         return coverage;
     }
 
@@ -106,7 +99,7 @@ public final class Coverage {
     }
 
     private Prober.Answer answer(String sensor, int column, int row) {
-        return answers.get(sensor)[row * grid.cells() + column];
+        return findings.get(sensor).answers()[row * grid.cells() + column];
     }
 
     /**
@@ -153,13 +146,18 @@ public final class Coverage {
             Workers.checkInterrupted();
             for (int column = 0; column < grid.cells(); column++) {
                 if (!isReached(sensor, column, row)) {
-                    probers.get(sensor)
-                            .explain(column, row)
-                            .ifPresent(missed -> causes.merge(missed.cause(), 1, Integer::sum));
+                    cause(sensor, column, row).ifPresent(cause -> causes.merge(cause, 1, Integer::sum));
                 }
             }
         }
         return causes;
+    }
+
+    private Optional<Cause> cause(String sensor, int column, int row) {
+        Cause known = findings.get(sensor).causes()[row * grid.cells() + column];
+        return known != null
+                ? Optional.of(known)
+                : probers.get(sensor).explain(column, row).map(Explanation::cause);
     }
 
     /**
@@ -183,7 +181,7 @@ public final class Coverage {
     /** Number of cells in which a sensor detects the drone. */
     public int reachedCells(String sensor) {
         int cells = 0;
-        for (Prober.Answer answer : answers.get(sensor)) {
+        for (Prober.Answer answer : findings.get(sensor).answers()) {
             cells += answer == Prober.Answer.DETECTED ? 1 : 0;
         }
         return cells;

@@ -10,7 +10,9 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.AssessmentBounds;
 import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Look;
@@ -21,7 +23,7 @@ import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
-/** One sensor that looks at all points, one after the other. */
+/** One sensor that looks at all points. */
 record Prober(
         CoverageGrid grid,
         SurfaceHeights heights,
@@ -43,26 +45,66 @@ record Prober(
         UNKNOWN
     }
 
-    Answer[] probe(IntConsumer progress) {
-        Sensor sensor = settings.create();
-        Answer[] cells = new Answer[grid.cells() * grid.cells()];
-        for (int row = 0; row < grid.cells(); row++) {
-            Workers.checkInterrupted();
-            for (int column = 0; column < grid.cells(); column++) {
-                int cell = row * grid.cells() + column;
-                Optional<Drone> there = comingFrom(column, row);
-                cells[cell] = there.map(one -> answer(sensor, cell, one)).orElse(Answer.MISSED);
-            }
-            progress.accept(grid.cells());
+    /** What is found in each cell. */
+    record Findings(Answer[] answers, Cause[] causes) {
+        /** Nothing yet. */
+        Findings(int cells) {
+            this(new Answer[cells], new Cause[cells]);
         }
-        return cells;
     }
 
-    private Answer answer(Sensor sensor, int cell, Drone there) {
-        if (!world.isKnown(settings.position(), there.origin())) {
-            return Answer.UNKNOWN;
+    /** What one thread looks with. */
+    private record Eye(Sensor sensor, Assessor assessor) {}
+
+    /** Looks at all cells, on the threads of the {@link Workers} that call; causes are left out where they cost more. */
+    Findings probe(IntConsumer progress) {
+        Findings found = new Findings(grid.cells() * grid.cells());
+        Workers.forEach(grid.cells(), () -> new Eye(settings.create(), assessor.sibling()), (eye, row) -> {
+            for (int column = 0; column < grid.cells(); column++) {
+                probe(eye, column, row, found);
+            }
+            progress.accept(grid.cells());
+        });
+        return found;
+    }
+
+    private void probe(Eye eye, int column, int row, Findings found) {
+        int cell = row * grid.cells() + column;
+        found.answers[cell] = Answer.MISSED;
+        Optional<FlightState> there = comingFrom(column, row);
+        if (there.isEmpty()) {
+            return;
         }
-        return isDetected(sensor, look(cell, there), there) ? Answer.DETECTED : Answer.MISSED;
+        FlightState state = there.get();
+        if (!world.isKnown(settings.position(), state.position())) {
+            found.answers[cell] = Answer.UNKNOWN;
+            return;
+        }
+        Optional<AssessmentBounds> bounds = bound(eye.assessor, state);
+        if (bounds.isPresent()) {
+            found.answers[cell] = bounds.get().least() >= EVEN_CHANCE ? Answer.DETECTED : Answer.MISSED;
+            found.causes[cell] = bounds.get().cause();
+            return;
+        }
+        Drone drawn = drone.at(state);
+        found.answers[cell] = isDetected(eye.sensor, look(cell, drawn), drawn) ? Answer.DETECTED : Answer.MISSED;
+    }
+
+    /** Empty where bounds leave it open whether the sensor detects the drone. */
+    private Optional<AssessmentBounds> bound(Assessor one, FlightState state) {
+        Optional<Pointing> pointing = Mounted.turnedTo(settings, state.position());
+        return one.boundAtAllHeadings(drone, state.position(), pointing)
+                .filter(Prober::isDecisive)
+                .or(() -> one.bound(drone, state, pointing, Prober::step))
+                .filter(Prober::isDecisive);
+    }
+
+    private static boolean isDecisive(AssessmentBounds bounds) {
+        return step(bounds.least()) == step(bounds.greatest());
+    }
+
+    private static int step(double probability) {
+        return probability >= EVEN_CHANCE ? 1 : 0;
     }
 
     /** By its probability: a draw for each cell would show speckle. Rays are traced once, as in a run. */
@@ -84,14 +126,14 @@ record Prober(
     }
 
     Optional<Assessment> assess(int column, int row) {
-        return comingFrom(column, row).map(there -> {
+        return comingFrom(column, row).map(drone::at).map(there -> {
             Look look = look(row * grid.cells() + column, there);
             return assessor.assess(there, look.pointing(), look.random(there.id(), RaySensor.RAYS));
         });
     }
 
     Optional<Explanation> explain(int column, int row) {
-        return comingFrom(column, row).map(there -> assessor.explainMiss(there, turnedTo(there)));
+        return comingFrom(column, row).map(drone::at).map(there -> assessor.explainMiss(there, turnedTo(there)));
     }
 
     private Look look(int cell, Drone there) {
@@ -102,8 +144,8 @@ record Prober(
         return Mounted.turnedTo(settings, there.origin());
     }
 
-    /** The drone in a cell; empty where there is no ground. */
-    private Optional<Drone> comingFrom(int column, int row) {
+    /** The state of the drone in a cell; empty where there is no ground. */
+    private Optional<FlightState> comingFrom(int column, int row) {
         double ground = heights.height[row * grid.cells() + column];
         if (Double.isNaN(ground)) {
             return Optional.empty();
@@ -112,6 +154,6 @@ record Prober(
         Position vector = settings.position().minus(position);
         double length = Math.max(vector.length(), Double.MIN_NORMAL);
         Position velocity = vector.times(drone.settings().speed() / length);
-        return Optional.of(drone.at(new FlightState(position, velocity, Math.atan2(vector.x(), vector.y()))));
+        return Optional.of(new FlightState(position, velocity, Math.atan2(vector.x(), vector.y())));
     }
 }

@@ -19,6 +19,7 @@ public final class DronePicture {
     private final CameraObject camera;
 
     private final SiteImages images;
+    private final boolean isAtRest;
     private DynamicView dynamicView;
     private StaticView staticView;
 
@@ -32,12 +33,13 @@ public final class DronePicture {
 
     /** The pictures of a camera in a passing pose. */
     public DronePicture(CameraObject camera) {
-        this(camera, new SiteImages(camera, false));
+        this(camera, new SiteImages(camera, false), false);
     }
 
-    private DronePicture(CameraObject camera, SiteImages images) {
+    private DronePicture(CameraObject camera, SiteImages images, boolean isAtRest) {
         this.camera = camera;
         this.images = images;
+        this.isAtRest = isAtRest;
     }
 
     /**
@@ -45,12 +47,12 @@ public final class DronePicture {
      * in its image once.
      */
     public static DronePicture atRest(CameraObject camera) {
-        return new DronePicture(camera, new SiteImages(camera, true));
+        return new DronePicture(camera, new SiteImages(camera, true), true);
     }
 
     /** Pictures of the same camera for another thread, which share the image of the site. */
     public DronePicture sibling() {
-        return new DronePicture(camera, images);
+        return new DronePicture(camera, images, isAtRest);
     }
 
     /** Pose and projection. */
@@ -89,7 +91,9 @@ public final class DronePicture {
      */
     public Optional<PixelBounds> bounds(World world, SilhouetteTable silhouettes, Position at) {
         setWorld(world);
-        staticView.expectAll();
+        if (isAtRest) {
+            staticView.expectAll();
+        }
         if (bounds == null) {
             bounds = new PixelBounds(camera);
         }

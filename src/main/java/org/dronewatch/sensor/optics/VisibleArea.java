@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.function.DoublePredicate;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
@@ -23,10 +24,23 @@ public final class VisibleArea {
 
     private static final int STEP = 610;
 
+    /** From one ray to the next that is traced: after a few, they are spread over the whole square. */
+    private static final int STRIDE = 377;
+
+    /** How much larger an area must be before it is asked again whether it is enough. */
+    private static final double MORE = 1.25;
+
+    private static final DoublePredicate NEVER = area -> false;
+
     private final CameraObject camera;
     private final Visibility visibility;
     private final Outline.Frustum outline;
     private final Matrix4d toModel = new Matrix4d();
+
+    /** What each ray adds to the area, pixels. */
+    private final double[] parts = new double[RAYS];
+
+    private boolean isObstructed;
 
     /** Areas in the image of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
@@ -47,15 +61,30 @@ public final class VisibleArea {
 
     /** The area of a drone that is in the image and not hidden by the site, in pixels. */
     public double of(Drone drone) {
-        return of(drone, false);
+        return of(drone, NEVER);
+    }
+
+    /**
+     * The same, or less if that is enough.
+     *
+     * @param enough whether an area is sufficient; if it is, every larger area must be as well
+     */
+    public double of(Drone drone, DoublePredicate enough) {
+        return of(drone, false, enough);
     }
 
     /** The area of a drone that would be in the image without obstructions, in pixels. */
     public double inTheOpen(Drone drone) {
-        return of(drone, true);
+        return inTheOpen(drone, NEVER);
     }
 
-    private double of(Drone drone, boolean open) {
+    /** The same, or less if that is enough; parameters as above. */
+    public double inTheOpen(Drone drone, DoublePredicate enough) {
+        return of(drone, true, enough);
+    }
+
+    private double of(Drone drone, boolean open, DoublePredicate enough) {
+        isObstructed = false;
         Position from = camera.position();
         Position at = drone.origin();
         Position vector = at.minus(from);
@@ -79,14 +108,28 @@ public final class VisibleArea {
         double cellArea = 4.0 * half * half / RAYS;
         drone.worldToModel(toModel);
         RayTracer model = new StackTraversal(drone.tree());
-        double area = 0.0;
-        for (int i = 0; i < RAYS; i++) {
+        double found = 0.0;
+        double asked = 0.0;
+        for (int number = 0; number < RAYS; number++) {
+            int i = number * STRIDE % RAYS;
             double u = half * (2.0 * (i + 0.5) / RAYS - 1.0);
             double v = half * (2.0 * ((long) i * STEP % RAYS + 0.5) / RAYS - 1.0);
             double x = v * above.x() + (u * aside.x() + ahead.x());
             double y = v * above.y() + (u * aside.y() + ahead.y());
             double z = v * above.z() + (u * aside.z() + ahead.z());
-            area += seen(model, x, y, z, open) ? pixels(x, y, z, cellArea) : 0.0;
+            parts[i] = seen(model, x, y, z, open) ? pixels(x, y, z, cellArea) : 0.0;
+            found += parts[i];
+            if (found > asked) {
+                if (enough.test(found)) {
+                    return found;
+                }
+                asked = MORE * found;
+            }
+        }
+        // Always in the same order, whose rounding does not depend on that of tracing.
+        double area = 0.0;
+        for (double part : parts) {
+            area += part;
         }
         return area;
     }
@@ -108,7 +151,14 @@ public final class VisibleArea {
                 m.m20 * x + m.m21 * y + m.m22 * z,
                 start,
                 camera.far() / ahead);
-        return hit && (open || isFree(start, x, y, z, model.distance()));
+        boolean isSeen = hit && (open || isFree(start, x, y, z, model.distance()));
+        isObstructed |= hit && !isSeen;
+        return isSeen;
+    }
+
+    /** Whether the site hid any part of the drone whose area was asked for last. */
+    public boolean isObstructed() {
+        return isObstructed;
     }
 
     /** Whether the site leaves a ray free from the near plane on. */

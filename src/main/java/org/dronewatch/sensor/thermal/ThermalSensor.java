@@ -4,11 +4,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.DoubleToIntFunction;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
-import org.dronewatch.sensor.AssessableSensor;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.AssessmentBounds;
+import org.dronewatch.sensor.BoundingSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Cover;
 import org.dronewatch.sensor.Discrimination;
@@ -19,11 +24,13 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.optics.AreaBounds;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ImageSpeed;
 import org.dronewatch.sensor.optics.ImageTransfer;
 import org.dronewatch.sensor.optics.VisibleArea;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
@@ -34,9 +41,8 @@ import org.dronewatch.world.World;
  * ({@link ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With {@link PointTargets}, the drone
  * need not be resolved. One thread at a time.
  */
-public final class ThermalSensor implements AssessableSensor {
-    private static final double KILOMETRE = 1000.0;
-    private static final double EVEN_CHANCE = 0.5;
+public final class ThermalSensor implements BoundingSensor {
+    private static final Position AT_REST = new Position(0, 0, 0);
 
     private final ThermalSettings settings;
     private final Optional<SpotDetector> spots;
@@ -44,7 +50,8 @@ public final class ThermalSensor implements AssessableSensor {
     private VisibleArea area;
     private Cover cover;
     private Outline outline;
-    private double focalLength;
+    private AreaBounds bounds;
+    private ThermalSignal signals;
 
     /** A camera with the given settings. */
     public ThermalSensor(ThermalSettings settings) {
@@ -65,7 +72,13 @@ public final class ThermalSensor implements AssessableSensor {
                     new CameraObject(pointing.map(settings::pointed).orElse(settings));
             area = new VisibleArea(camera, world);
             outline = camera.outline();
-            focalLength = camera.focalLength();
+            bounds = new AreaBounds(camera, world);
+            signals = new ThermalSignal(
+                    settings,
+                    spots,
+                    pointing,
+                    camera.focalLength(),
+                    world.light().cn2());
             cover = new Cover(world, settings.position());
         }
     }
@@ -79,11 +92,85 @@ public final class ThermalSensor implements AssessableSensor {
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> where) {
         turn(world, where);
-        if (!outline.contains(drone.origin().minus(settings.position()))) {
-            return Explanation.of(Cause.OUT_OF_VIEW);
+        return explainMiss(
+                drone, () -> area.of(drone, pixels -> pixels > 0.0) == 0.0, () -> isDetectedInTheOpen(drone));
+    }
+
+    private Explanation explainMiss(Drone drone, BooleanSupplier isInvisible, BooleanSupplier isDetectedInTheOpen) {
+        return outline.contains(drone.origin().minus(settings.position()))
+                ? cover.explain(drone, isInvisible, isDetectedInTheOpen)
+                : Explanation.of(Cause.OUT_OF_VIEW);
+    }
+
+    private boolean isDetectedInTheOpen(Drone drone) {
+        return signals.of(drone, bounds.most(drone.origin(), drone.radius())).isDetected()
+                && signal(drone, area.inTheOpen(drone, pixels -> signal(drone, pixels)
+                                .isDetected()))
+                        .isDetected();
+    }
+
+    @Override
+    public ThermalSensor sibling() {
+        return new ThermalSensor(settings);
+    }
+
+    /** A few rays suffice to show that a large drone is detected. */
+    @Override
+    public Assessment assessCoarsely(
+            World world, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom, double high) {
+        turn(world, where);
+        double most = signal(drone, bounds.most(drone.origin(), drone.radius())).probability();
+        double sufficient = most < 1.0 ? high : 1.0;
+        double pixels = area.of(drone, found -> {
+            Signal signal = signal(drone, found);
+            return signal.probability() >= sufficient && signal.isDetected();
+        });
+        Signal signal = signal(drone, pixels);
+        // Without an obstruction, it would not be detected in the open either.
+        boolean isObstructed = area.isObstructed();
+        return new Assessment(
+                signal,
+                signal.isDetected()
+                        ? Explanation.DETECTED
+                        : explainMiss(drone, () -> pixels == 0.0, () -> isObstructed && isDetectedInTheOpen(drone)));
+    }
+
+    /** Those of a drone that is outside the image, that one triangle of the site hides, or that is too weak. */
+    @Override
+    public Optional<AssessmentBounds> boundAtAllHeadings(
+            World world, Drone drone, Position at, Optional<Pointing> where) {
+        turn(world, where);
+        Drone there = drone.at(new FlightState(at, AT_REST, 0.0));
+        double radius = there.radius();
+        double nothing = signal(there, 0.0).probability();
+        if (area.camera().isOutside(at.x(), at.y(), at.z(), radius)) {
+            return bounds(nothing, nothing, Cause.OUT_OF_VIEW);
         }
-        return cover.explain(drone, () -> area.of(drone) == 0.0, () -> signal(drone, area.inTheOpen(drone))
-                .isDetected());
+        if (!outline.contains(at.minus(settings.position()))) {
+            return Optional.empty();
+        }
+        Optional<Obstacle> before = cover.ofPoint(at);
+        if (before.isPresent()) {
+            return bounds.isHidden(at, radius)
+                    ? bounds(
+                            nothing,
+                            nothing,
+                            Cause.hiddenBy(before.get().model().role()))
+                    : Optional.empty();
+        }
+        Signal most = signals.atRest(there, bounds.most(at, radius));
+        return most.isDetected() ? Optional.empty() : bounds(nothing, most.probability(), Cause.TOO_WEAK);
+    }
+
+    private static Optional<AssessmentBounds> bounds(double least, double greatest, Cause cause) {
+        return Optional.of(new AssessmentBounds(least, greatest, cause));
+    }
+
+    /** Headings differ. */
+    @Override
+    public Optional<AssessmentBounds> bound(
+            World world, Drone drone, FlightState state, Optional<Pointing> where, DoubleToIntFunction steps) {
+        return Optional.empty();
     }
 
     /** A drone that is outside the image however it turns has no area; the cause depends on its position alone. */
@@ -95,20 +182,13 @@ public final class ThermalSensor implements AssessableSensor {
     }
 
     private Signal signal(Drone drone, double pixels) {
-        double ratio = signalToNoise(drone, pixels);
-        double probability = spots.map(detector -> detector.probability(ratio))
-                .orElseGet(() -> settings.task().probability(resolved(drone, pixels, ratio)));
-        double ofALook =
-                spots.map(detector -> detector.probabilityOfALook(ratio)).orElse(probability);
-        return settings.byChance()
-                ? Signal.of(ofALook, probability, Quantity.RATIO.unit(), EVEN_CHANCE)
-                : Signal.certain(probability, Quantity.RATIO.unit(), settings.probability());
+        return signals.of(drone, pixels);
     }
 
     private Observation look(Drone drone, Look look) {
         double range = drone.distance(settings.position());
         double pixels = area.of(drone);
-        double ratio = signalToNoise(drone, pixels);
+        double ratio = signals.toNoise(drone, pixels);
         Signal signal = signal(drone, pixels);
         double probability = signal.quantity();
         double threshold = settings.byChance() ? drawnThreshold(drone, look, probability) : settings.probability();
@@ -118,7 +198,7 @@ public final class ThermalSensor implements AssessableSensor {
         spots.ifPresent(detector -> figures.put("snr_threshold", detector.threshold()));
         figures.put(Observation.PROBABILITY, settings.byChance() ? signal.probability() : probability);
         boolean sighted = probability >= threshold
-                || pixels >= settings.lockPixels() && isFollowed(drone, resolved(drone, pixels, ratio), look);
+                || pixels >= settings.lockPixels() && isFollowed(drone, signals.resolved(drone, pixels, ratio), look);
         return new Observation(
                 look.id(settings.kind()),
                 new GroundTruth(drone.id(), range, look.time()),
@@ -148,17 +228,6 @@ public final class ThermalSensor implements AssessableSensor {
                 .orElseGet(() -> look.observerThreshold(drone.id(), settings.rate(), probability));
     }
 
-    /** Signal-to-noise ratio of a drone: for a spot, that of the one pixel which receives most of its heat. */
-    private double signalToNoise(Drone drone, double pixels) {
-        double range = drone.distance(settings.position());
-        double received = spots.isPresent() ? through(range).ensquaredEnergy(focalLength) : 1.0;
-        return signalToNoise(drone.heat(), range, received * pixels);
-    }
-
-    private ImageTransfer through(double range) {
-        return ImageTransfer.through(settings.lens(), area.world().light().cn2(), range);
-    }
-
     /**
      * Signal-to-noise ratio of a drone.
      *
@@ -167,17 +236,7 @@ public final class ThermalSensor implements AssessableSensor {
      * @param pixels that it covers
      */
     double signalToNoise(double excess, double range, double pixels) {
-        double air = Math.pow(settings.transmission(), range / KILOMETRE);
-        return Math.abs(excess) * air * Math.min(1.0, pixels) / settings.netd();
-    }
-
-    private double resolved(Drone drone, double pixels, double signal) {
-        double range = drone.distance(settings.position());
-        double finest = through(range).resolved(settings.minSnr(), signal, focalLength);
-        double blur = finest > 0.0
-                ? ImageSpeed.turning(settings.position(), drone, pointing) * focalLength * settings.exposure()
-                : 0.0;
-        return 0.5 * Math.sqrt(pixels) * finest * ImageSpeed.resolutionLeft(blur);
+        return ThermalSignal.toNoise(settings, excess, range, pixels);
     }
 
     /** The settings of this camera. */

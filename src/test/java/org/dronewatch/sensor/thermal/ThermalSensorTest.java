@@ -4,8 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.SplittableRandom;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.HeatSignature;
@@ -15,6 +19,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
@@ -25,6 +31,7 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ThermalSensorTest {
     private static final Position CAMERA = new Position(0, 0, 50);
@@ -207,5 +214,40 @@ class ThermalSensorTest {
     @Test
     void impossibleCamerasAreRefused() {
         assertThatThrownBy(() -> ThermalSettings.at(CAMERA).withNetd(0)).hasMessage("netd 0 K must be 1e-6 to 100");
+    }
+
+    /** Bounds for all headings, and assessments that trace fewer rays, against those that trace all of them. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void boundsHold(boolean byChance) {
+        long seed = System.nanoTime();
+        System.out.println("ThermalSensorTest: by chance " + byChance + ", seed " + seed);
+        SplittableRandom random = new SplittableRandom(seed);
+        ThermalSettings settings =
+                ThermalSettings.at(REST).withHorizontalFov(0.3).withChance(byChance);
+        World wall = World.of(plate(12, 9, 100));
+        ThermalSensor exact = settings.create();
+        ThermalSensor quick = settings.create();
+        Map<Cause, Integer> bounded = new EnumMap<>(Cause.class);
+        for (int i = 0; i < 400; i++) {
+            double range = 20.0 * Math.exp(random.nextDouble() * 5.0);
+            Position at = new Position(
+                    0.35 * range * (random.nextDouble() - 0.5), range, 0.28 * range * (random.nextDouble() - 0.5));
+            Position velocity = new Position(10.0 * random.nextDouble(), 0.0, 0.0);
+            Drone drone = plateDrone(0.5, 0.3, 5, new FlightState(at, velocity, 6.0 * random.nextDouble()));
+            Assessment all = exact.assess(wall, drone, Optional.empty(), random);
+            Assessment some = quick.assessCoarsely(wall, drone, Optional.empty(), random, 1.0);
+            String as = "seed %d, %s".formatted(seed, at);
+            assertThat(some.cause()).as(as).isEqualTo(all.cause());
+            assertThat(some.probability()).as(as).isEqualTo(all.probability());
+            quick.boundAtAllHeadings(wall, drone, at, Optional.empty()).ifPresent(bounds -> {
+                bounded.merge(bounds.cause(), 1, Integer::sum);
+                assertThat(all.cause()).as(as).isEqualTo(bounds.cause());
+                assertThat(all.probability()).as(as).isBetween(bounds.least(), bounds.greatest());
+            });
+        }
+        assertThat(bounded)
+                .as("seed %d", seed)
+                .containsKeys(Cause.OUT_OF_VIEW, Cause.HIDDEN_BY_BUILDING, Cause.TOO_WEAK);
     }
 }

@@ -1,0 +1,139 @@
+package org.dronewatch.sensor.optics;
+
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * Bounds on the {@link VisibleArea} of a drone at a place that hold however it turns, at the cost of a ray. One thread
+ * at a time.
+ */
+public final class AreaBounds {
+    /** The least cosine of the angle between the camera's axis and the drone for which an upper bound is stated. */
+    private static final double LEAST_COSINE = 0.1;
+
+    /** Rounding. */
+    private static final double SLACK = 1e-6;
+
+    private static final double[] SIGNS = {-1.0, 1.0};
+
+    private final CameraObject camera;
+    private final Visibility visibility;
+
+    /** Bounds for a camera in a world. */
+    public AreaBounds(CameraObject camera, World world) {
+        this.camera = camera;
+        this.visibility = new Visibility(world);
+    }
+
+    /**
+     * The area of a drone is at most this, hidden or not, pixels.
+     *
+     * @param at its origin, m
+     * @param radius largest distance of its mesh from there, m
+     * @return {@link Double#MAX_VALUE} close to the camera, and far from its axis
+     */
+    public double most(Position at, double radius) {
+        Bundle bundle = new Bundle(camera.position(), at, radius);
+        double least = bundle.ahead.dot(camera.outline().forward()) - Math.sqrt(2.0) * bundle.half;
+        if (!bundle.isNarrow() || least < LEAST_COSINE) {
+            return Double.MAX_VALUE;
+        }
+        double focal = camera.focalLength();
+        return 4.0 * bundle.half * bundle.half * focal * focal / (least * least * least) * (1.0 + SLACK);
+    }
+
+    /**
+     * Whether the site certainly hides a drone: a single triangle lies before it and all around it. Parameters as
+     * above.
+     */
+    public boolean isHidden(Position at, double radius) {
+        Position from = camera.position();
+        Bundle bundle = new Bundle(from, at, radius);
+        double end = bundle.range - radius - 2.0 * Visibility.MARGIN;
+        if (!bundle.isNarrow() || !(end > 0.0)) {
+            return false;
+        }
+        Position ahead = bundle.ahead;
+        if (!visibility.findFirstAlong(from.x(), from.y(), from.z(), ahead.x(), ahead.y(), ahead.z(), end)) {
+            return false;
+        }
+        Surface surface = new Surface(visibility.world().mesh(), visibility.triangle(), from);
+        for (double side : SIGNS) {
+            for (double up : SIGNS) {
+                Position ray = bundle.ray(side, up);
+                double distance = surface.distance(ray);
+                double depth = distance * ray.dot(camera.outline().forward());
+                boolean isBefore = distance > 2.0 * Visibility.MARGIN
+                        && distance * ray.length() < end
+                        && depth > camera.near() + 2.0 * Visibility.MARGIN;
+                if (!isBefore) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** The rays of a {@link VisibleArea}, and a little more: a square bundle around the drone's bounding sphere. */
+    private static final class Bundle {
+        private final double range;
+        private final double half;
+        private final Position ahead;
+        private final Position aside;
+        private final Position above;
+
+        Bundle(Position from, Position at, double radius) {
+            Position vector = at.minus(from);
+            this.range = vector.length();
+            this.half = range > radius
+                    ? (1.0 + SLACK) * radius / Math.sqrt(range * range - radius * radius)
+                    : Double.POSITIVE_INFINITY;
+            this.ahead = vector.times(1.0 / range);
+            Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
+            this.aside = ahead.cross(top).unit();
+            this.above = aside.cross(ahead);
+        }
+
+        boolean isNarrow() {
+            return half < LEAST_COSINE;
+        }
+
+        /** The ray of a corner. */
+        Position ray(double side, double up) {
+            return ahead.plus(aside.times(side * half)).plus(above.times(up * half));
+        }
+    }
+
+    /** A triangle as it is seen from a point. */
+    private static final class Surface {
+        private final Position corner;
+        private final Position edge;
+        private final Position other;
+
+        Surface(TriangleMesh mesh, int triangle, Position from) {
+            this.corner = corner(mesh, triangle, 0).minus(from);
+            this.edge = corner(mesh, triangle, 1).minus(from).minus(corner);
+            this.other = corner(mesh, triangle, 2).minus(from).minus(corner);
+        }
+
+        private static Position corner(TriangleMesh mesh, int triangle, int number) {
+            return new Position(
+                    mesh.coordinate(triangle, number, 0),
+                    mesh.coordinate(triangle, number, 1),
+                    mesh.coordinate(triangle, number, 2));
+        }
+
+        /** Where a ray meets its inside, as a multiple of the ray; NaN where it does not, or close to an edge. */
+        double distance(Position ray) {
+            Position normal = ray.cross(other);
+            double determinant = edge.dot(normal);
+            Position back = corner.times(-1.0);
+            double u = back.dot(normal) / determinant;
+            Position across = back.cross(edge);
+            double v = ray.dot(across) / determinant;
+            return u > SLACK && v > SLACK && u + v < 1.0 - SLACK ? other.dot(across) / determinant : Double.NaN;
+        }
+    }
+}
