@@ -107,7 +107,7 @@ class SiteRoutesTest {
         assertThat(all.exposure()).isLessThanOrEqualTo(weakest * 1.01 + 1e-9);
     }
 
-    /** Sensors add up to the whole exposure, of which the part that is in time is no more. */
+    /** It ends at the zone, stays between the heights of the field, and takes no less time than a drone needs. */
     private void assertFlyable(WeakestRoute route) {
         List<Position> points = route.path().points();
         assertThat(points.get(points.size() - 1).distance(new Position(0, 0, 10)))
