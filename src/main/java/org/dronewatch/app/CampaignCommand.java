@@ -12,12 +12,16 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignReader;
+import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.CaseRun;
+import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Shard;
+import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.campaign.CampaignFiles;
+import org.dronewatch.report.campaign.CampaignWords;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.InputException;
@@ -78,6 +82,12 @@ final class CampaignCommand implements Callable<Integer> {
             paramLabel = "I/N",
             description = "Runs the I-th of N parts of the cases; 'merge' joins the parts.")
     private String shard;
+
+    @Option(
+            names = "--junit",
+            paramLabel = "FILE.xml",
+            description = "Writes expectations and cases as JUnit reports tests, for servers that build software.")
+    private String junit;
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
@@ -179,6 +189,8 @@ final class CampaignCommand implements Callable<Integer> {
     private int runAll(CampaignPlan plan, Shard part, String name) {
         PrintWriter err = spec.commandLine().getErr();
         Path directory = out == null ? Path.of("target", "campaigns", name) : path("--out", out);
+        WholeFile report = junit == null ? null : new WholeFile("--junit", junit);
+        int code;
         Interruption interruption = main.interruption();
         plan.sensitivity().ifPresent(cases -> err.println(CampaignLines.cost(plan, cases)));
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
@@ -197,7 +209,12 @@ final class CampaignCommand implements Callable<Integer> {
                 whole = false;
             }
             interruption.letFinish();
-            CampaignLines.print(plan, files.finish(), spec.commandLine().getOut());
+            CampaignResult result = files.finish();
+            CampaignLines.print(plan, result, spec.commandLine().getOut());
+            if (report != null) {
+                report.write(stream -> files.writeJunit(result, stream));
+            }
+            code = whole && part.isAll() ? expected(plan, result) : 0;
             if (!whole) {
                 err.println("interrupted: --resume runs the cases that are missing");
             }
@@ -206,7 +223,21 @@ final class CampaignCommand implements Callable<Integer> {
             }
             err.println("results in " + directory);
         }
-        return 0;
+        return code;
+    }
+
+    /** The exit code: whether the campaign shows what is expected of it. */
+    private int expected(CampaignPlan plan, CampaignResult result) {
+        int code = 0;
+        for (Expectation one : plan.settings().expect()) {
+            if (!one.isMet(plan, result.summary())) {
+                spec.commandLine()
+                        .getErr()
+                        .println("expectation not met: " + CampaignWords.missed(plan, one, result.summary()));
+                code = Main.FAILED;
+            }
+        }
+        return code;
     }
 
     private void run(CampaignRun run, CampaignRun.Chunks chunks, String name) {

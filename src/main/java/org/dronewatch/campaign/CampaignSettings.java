@@ -3,6 +3,7 @@ package org.dronewatch.campaign;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.setting.Check;
@@ -24,6 +25,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
  * @param until how precisely a probability is to be known, instead of a fixed number of cases
  * @param sensitivity how it is found out which settings matter
+ * @param expect what it is expected to show
  * @param seed seed of what is drawn for the cases, and of their runs
  */
 public record CampaignSettings(
@@ -34,6 +36,7 @@ public record CampaignSettings(
         @In(value = Quantity.NUMBER, from = 1, to = 1e6) Optional<Integer> runs,
         Optional<UntilSettings> until,
         Optional<SensitivitySettings> sensitivity,
+        List<Expectation> expect,
         long seed) {
     /** Name of the variant of a campaign that states none. */
     public static final String ALONE = "scene";
@@ -53,7 +56,8 @@ public record CampaignSettings(
         Check.present("runs", runs);
         Check.present("until", until);
         Check.present("sensitivity", sensitivity);
-        Limits.check(CampaignSettings.class, scene, vary, table, variants, runs, until, sensitivity, seed);
+        expect = List.copyOf(Check.present("expect", expect));
+        Limits.check(CampaignSettings.class, scene, vary, table, variants, runs, until, sensitivity, expect, seed);
         if (variants.size() > MOST_VARIANTS) {
             throw new IllegalArgumentException("variants has " + variants.size() + " entries, must have at most 100");
         }
@@ -67,6 +71,11 @@ public record CampaignSettings(
         if (sensitivity.isPresent() && sensitivity.get().variant().isPresent()) {
             checkNamed("sensitivity.variant", sensitivity.get().variant().get(), variants);
         }
+        for (Expectation one : expect) {
+            if (one.variant().isPresent()) {
+                checkNamed("expect.variant", one.variant().get(), variants);
+            }
+        }
         if (until.isPresent() && until.get().variant().isEmpty() && variants.size() > 1) {
             throw new IllegalArgumentException("until needs 'variant': one of " + String.join(", ", variants.keySet()));
         }
@@ -76,12 +85,21 @@ public record CampaignSettings(
     @Defaults("scene")
     public static CampaignSettings of(String scene) {
         return new CampaignSettings(
-                scene, Map.of(), Optional.empty(), Map.of(), Optional.empty(), Optional.empty(), Optional.empty(), 1L);
+                scene,
+                Map.of(),
+                Optional.empty(),
+                Map.of(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                List.of(),
+                1L);
     }
 
     /** A copy of another scene, which ends after a fixed number of cases and has no sensitivities. */
     public CampaignSettings withScene(String other) {
-        return new CampaignSettings(other, vary, table, Map.of(), runs, Optional.empty(), Optional.empty(), seed);
+        return new CampaignSettings(
+                other, vary, table, Map.of(), runs, Optional.empty(), Optional.empty(), List.of(), seed);
     }
 
     /** A copy with other settings that vary. */

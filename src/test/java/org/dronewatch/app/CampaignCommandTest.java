@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
 import org.junit.jupiter.api.BeforeAll;
@@ -14,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.w3c.dom.Document;
+import org.w3c.dom.NodeList;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -228,6 +231,46 @@ class CampaignCommandTest {
                         .code())
                 .isZero();
         assertThat(Files.readString(directory.resolve("matters/campaign.json"))).isEqualTo(before);
+    }
+
+    /** Seven attacks that are met in time, whose lower bound is 7 / (7 + 1.96^2), and one whose values contradict. */
+    @Test
+    void expectationsThatAreNotMetFailTheCommandAndItsReport() throws Exception {
+        Path file = Files.writeString(
+                directory.resolve("expected.campaign.yaml"),
+                """
+                scene: site.yaml
+                table: expected.csv
+                expect:
+                  - {of: detected, low: 0.3}
+                  - {of: in_time, variant: scene, low: 0.99}
+                """);
+        Files.writeString(
+                directory.resolve("expected.csv"),
+                "drones.intruder.flight.distance,drones.intruder.flight.standoff\n" + "500 m,0 m\n".repeat(7)
+                        + "300 m,400 m\n");
+        Path xml = directory.resolve("expected.xml");
+        Outcome expected =
+                Program.run("campaign", file.toString(), "--out=" + directory.resolve("expected"), "--junit=" + xml);
+        Document document =
+                DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(xml.toFile());
+        NodeList suites = document.getElementsByTagName("testsuite");
+
+        assertThat(expected.code()).as(expected.err()).isEqualTo(1);
+        assertThat(expected.err())
+                .contains("expectation not met: in time of scene: lower bound 0.6457, must be at least 0.99")
+                .doesNotContain("detected of");
+        assertThat(suites.getLength()).isEqualTo(2);
+        assertThat(attributes(suites.item(0))).isEqualTo("expectations 2 1");
+        assertThat(attributes(suites.item(1))).isEqualTo("scene 8 1");
+        assertThat(document.getElementsByTagName("testcase").getLength()).isEqualTo(10);
+        assertThat(document.getElementsByTagName("failure").getLength()).isEqualTo(2);
+    }
+
+    private static String attributes(org.w3c.dom.Node suite) {
+        return suite.getAttributes().getNamedItem("name").getNodeValue() + " "
+                + suite.getAttributes().getNamedItem("tests").getNodeValue() + " "
+                + suite.getAttributes().getNamedItem("failures").getNodeValue();
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.dronewatch.report.campaign;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
@@ -223,6 +224,11 @@ public final class CampaignFiles implements AutoCloseable {
      */
     public void writeProvenance(ObjectNode provenance) {
         writeJson(ProvenanceFile.NAME, provenance);
+    }
+
+    /** Writes the results in the form of JUnit. */
+    public void writeJunit(CampaignResult result, OutputStream stream) throws IOException {
+        new JunitFile(plan, result.summary(), chunks()).write(stream);
     }
 
     private void writeJson(String name, ObjectNode content) {

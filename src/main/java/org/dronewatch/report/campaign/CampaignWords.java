@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignQuantity;
+import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
@@ -46,6 +49,22 @@ public final class CampaignWords {
                     String.format(Locale.ROOT, "  %,d cases failed; their groups are left out", sensitivity.failed()));
         }
         return lines;
+    }
+
+    /** Why a campaign does not show what is expected of it. */
+    public static String missed(CampaignPlan plan, Expectation expected, CampaignSummary summary) {
+        String what =
+                expected.of().name().toLowerCase(Locale.ROOT).replace('_', ' ') + " of " + expected.variantIn(plan);
+        return expected.proportion(plan, summary)
+                .map(one -> String.format(
+                        Locale.ROOT,
+                        "%s: lower bound %.4f, must be at least %s (%,d of %,d cases)",
+                        what,
+                        one.wilson(CampaignFile.CONFIDENCE).low(),
+                        expected.low(),
+                        one.count(),
+                        one.of()))
+                .orElse(what + ": not known in any case");
     }
 
     /** A setting by its path, or chance. */

@@ -1,0 +1,47 @@
+package org.dronewatch.campaign;
+
+import java.util.Optional;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What a campaign is expected to show: that the interval of a probability lies above a limit.
+ *
+ * @param of the outcome whose probability it is
+ * @param variant the variant; the first by default
+ * @param low the least lower bound of the 95 % confidence interval
+ */
+public record Expectation(
+        Outcome of, Optional<String> variant, @In(value = Quantity.NUMBER, from = 0, to = 1) double low) {
+    /** Checks the limits. */
+    public Expectation {
+        Check.present("variant", variant);
+        Limits.check(Expectation.class, of, variant, low);
+    }
+
+    /** An expectation of the first variant. */
+    @Defaults({"of", "low"})
+    public static Expectation of(Outcome of, double low) {
+        return new Expectation(of, Optional.empty(), low);
+    }
+
+    /** The variant of whose cases it holds or not. */
+    public String variantIn(CampaignPlan plan) {
+        return variant.orElseGet(() -> plan.variants().get(0));
+    }
+
+    /** The probability as far as the campaign knows it; empty if the outcome makes no sense in any case. */
+    public Optional<Proportion> proportion(CampaignPlan plan, CampaignSummary summary) {
+        return summary.variants().get(variantIn(plan)).proportion(of);
+    }
+
+    /** Whether the campaign shows it. */
+    public boolean isMet(CampaignPlan plan, CampaignSummary summary) {
+        return proportion(plan, summary)
+                .map(one -> one.wilson(SequentialRule.CONFIDENCE).low() >= low)
+                .orElse(false);
+    }
+}
