@@ -91,7 +91,7 @@ final class AgainCommand implements Callable<Integer> {
         if (!changed.isEmpty()) {
             print.println("not the same as then: " + String.join(", ", changed));
         }
-        Map<String, SameBytes.State> states = SameBytes.compare(given.getParent(), target);
+        Map<String, SameBytes.State> states = SameBytes.compare(given.resolveSibling(""), target);
         states.forEach((name, state) ->
                 print.printf("%-9s  %s%n", state.name().toLowerCase(Locale.ROOT), PlainText.value(name)));
         boolean same = !states.isEmpty() && states.values().stream().allMatch(state -> state == SameBytes.State.SAME);
