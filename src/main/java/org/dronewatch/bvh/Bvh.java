@@ -37,11 +37,4 @@ final class Bvh {
     int depth() {
         return depth;
     }
-
-    /** The reference to the leaf that holds all triangles, of a tree so small; {@link BvhNode#NONE} otherwise. */
-    int onlyLeaf() {
-        int first = BvhNode.reference(pool, BvhNode.ROOT, 0);
-        boolean isAlone = BvhNode.reference(pool, BvhNode.ROOT, 1) == BvhNode.NONE;
-        return isAlone && BvhNode.isLeaf(first) ? first : BvhNode.NONE;
-    }
 }

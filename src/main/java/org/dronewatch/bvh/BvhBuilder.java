@@ -21,9 +21,6 @@ final class BvhBuilder {
     /** Maximum number of triangles of a leaf, where splitting does not pay. */
     private static final int MAX_IN_LEAF = 8;
 
-    /** So few triangles are tested without any box: measured. */
-    private static final int MAX_WITHOUT_BOXES = BvhNode.MOST_BLOCKS * BvhNode.TRIANGLES;
-
     /** Below this level, parts are halved by number: bounds the cost of degenerate input. */
     private static final int DEEPEST = 60;
 
@@ -60,9 +57,7 @@ final class BvhBuilder {
             }
         }
         BvhPart root = part(0, count);
-        if (count > MAX_WITHOUT_BOXES) {
-            split(root, 0);
-        }
+        split(root, 0);
         return new BvhWriter(triangles, order).write(root, reach);
     }
 

@@ -25,6 +25,9 @@ final class BvhNode {
     /** Ints from the coordinates of a corner of a block's triangles to those of the next corner. */
     static final int CORNER = 3 * TRIANGLES;
 
+    /** Ints from a block to its triangles' numbers. */
+    static final int NUMBERS = 9 * TRIANGLES;
+
     /** Ints of a block. */
     static final int BLOCK = 10 * TRIANGLES;
 
@@ -38,7 +41,6 @@ final class BvhNode {
     static final int NONE = 0;
 
     private static final int REFERENCES = 6 * WIDTH;
-    private static final int NUMBERS = 9 * TRIANGLES;
     private static final int LEAF = 0x80000000;
     private static final int FOLLOWING = MOST_BLOCKS - 1;
 

@@ -44,7 +44,6 @@ final class BvhTraversal extends RayTracer {
 
     private final int[] pool;
     private final double reach;
-    private final int onlyLeaf;
     private final StackTraversal exact;
     private final int[] entries = new int[BvhNode.WIDTH];
     private final double[] parameters = new double[BvhNode.TRIANGLES];
@@ -77,7 +76,6 @@ final class BvhTraversal extends RayTracer {
         super(tree.triangles());
         this.pool = wide.pool();
         this.reach = wide.reach();
-        this.onlyLeaf = wide.onlyLeaf();
         this.exact = new StackTraversal(tree);
         this.stack = new long[(BvhNode.WIDTH - 1) * wide.depth() + 1];
     }
@@ -94,9 +92,7 @@ final class BvhTraversal extends RayTracer {
         first = tMin;
         nearest = tMax;
         winner = -1;
-        if (onlyLeaf != BvhNode.NONE) {
-            testBlocks(onlyLeaf, 0);
-        } else if (!anyHit || !isHiddenAsBefore()) {
+        if (!anyHit || !isHiddenAsBefore()) {
             walk(tMin, tMax, anyHit);
         }
         if (anyHit) {
@@ -368,7 +364,8 @@ final class BvhTraversal extends RayTracer {
                 int lane = Integer.numberOfTrailingZeros(hits);
                 hits &= hits - 1;
                 double parameter = ts[lane];
-                int triangle = BvhNode.number(blocks, block, lane);
+                // Written out: the compiler inlines no more calls here, and around a call saves all vectors.
+                int triangle = blocks[block + BvhNode.NUMBERS + lane];
                 if (parameter >= first
                         && (parameter < nearest || parameter == nearest && (winner < 0 || triangle < winner))
                         && !(zeros[lane] == 0.0 && isBeside(block + lane))) {

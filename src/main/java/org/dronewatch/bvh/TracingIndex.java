@@ -1,5 +1,6 @@
 package org.dronewatch.bvh;
 
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
@@ -16,6 +17,7 @@ import org.dronewatch.parallel.VectorInstructions;
 public final class TracingIndex {
     private final KDTree tree;
     private final RayTraversal traversal;
+    private final Optional<FewTriangles> few;
     private Bvh bvh;
 
     /** An index of a finished tree; the BVH is only built when needed. */
@@ -27,6 +29,9 @@ public final class TracingIndex {
     public TracingIndex(KDTree tree, RayTraversal traversal) {
         this.tree = tree;
         this.traversal = traversal;
+        this.few = Optional.of(tree.triangles())
+                .filter(triangles -> triangles.count() <= FewTriangles.MOST)
+                .map(FewTriangles::new);
     }
 
     /**
@@ -82,14 +87,21 @@ public final class TracingIndex {
      * @throws CancellationException when the thread is interrupted while the BVH is built
      */
     public RayTracer newIncoherentRayTracer() {
-        return traversal == RayTraversal.FASTEST && hasBvh() ? new BvhTraversal(tree, bvh()) : newRayTracer();
+        if (traversal != RayTraversal.FASTEST || !suitsVectors()) {
+            return newRayTracer();
+        }
+        return few.isPresent() ? new FewTrianglesTraversal(tree.triangles(), few.get()) : new BvhTraversal(tree, bvh());
     }
 
     /**
-     * Whether incoherent rays have a BVH: only if the processor's vectors can be used, and the mesh has triangles, all
-     * of them near enough to the origin to be bounded in single precision.
+     * Whether incoherent rays have a BVH: only if the processor's vectors can be used, and the mesh has more than a few
+     * triangles, all of them near enough to the origin to be bounded in single precision.
      */
     public boolean hasBvh() {
+        return suitsVectors() && few.isEmpty();
+    }
+
+    private boolean suitsVectors() {
         return VectorInstructions.areAvailable()
                 && tree.mesh().triangleCount() > 0
                 && reach(tree.bounds()) < Bvh.FARTHEST;

@@ -76,7 +76,7 @@ class BvhTraversalTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 4, 5, 12, 15, 16, 17, 18, 40})
-    void fewTrianglesAreHitWithAndWithoutBoxes(int triangles) {
+    void fewTrianglesAreHitWithAndWithoutATree(int triangles) {
         long seed = 20261125 + triangles;
         Random random = new Random(seed);
         float[] corners = new float[9 * triangles];
@@ -88,12 +88,18 @@ class BvhTraversalTest {
             numbers[i] = i;
         }
         KDTree tree = KDTree.of(TriangleMesh.of(corners, numbers));
-        Bvh bvh = new BvhBuilder(tree.triangles()).build();
-        assertThat(bvh.onlyLeaf() != BvhNode.NONE).isEqualTo(triangles <= 16);
-        RayTracer wide = new BvhTraversal(tree, bvh);
+        RayTracer wide = new BvhTraversal(tree, new BvhBuilder(tree.triangles()).build());
+        RayTracer chosen = new TracingIndex(tree).newIncoherentRayTracer();
+        assertThat(chosen instanceof FewTrianglesTraversal).isEqualTo(triangles <= 16);
+        checkAgainstTheKdTree(tree, wide, seed);
+        checkAgainstTheKdTree(tree, chosen, seed);
+    }
+
+    private static void checkAgainstTheKdTree(KDTree tree, RayTracer wide, long seed) {
+        Random random = new Random(seed);
         RayTracer narrow = new StackTraversal(tree);
         int hits = 0;
-        for (int i = 0; i < 5_000; i++) {
+        for (int i = 0; i < 10_000; i++) {
             double[] o = {20 * random.nextDouble() - 5, 20 * random.nextDouble() - 5, 20 * random.nextDouble() - 5};
             double[] d = {random.nextGaussian(), random.nextGaussian(), random.nextGaussian()};
             double first = i % 2 == 0 ? 0.0 : 3.0 * random.nextDouble();
@@ -106,6 +112,8 @@ class BvhTraversalTest {
                 hits++;
                 assertThat(wide.triangle()).as("seed %d, ray %d", seed, i).isEqualTo(narrow.triangle());
                 assertThat(wide.distance()).as("seed %d, ray %d", seed, i).isEqualTo(narrow.distance());
+                assertThat(wide.u()).as("seed %d, ray %d", seed, i).isEqualTo(narrow.u());
+                assertThat(wide.v()).as("seed %d, ray %d", seed, i).isEqualTo(narrow.v());
             }
             assertThat(wide.isOccluded(o[0], o[1], o[2], d[0], d[1], d[2], first, last))
                     .as("seed %d, ray %d", seed, i)

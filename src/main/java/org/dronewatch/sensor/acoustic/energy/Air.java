@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import org.dronewatch.sensor.acoustic.propagation.BandFactors;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.OctaveBands;
 
@@ -52,13 +53,7 @@ final class Air {
             }
             return sum;
         }
-        double rest = metre - distance;
-        int row = BANDS * metre;
-        for (int band = 0; band < BANDS; band++) {
-            double x = exponents[band] * rest;
-            double series = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));
-            energies[band] *= table[row + band] * series;
-        }
+        BandFactors.multiplyByExponentials(energies, exponents, metre - distance, table, BANDS * metre);
         for (int band = 0; band < BANDS; band++) {
             sum += energies[band];
         }

@@ -2,7 +2,6 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
@@ -33,7 +32,7 @@ final class BackwardRay {
 
     private final EnergyModel model;
     private final World world;
-    private final TriangleMesh mesh;
+    private final Normals normals;
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
@@ -74,7 +73,7 @@ final class BackwardRay {
             EnergyPacket energy) {
         this.model = model;
         this.world = world;
-        this.mesh = world.mesh();
+        this.normals = new Normals(world.mesh());
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
         this.planes = planes;
@@ -179,7 +178,7 @@ final class BackwardRay {
     }
 
     private void meet(int triangle, double distance) {
-        Normals.facing(mesh, triangle, ray, normal);
+        normals.facing(triangle, ray, normal);
         ray.advance(distance);
         int material = world.material(triangle, ray.originX, ray.originY);
         ray.order++;

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -24,7 +23,7 @@ final class ScatterSamples {
     private static final double FAINT = 1e-3;
 
     private final World world;
-    private final TriangleMesh mesh;
+    private final Normals normals;
     private final RayTracer tracer;
     private final double[] reflected;
     private final double[] scattered;
@@ -33,7 +32,7 @@ final class ScatterSamples {
 
     ScatterSamples(World world, BandSurfaces surfaces) {
         this.world = world;
-        this.mesh = world.mesh();
+        this.normals = new Normals(world.mesh());
         this.tracer = world.newIncoherentRayTracer();
         int materials = world.surfaces().size();
         this.reflected = new double[materials];
@@ -92,7 +91,7 @@ final class ScatterSamples {
             if (!ray.meets(tracer)) {
                 return true;
             }
-            Normals.facing(mesh, tracer.triangle(), ray, normal);
+            normals.facing(tracer.triangle(), ray, normal);
             ray.advance(tracer.distance());
             int material = world.material(tracer.triangle(), ray.originX, ray.originY);
             ray.standOff(normal, 1.0);

@@ -2,7 +2,6 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
@@ -25,7 +24,7 @@ final class ScatteredSound {
     static final int MOST = 6;
 
     private final World world;
-    private final TriangleMesh mesh;
+    private final Normals normals;
     private final RayTracer tracer;
     private final WallPlanes planes;
     private final BandSurfaces surfaces;
@@ -49,7 +48,7 @@ final class ScatteredSound {
             ReceiverSphere ofStart,
             Air air) {
         this.world = world;
-        this.mesh = world.mesh();
+        this.normals = new Normals(world.mesh());
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
         this.surfaces = surfaces;
@@ -135,7 +134,7 @@ final class ScatteredSound {
             }
             int triangle = tracer.triangle();
             double flown = tracer.distance();
-            Normals.facing(mesh, triangle, ray, normal);
+            normals.facing(triangle, ray, normal);
             ray.advance(flown);
             int material = world.material(triangle, ray.originX, ray.originY);
             ray.standOff(normal, 1.0);

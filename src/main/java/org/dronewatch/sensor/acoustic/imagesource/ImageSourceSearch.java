@@ -3,7 +3,6 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -37,7 +36,7 @@ public final class ImageSourceSearch {
     private static final double FEW = 2.0;
 
     private final World world;
-    private final TriangleMesh mesh;
+    private final Normals normals;
     private final RayTracer tracer;
     private final WallPlanes planes;
     private final double[] mirrored;
@@ -46,7 +45,7 @@ public final class ImageSourceSearch {
 
     public ImageSourceSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.world = world;
-        this.mesh = world.mesh();
+        this.normals = new Normals(world.mesh());
         this.tracer = world.newIncoherentRayTracer();
         this.planes = planes;
         this.mirrored = new double[world.surfaces().size()];
@@ -145,7 +144,7 @@ public final class ImageSourceSearch {
                 break;
             }
             int triangle = tracer.triangle();
-            Normals.facing(mesh, triangle, ray, normal);
+            normals.facing(triangle, ray, normal);
             ray.advance(tracer.distance());
             left *= mirrored[world.material(triangle, ray.originX, ray.originY)];
             if (left < FAINT) {

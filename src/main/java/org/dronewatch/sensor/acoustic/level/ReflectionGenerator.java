@@ -2,7 +2,6 @@ package org.dronewatch.sensor.acoustic.level;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
@@ -22,7 +21,7 @@ public final class ReflectionGenerator {
 
     private final LevelModel model;
     private final World world;
-    private final TriangleMesh mesh;
+    private final Normals normals;
     private final SurfaceLevels surfaces;
     private final Position sensor;
     private final AcousticRay branch = new AcousticRay();
@@ -51,7 +50,7 @@ public final class ReflectionGenerator {
     ReflectionGenerator(LevelModel model, World world, SurfaceLevels surfaces, Position sensor) {
         this.model = model;
         this.world = world;
-        this.mesh = world.mesh();
+        this.normals = new Normals(world.mesh());
         this.surfaces = surfaces;
         this.sensor = sensor;
     }
@@ -148,7 +147,7 @@ public final class ReflectionGenerator {
     }
 
     private void setHit(AcousticRay ray, double distance, int triangle) {
-        Normals.facing(mesh, triangle, ray, normal);
+        normals.facing(triangle, ray, normal);
         normalX = normal[0];
         normalY = normal[1];
         normalZ = normal[2];

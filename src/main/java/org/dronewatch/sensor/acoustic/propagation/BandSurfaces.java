@@ -78,10 +78,7 @@ public final class BandSurfaces {
             }
             return;
         }
-        int row = BANDS * material;
-        for (int band = 0; band < BANDS; band++) {
-            energies[band] *= reflected[row + band];
-        }
+        BandFactors.multiply(energies, reflected, BANDS * material);
     }
 
     /** Whether absorption depends on the angle. */

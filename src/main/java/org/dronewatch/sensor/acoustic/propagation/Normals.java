@@ -2,20 +2,54 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 import org.dronewatch.geometry.TriangleMesh;
 
-/** Normals of triangles. */
+/** Unit normals of a mesh's triangles. One per thread. */
 public final class Normals {
-    private Normals() {}
+    /** Up to this number of triangles the normals are tabulated: a table of this size fits the fastest cache. */
+    private static final int MOST_TABULATED = 256;
+
+    /** A normal, then one over its length: a product of both is the unit normal. */
+    private static final int NUMBERS = 4;
+
+    private final TriangleMesh mesh;
+    private final double[] table;
+    private final double[] computed = new double[3];
+
+    public Normals(TriangleMesh mesh) {
+        this.mesh = mesh;
+        int tabulated = mesh.triangleCount() <= MOST_TABULATED ? mesh.triangleCount() : 0;
+        this.table = new double[NUMBERS * tabulated];
+        for (int triangle = 0; triangle < tabulated; triangle++) {
+            mesh.normal(triangle, computed);
+            int row = NUMBERS * triangle;
+            System.arraycopy(computed, 0, table, row, computed.length);
+            table[row + 3] = inverseLength(computed[0], computed[1], computed[2]);
+        }
+    }
 
     /** Writes the unit normal of a triangle on the side from which a ray arrives. */
-    public static void facing(TriangleMesh mesh, int triangle, AcousticRay ray, double[] target) {
-        mesh.normal(triangle, target);
-        double nx = target[0];
-        double ny = target[1];
-        double nz = target[2];
-        double along = nx * ray.directionX + ny * ray.directionY + nz * ray.directionZ;
-        double scale = (along > 0.0 ? -1.0 : 1.0) / Math.sqrt(nx * nx + ny * ny + nz * nz);
-        target[0] = nx * scale;
-        target[1] = ny * scale;
-        target[2] = nz * scale;
+    public void facing(int triangle, AcousticRay ray, double[] target) {
+        int row = NUMBERS * triangle;
+        if (row < table.length) {
+            turn(table[row], table[row + 1], table[row + 2], table[row + 3], ray, target);
+        } else {
+            mesh.normal(triangle, computed);
+            double x = computed[0];
+            double y = computed[1];
+            double z = computed[2];
+            turn(x, y, z, inverseLength(x, y, z), ray, target);
+        }
+    }
+
+    private static double inverseLength(double x, double y, double z) {
+        return 1.0 / Math.sqrt(x * x + y * y + z * z);
+    }
+
+    private static void turn(double x, double y, double z, double inverseLength, AcousticRay ray, double[] target) {
+        double along = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
+        // Without a branch: which side a triangle shows cannot be predicted. The difference makes of -0 a 0.
+        double scale = Math.copySign(inverseLength, 0.0 - along);
+        target[0] = x * scale;
+        target[1] = y * scale;
+        target[2] = z * scale;
     }
 }

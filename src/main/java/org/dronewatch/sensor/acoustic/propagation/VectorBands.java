@@ -1,0 +1,34 @@
+package org.dronewatch.sensor.acoustic.propagation;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorSpecies;
+
+/** The products of {@link BandFactors} by vector instructions, four bands at a time. */
+final class VectorBands {
+    private static final VectorSpecies<Double> DOUBLES_4 = DoubleVector.SPECIES_256;
+    private static final int LANES = 4;
+
+    private VectorBands() {}
+
+    static void multiply(double[] values, double[] factors, int row) {
+        for (int band = 0; band < BandFactors.BANDS; band += LANES) {
+            load(values, band).mul(load(factors, row + band)).intoArray(values, band);
+        }
+    }
+
+    static void multiplyByExponentials(double[] values, double[] exponents, double by, double[] factors, int row) {
+        for (int band = 0; band < BandFactors.BANDS; band += LANES) {
+            DoubleVector x = load(exponents, band).mul(by);
+            DoubleVector series = x.mul(1.0 / 120.0).add(1.0 / 24.0);
+            series = x.mul(series).add(1.0 / 6.0);
+            series = x.mul(series).add(1.0 / 2.0);
+            series = x.mul(series).add(1.0);
+            series = x.mul(series).add(1.0);
+            load(values, band).mul(load(factors, row + band).mul(series)).intoArray(values, band);
+        }
+    }
+
+    private static DoubleVector load(double[] values, int at) {
+        return DoubleVector.fromArray(DOUBLES_4, values, at);
+    }
+}
