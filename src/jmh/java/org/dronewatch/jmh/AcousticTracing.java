@@ -6,7 +6,6 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -100,7 +99,7 @@ public class AcousticTracing {
         double[] numbers = new double[NUMBERS * RAYS];
         SplittableRandom random = new SplittableRandom(2);
         RayTracer traversal = world.newRayTracer();
-        TriangleMesh mesh = world.mesh();
+        Normals normals = new Normals(world.mesh());
         double[] normal = new double[3];
         AcousticRay ray = new AcousticRay();
         for (int i = 0; i < RAYS; i++) {
@@ -120,7 +119,7 @@ public class AcousticTracing {
             if (!closestHit(traversal, numbers, at)) {
                 throw new IllegalStateException("the church has a hole");
             }
-            Normals.facing(mesh, traversal.triangle(), ray, normal);
+            normals.facing(traversal.triangle(), ray, normal);
             double stop = traversal.distance() - 1e-6;
             ray.originX += stop * ray.directionX;
             ray.originY += stop * ray.directionY;
