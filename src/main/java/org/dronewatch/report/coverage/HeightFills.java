@@ -10,7 +10,10 @@ final class HeightFills {
     private static final Color LOWEST = new Color(0xfff3c4);
     private static final Color HIGHEST = new Color(0x2c4a86);
     private static final Color NONE = new Color(0x2b2b2b);
-    private static final double STRENGTH = 0.75;
+
+    /** Most of a colour is that of its class: shades of the ground must not look like the class beside it. */
+    private static final double STRENGTH = 0.92;
+
     private static final double LOWEST_BOUND = 2.5;
 
     private HeightFills() {}

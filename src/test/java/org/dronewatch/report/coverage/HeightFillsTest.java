@@ -1,0 +1,42 @@
+package org.dronewatch.report.coverage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.junit.jupiter.api.Test;
+
+/** A map of heights is read by its legend, also in black and white. */
+class HeightFillsTest {
+    private static final FieldGrid GRID = new FieldGrid(0, 0, 100, 10, List.of(10.0, 30.0, 60.0, 120.0, 150.0));
+
+    /** Under the samples of the legend. */
+    private static final Color LEGEND = new Color(0xd8d4cc);
+
+    /** The darkest slope that faces away from the light, and a road. */
+    private static final List<Color> GROUNDS = List.of(new Color(59, 58, 56), new Color(250, 250, 250));
+
+    /** Rec. 709 weights: what a print in black and white keeps. */
+    private static double luminance(Color colour) {
+        return 0.2126 * colour.getRed() + 0.7152 * colour.getGreen() + 0.0722 * colour.getBlue();
+    }
+
+    @Test
+    void everyClassLooksLikeItsOwnSampleWhateverTheGround() {
+        List<Double> heights = new ArrayList<>(HeightFills.bounds(GRID));
+        heights.add(Double.NaN);
+        for (double height : heights) {
+            for (Color ground : GROUNDS) {
+                double drawn = luminance(HeightFills.of(GRID, height).at(0, 0, ground));
+                double nearest = heights.stream()
+                        .min(Comparator.comparingDouble(other ->
+                                Math.abs(luminance(HeightFills.of(GRID, other).at(0, 0, LEGEND)) - drawn)))
+                        .orElseThrow();
+                assertThat(nearest).as("height %s on %s", height, ground).isEqualTo(height);
+            }
+        }
+    }
+}
