@@ -28,10 +28,10 @@ class HeightFillsTest {
     void everyClassLooksLikeItsOwnSampleWhateverTheGround() {
         List<Double> heights = new ArrayList<>(HeightFills.bounds(GRID));
         heights.add(Double.NaN);
-        for (double height : heights) {
+        for (Double height : heights) {
             for (Color ground : GROUNDS) {
                 double drawn = luminance(HeightFills.of(GRID, height).at(0, 0, ground));
-                double nearest = heights.stream()
+                Double nearest = heights.stream()
                         .min(Comparator.comparingDouble(other ->
                                 Math.abs(luminance(HeightFills.of(GRID, other).at(0, 0, LEGEND)) - drawn)))
                         .orElseThrow();
