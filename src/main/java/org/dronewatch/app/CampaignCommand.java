@@ -123,7 +123,7 @@ final class CampaignCommand implements Callable<Integer> {
     /** Reads the campaign and loads its models. */
     CampaignPlan plan(PrintWriter err) {
         Path given = path("campaign file", file);
-        Loaded loaded = new Loaded(err);
+        LoadingNotes loaded = new LoadingNotes(err);
         CampaignPlan plan = new CampaignPlan(settings(given), directory(given), loaded::note);
         loaded.done();
         return plan;
@@ -244,26 +244,6 @@ final class CampaignCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         try (CaseProgress progress = new CaseProgress(name, run.size(), err)) {
             run.run(chunks, progress);
-        }
-    }
-
-    /** Prints notes while scenes are loaded; later ones concern single cases and are dropped. */
-    private static final class Loaded {
-        private final PrintWriter err;
-        private volatile boolean isDone;
-
-        Loaded(PrintWriter err) {
-            this.err = err;
-        }
-
-        void note(String line) {
-            if (!isDone) {
-                err.println(line);
-            }
-        }
-
-        void done() {
-            isDone = true;
         }
     }
 }

@@ -104,8 +104,12 @@ final class CompareCommand implements Callable<Integer> {
             err.println("no attack has a bearing that could vary, so only chance does: --vary FILE states what else");
         }
         Path directory = file.toAbsolutePath().normalize().getParent();
-        CampaignPlan plan = new CampaignPlan(settings, directory, SceneChoice::named, err::println);
-        return threads.call(() -> run(plan));
+        return threads.call(() -> {
+            LoadingNotes loading = new LoadingNotes(err);
+            CampaignPlan plan = new CampaignPlan(settings, directory, SceneChoice::named, loading::note);
+            loading.done();
+            return run(plan);
+        });
     }
 
     private CampaignSettings settings(Path file) {
