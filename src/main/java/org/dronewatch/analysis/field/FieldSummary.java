@@ -35,10 +35,16 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
         return new FieldSummary(coverage, heights);
     }
 
-    /** The sensors without which the coverage is the same at every height. */
+    /**
+     * The sensors without any one of which the same cells are covered at every height; none where nothing is covered,
+     * since there no sensor adds anything that it could fail to add.
+     */
     public List<String> idleSensors() {
+        if (heights.stream().allMatch(one -> one.covered() == 0)) {
+            return List.of();
+        }
         return coverage.field().sensors().stream()
-                .filter(sensor -> heights.stream().allMatch(one -> one.lost().get(sensor) == 0))
+                .filter(sensor -> heights.stream().allMatch(one -> one.changed().get(sensor) == 0))
                 .toList();
     }
 }

@@ -17,8 +17,10 @@ import org.dronewatch.sensor.Cause;
  * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
  * @param causes known cells by their dominant cause, in the order of {@link Cause}
  * @param counts known cells by the number of sensors that cover them, from none upwards
- * @param lost by sensor, the number of cells that are covered with it, but not without it; without it another course
- *     may count, so that a number below 0 is possible for the best course
+ * @param lost by sensor, the number of covered cells less that without it: what is lost, less what is gained, since
+ *     without a sensor another course may count, on which the others cover more; so it may be 0 although cells change,
+ *     or below 0
+ * @param changed by sensor, the number of cells that are covered either with it or without it, but not both
  * @param gap the largest gap; empty if there is none
  */
 public record HeightSummary(
@@ -31,6 +33,7 @@ public record HeightSummary(
         Map<Cause, Integer> causes,
         int[] counts,
         Map<String, Integer> lost,
+        Map<String, Integer> changed,
         Optional<Gap> gap) {
 
     /** The cells that are unknown. */
@@ -63,11 +66,16 @@ public record HeightSummary(
             }
         }
         Map<String, Integer> lost = new LinkedHashMap<>();
-        without.forEach((sensor, rest) -> lost.put(sensor, covered - covered(rest, height)));
+        Map<String, Integer> changed = new LinkedHashMap<>();
+        without.forEach((sensor, rest) -> {
+            RemainingCoverage remaining = RemainingCoverage.of(coverage, rest, height);
+            lost.put(sensor, remaining.lost());
+            changed.put(sensor, remaining.gone() + remaining.gained());
+        });
         double volume = covered * grid.cellArea() * grid.depth(height);
         double above = grid.heights().get(height);
         Optional<Gap> gap = Gap.largest(coverage, height);
-        return new HeightSummary(above, cells, known, inside, covered, volume, causes, counts, lost, gap);
+        return new HeightSummary(above, cells, known, inside, covered, volume, causes, counts, lost, changed, gap);
     }
 
     private static int covered(FieldCoverage coverage, int height) {

@@ -9,23 +9,28 @@ package org.dronewatch.analysis.field;
  * @param known the cells that are known with all sensors
  * @param covered those that are covered with all sensors
  * @param remaining the cells that are covered without some of them
+ * @param gone the cells that are covered with all sensors, but not without some of them
  */
 public record RemainingCoverage(
-        FieldCoverage all, FieldCoverage rest, int height, int known, int covered, int remaining) {
+        FieldCoverage all, FieldCoverage rest, int height, int known, int covered, int remaining, int gone) {
     /** Counts the cells of a height, given by its number. */
     public static RemainingCoverage of(FieldCoverage all, FieldCoverage rest, int height) {
         FieldGrid grid = all.field().grid();
         int known = 0;
         int covered = 0;
         int remaining = 0;
+        int gone = 0;
         for (int cell = 0; cell < grid.cells(); cell++) {
             int column = cell % grid.columns();
             int row = cell / grid.columns();
+            boolean isCovered = all.isCovered(height, column, row);
+            boolean isStill = rest.isCovered(height, column, row);
             known += all.isKnown(height, column, row) ? 1 : 0;
-            covered += all.isCovered(height, column, row) ? 1 : 0;
-            remaining += rest.isCovered(height, column, row) ? 1 : 0;
+            covered += isCovered ? 1 : 0;
+            remaining += isStill ? 1 : 0;
+            gone += isCovered && !isStill ? 1 : 0;
         }
-        return new RemainingCoverage(all, rest, height, known, covered, remaining);
+        return new RemainingCoverage(all, rest, height, known, covered, remaining, gone);
     }
 
     /** Whether a cell is covered with all sensors, but not by the rest of them. */
@@ -34,10 +39,17 @@ public record RemainingCoverage(
     }
 
     /**
-     * By how much fewer cells are covered; below 0 is possible for the best course, since another one may count without
-     * a sensor.
+     * By how much fewer cells are covered: {@link #gone} less {@link #gained}. Below 0 is possible.
      */
     public int lost() {
         return covered - remaining;
+    }
+
+    /**
+     * The cells that are covered without some of the sensors, but not with all: without them another course may count,
+     * on which the others cover the cell.
+     */
+    public int gained() {
+        return remaining - (covered - gone);
     }
 }

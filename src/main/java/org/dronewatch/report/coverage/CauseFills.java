@@ -29,6 +29,9 @@ final class CauseFills {
     /** A cell outside the area that counts: its ground, paler. */
     static final MapSheet.Fill OUTSIDE = (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.5);
 
+    /** A cell of which nothing can be said but that it is open, since there is no sensor. */
+    static final MapSheet.Fill NO_SENSOR = lined(GREY, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
+
     /** A cell that is covered, but not without a sensor: the colour of what is detected, crossed out. */
     static final MapSheet.Fill LOST = (u, v, ground) -> isCross(u, v) ? Color.BLACK : LIGHT_BLUE;
 

@@ -36,8 +36,12 @@ final class CauseMap {
         if (coverage.field().isInside(height, column, row)) {
             return CauseFills.INSIDE;
         }
-        return CauseFills.of(
-                coverage.isUnknown(height, column, row) ? Cause.UNKNOWN : coverage.cause(height, column, row));
+        if (coverage.isUnknown(height, column, row)) {
+            return CauseFills.of(Cause.UNKNOWN);
+        }
+        return coverage.field().sensors().isEmpty()
+                ? CauseFills.NO_SENSOR
+                : CauseFills.of(coverage.cause(height, column, row));
     }
 
     /**

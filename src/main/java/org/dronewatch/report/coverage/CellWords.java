@@ -63,7 +63,12 @@ public final class CellWords {
         }
         return coverage.field().sensors().isEmpty()
                 ? "no sensor"
-                : CoverageTable.name(coverage.cause(height, column, row));
+                : name(coverage.cause(height, column, row), coverage.isCovered(height, column, row));
+    }
+
+    /** What is detected in a look, but not with the probability that is asked for, is not covered. */
+    private static String name(Cause cause, boolean isCovered) {
+        return cause == Cause.DETECTED && !isCovered ? CoverageTable.TOO_RARELY : CoverageTable.name(cause);
     }
 
     /** The probability that a sensor, given by its number, detects the drone; a dash where the drone cannot be. */
@@ -91,14 +96,15 @@ public final class CellWords {
             return "";
         }
         Cause cause = coverage.field().cause(sensor, height, column, row, coverage.courseAt(height, column, row));
-        return CoverageTable.name(cause);
+        return name(cause, coverage.covers(sensor, height, column, row));
     }
 
     /** The difference between signal and threshold: {@code +3.2 dB}, or that there is no signal. */
     public static String margin(GapEvidence.Examined examined) {
         Assessment assessment = examined.assessment();
         double margin = assessment.margin();
-        if (Double.isNaN(margin) || Double.isInfinite(margin)) {
+        // Of nothing, such as 0 pixels of a drone out of view, no margin can be made.
+        if (!Double.isFinite(margin) || assessment.marginDb() == Double.NEGATIVE_INFINITY) {
             return margin > 0.0 ? "" : "no signal";
         }
         return (margin >= 0.0 ? "+" : "-") + measured(Math.abs(margin), assessment.unit());
@@ -112,7 +118,7 @@ public final class CellWords {
             return settings.sensors().get(name).description().weakness();
         }
         if (assessment.cause() == Cause.DETECTED) {
-            return CoverageTable.name(Cause.DETECTED);
+            return name(Cause.DETECTED, coverage.covers(sensor, height, column, row));
         }
         GapEvidence one = new GapEvidence(name, Map.of(assessment.cause(), 1), List.of(examined));
         return new MissWords(one, settings.sensors().get(name)).inWords();

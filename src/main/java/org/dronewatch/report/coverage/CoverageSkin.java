@@ -106,20 +106,31 @@ public final class CoverageSkin implements SiteSkin {
                 unknown++;
             }
         }
-        List<LegendEntry> entries = new ArrayList<>();
-        entries.add(entry(Cause.DETECTED, causes.getOrDefault(Cause.DETECTED, 0)));
-        if (lost > 0) {
-            entries.add(new LegendEntry(swatch(CauseFills.LOST), "no longer covered: " + share(lost)));
-        }
-        causes.entrySet().stream()
-                .filter(one -> one.getKey() != Cause.DETECTED)
-                .forEach(one -> entries.add(entry(one.getKey(), one.getValue())));
+        List<LegendEntry> entries = known(causes, lost);
         if (unknown > 0) {
             entries.add(new LegendEntry(swatch(CauseFills.of(Cause.UNKNOWN)), "unknown"));
         }
         if (inside > 0) {
             entries.add(new LegendEntry(swatch(CauseFills.INSIDE), "inside something solid"));
         }
+        return entries;
+    }
+
+    /** The entries of the known cells: without a sensor there are no causes. */
+    private List<LegendEntry> known(Map<Cause, Integer> causes, int lost) {
+        List<LegendEntry> entries = new ArrayList<>();
+        entries.add(entry(Cause.DETECTED, causes.getOrDefault(Cause.DETECTED, 0)));
+        if (lost > 0) {
+            entries.add(new LegendEntry(swatch(CauseFills.LOST), "no longer covered: " + share(lost)));
+        }
+        if (coverage.field().sensors().isEmpty()) {
+            int bare = causes.values().stream().mapToInt(Integer::intValue).sum();
+            entries.add(new LegendEntry(swatch(CauseFills.NO_SENSOR), "no sensor: " + share(bare)));
+            return entries;
+        }
+        causes.entrySet().stream()
+                .filter(one -> one.getKey() != Cause.DETECTED)
+                .forEach(one -> entries.add(entry(one.getKey(), one.getValue())));
         return entries;
     }
 

@@ -11,6 +11,9 @@ import org.dronewatch.sensor.Cause;
 
 /** Tables of a {@link Coverage}: areas, and the causes for which each sensor misses the drone elsewhere. */
 public final class CoverageTable {
+    /** What is said of a sensor that may detect the drone, but less often than is asked for. */
+    static final String TOO_RARELY = "detected, but with too low a probability";
+
     private static final String NAMES = "%-24s %-10s";
     /** Fractions below this are more than nothing, but less than what a table shows, %. */
     private static final double LEAST_SHOWN = 0.05;

@@ -45,26 +45,36 @@ public final class FieldTable {
         return lines;
     }
 
-    /** What is no longer covered without each sensor, in percent of the known cells at each height. */
-    public static List<String> losses(FieldSummary summary) {
+    /**
+     * What is no longer covered without each sensor, less what is covered only without it, in percent of the known
+     * cells at each height; a dash where no cell changes.
+     */
+    public static List<String> losses(FieldSummary summary, CoverageInputs inputs) {
         List<String> lines = new ArrayList<>();
-        lines.add("no longer covered without a sensor, in % of the known cells:");
+        lines.add("no longer covered without a sensor (lost less gained), in % of the known cells:");
         StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
         summary.heights().forEach(height -> header.append(text(HEIGHT, metres(height.height()))));
         lines.add(header.toString());
         for (String sensor : summary.coverage().field().sensors()) {
             StringBuilder line = new StringBuilder(text("%-24s", sensor));
-            summary.heights()
-                    .forEach(height ->
-                            line.append(text(HEIGHT, percent(height.lost().get(sensor), height))));
+            summary.heights().forEach(height -> line.append(text(HEIGHT, loss(height, sensor))));
             lines.add(line.toString());
         }
         List<String> idle = summary.idleSensors();
         if (!idle.isEmpty()) {
-            lines.add("can be removed" + (idle.size() == 1 ? "" : ", one at a time,")
-                    + " without a change in coverage: " + String.join(", ", idle));
+            lines.add("the same cells are covered " + inputs.headingInWords() + " without "
+                    + (idle.size() == 1 ? "" : "any one of: ") + String.join(", ", idle));
         }
         return lines;
+    }
+
+    /** Gains may cancel losses, or exceed them. */
+    private static String loss(HeightSummary height, String sensor) {
+        int lost = height.lost().get(sensor);
+        if (lost == 0 && height.changed().get(sensor) > 0) {
+            return "0.0";
+        }
+        return (lost < 0 ? "-" : "") + percent(Math.abs(lost), height);
     }
 
     /** In how many columns each sensor has a free line of sight from each height or lower, in percent. */
@@ -130,7 +140,7 @@ public final class FieldTable {
 
     /** A look may detect the drone, but with too low a probability, or too late. */
     private static String cause(Gap gap) {
-        return gap.cause() == Cause.DETECTED ? "detected with too low a probability" : CoverageTable.name(gap.cause());
+        return gap.cause() == Cause.DETECTED ? CoverageTable.TOO_RARELY : CoverageTable.name(gap.cause());
     }
 
     private static String metres(double height) {

@@ -25,7 +25,7 @@ public final class LossWords {
             return at + covered + " of the known area is covered.";
         }
         String names = "'" + String.join("', '", off) + "'";
-        return remaining.lost() == 0
+        String words = remaining.lost() == 0
                 ? at + covered + " of the known area is covered, as much without " + names + "."
                 : String.format(
                         Locale.ROOT,
@@ -35,6 +35,17 @@ public final class LossWords {
                         covered,
                         names,
                         -100.0 * remaining.lost() / remaining.known());
+        return words + (remaining.gained() == 0 ? "" : " " + gained(remaining));
+    }
+
+    /** Without a sensor, another course may count. */
+    private static String gained(RemainingCoverage remaining) {
+        return capital(share(remaining.gone(), remaining)) + " is lost and " + share(remaining.gained(), remaining)
+                + " is gained, where another heading counts.";
+    }
+
+    private static String capital(String words) {
+        return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
     }
 
     private static String share(int cells, RemainingCoverage remaining) {

@@ -57,11 +57,15 @@ final class Losses {
             for (HeightSummary height : heights) {
                 int lost = height.lost().get(sensor);
                 row.add(percent(height.covered() - lost, height)
-                        + (lost == 0 ? "" : String.format(Locale.ROOT, " (%+.1f)", -100.0 * lost / height.known())));
+                        + (height.changed().get(sensor) == 0 ? "" : difference(lost, height)));
             }
             rows.add(row);
         }
         return Html.table(head, rows);
+    }
+
+    private static String difference(int lost, HeightSummary height) {
+        return lost == 0 ? " (other cells)" : String.format(Locale.ROOT, " (%+.1f)", -100.0 * lost / height.known());
     }
 
     /** At which heights most of the coverage depends on a sensor; empty if at none. */
@@ -121,15 +125,17 @@ final class Losses {
     String idle() {
         List<String> idle = summary.idleSensors();
         if (idle.isEmpty()) {
-            return "Every sensor adds to the coverage.";
+            return heights.stream().allMatch(height -> height.covered() == 0)
+                    ? "Nothing is covered, so nothing can be lost."
+                    : "Every sensor changes the coverage.";
         }
         String names = "'" + String.join("', '", idle) + "'";
         return idle.size() == 1
                 ? names
-                        + " adds nothing: without it, the coverage is the same at every height. It still serves as a"
-                        + " backup if another sensor fails, and may confirm what others detect."
-                : names + " each add nothing: without any one of them, the coverage is the same at every height."
-                        + " Without several of them, it may not be.";
+                        + " adds nothing on this heading: without it, the same cells are covered at every height. It"
+                        + " still serves as a backup if another sensor fails, and may confirm what others detect."
+                : names + " each add nothing on this heading: without any one of them, the same cells are covered at"
+                        + " every height. Without several of them, they may not be.";
     }
 
     private static String metres(HeightSummary height) {

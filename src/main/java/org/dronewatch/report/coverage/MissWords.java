@@ -66,7 +66,7 @@ final class MissWords {
             }
             case TOO_WEAK -> weak();
             case OUT_OF_RANGE, TOO_SLOW, TOO_FAST -> CoverageTable.name(cause) + limits(cause);
-            case DETECTED -> "detected, but with too low a probability" + probabilities();
+            case DETECTED -> CoverageTable.TOO_RARELY + probabilities();
             case UNKNOWN -> "unknown: the line of sight leaves the known ground";
             case OUT_OF_VIEW, SILENT -> CoverageTable.name(cause);
         };

@@ -15,7 +15,7 @@ public final class SurveyTables {
         survey.visible().map(FieldTable::visible).ifPresent(tables::add);
         survey.detectable().map(FieldTable::detectable).ifPresent(tables::add);
         tables.add(FieldTable.gaps(survey.summary()));
-        tables.add(FieldTable.losses(survey.summary()));
+        tables.add(FieldTable.losses(survey.summary(), inputs));
         survey.warnings().map(WarningTable::lines).ifPresent(tables::add);
         if (!survey.conditions().isEmpty()) {
             tables.add(ConditionTable.lines(survey.conditions()));

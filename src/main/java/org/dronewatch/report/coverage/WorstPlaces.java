@@ -138,7 +138,7 @@ final class WorstPlaces {
     }
 
     private static String cause(Cause cause) {
-        return cause == Cause.DETECTED ? "detected, but with too low a probability" : CoverageTable.name(cause);
+        return cause == Cause.DETECTED ? CoverageTable.TOO_RARELY : CoverageTable.name(cause);
     }
 
     /** What hides the drone from any sensor, if that is the cause. */

@@ -155,6 +155,59 @@ class FieldCoverageTest {
         assertThat(summary.idleSensors()).containsExactly("near", "again");
     }
 
+    /**
+     * Four weak radars in the south decide on the worst course of a cell; without one of the two in the west, it is the
+     * course across the south, on which the other one covers the cell. What is gained cancels what is lost elsewhere.
+     */
+    @Test
+    void aSensorWithoutWhichOtherCellsAreCoveredIsNotIdle() throws IOException {
+        String radar =
+                """
+                  %s: {kind: radar, position: [%d, %d, 6], minRange: 1, maxRange: 400, elevationWidth: 90 deg, minSpeed: 3 m/s,
+                    budget: {range: %d, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                """;
+        StringBuilder radars = new StringBuilder();
+        for (int i = 1; i <= 4; i++) {
+            radars.append(radar.formatted("south" + i, 0, -120, 120));
+        }
+        radars.append(radar.formatted("west", -120, 0, 120)).append(radar.formatted("stronger", -121, 0, 160));
+        FieldSite two = FieldSite.in(Files.createDirectory(directory.resolve("cancel")), radars.toString());
+        FieldGrid fine = new FieldGrid(0.7, 0.3, 380, 10, List.of(60.0));
+        List<Course> moving =
+                Course.all(two.settings().enabledSensors(), DetectionField.droneOf(two.stage(), FieldSite.DRONE))
+                        .stream()
+                        .filter(course -> course.kind() != Course.Kind.HOVER)
+                        .toList();
+        DetectionField its = DetectionField.of(two.settings(), two.stage(), FieldSite.DRONE, fine, moving, cells -> {});
+        FieldSummary summary = FieldSummary.of(its, FieldCoverage.Choice.WORST, 0.5);
+        FieldCoverage rest = summary.coverage().without(List.of("west"));
+        int gone = 0;
+        int gained = 0;
+        for (int cell = 0; cell < fine.cells(); cell++) {
+            boolean isCovered = summary.coverage().isCovered(0, cell % fine.columns(), cell / fine.columns());
+            boolean isStill = rest.isCovered(0, cell % fine.columns(), cell / fine.columns());
+            gone += isCovered && !isStill ? 1 : 0;
+            gained += !isCovered && isStill ? 1 : 0;
+        }
+        assertThat(gained).isPositive().isEqualTo(gone);
+        RemainingCoverage remaining = RemainingCoverage.of(summary.coverage(), rest, 0);
+        assertThat(remaining.gone()).isEqualTo(gone);
+        assertThat(remaining.gained()).isEqualTo(gained);
+        HeightSummary height = summary.heights().get(0);
+        assertThat(height.lost().get("west")).isZero();
+        assertThat(height.changed().get("west")).isEqualTo(gone + gained);
+        assertThat(summary.idleSensors()).doesNotContain("west");
+    }
+
+    @Test
+    void whereNothingIsCoveredNoSensorIsCalledIdle() throws IOException {
+        FieldSite blind = FieldSite.in(
+                Files.createDirectory(directory.resolve("blind")), NEAR.replace("maxRange: 25", "maxRange: 2"));
+        FieldSummary summary = FieldSummary.of(blind.field(GRID, 2), FieldCoverage.Choice.WORST, 0.5);
+        assertThat(summary.heights()).allMatch(height -> height.covered() == 0);
+        assertThat(summary.idleSensors()).isEmpty();
+    }
+
     /** The largest gap by another flood. */
     @Test
     void theLargestGapIsThatOfAFlood() {

@@ -193,8 +193,9 @@ class CoverageReportTest {
                 + new WarningWords(undetected).worstInWords();
         assertThat(words)
                 .contains("undetected, as in 72 of 72 cases", "none from the north")
-                .contains("'round' adds nothing")
-                .doesNotContain("NaN", "Infinity");
+                .contains("Nothing is covered, so nothing can be lost.")
+                .doesNotContain("NaN", "Infinity", "adds nothing");
+        assertThat(none.idleSensors()).isEmpty();
         assertThat(new Losses(none).worstInWords()).isEmpty();
     }
 

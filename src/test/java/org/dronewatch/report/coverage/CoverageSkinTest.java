@@ -2,11 +2,13 @@ package org.dronewatch.report.coverage;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
@@ -17,6 +19,7 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.RemainingCoverage;
 import org.dronewatch.geometry.Position;
@@ -29,6 +32,9 @@ import org.junit.jupiter.api.io.TempDir;
 class CoverageSkinTest {
     private static final FieldGrid GRID = new FieldGrid(10, -5, 420, 12, List.of(2.0, 12.0, 60.0));
     private static final int GREY = 0x808080;
+    /** What the skin makes of the grey of the ground. */
+    private static final Color PALE = new Color(0xb9b9b9);
+
     private static final long SEED = 20261126;
 
     private static final String ROUND = FieldSite.ROUND.replace("minSpeed: 3 m/s", "minSpeed: 0 m/s");
@@ -159,6 +165,122 @@ class CoverageSkinTest {
         }
         assertThat(skin(Set.of("round"), 1).legend().stream().map(CoverageSkin.LegendEntry::words))
                 .anyMatch(words -> words.startsWith("no longer covered: "));
+    }
+
+    /** Nothing is known about a cause, but it is not the ground that is unknown. */
+    @Test
+    void withoutAnySensorNoCauseIsStated() {
+        Set<String> everyOne = Set.copyOf(all.field().sensors());
+        for (int height = 0; height < GRID.heights().size(); height++) {
+            HeightSummary numbers = summary.heights().get(height);
+            CoverageSkin skin = skin(everyOne, height);
+            List<String> words =
+                    skin.legend().stream().map(CoverageSkin.LegendEntry::words).toList();
+            int rest = numbers.known() - numbers.covered();
+            assertThat(words)
+                    .contains("detected: nowhere")
+                    .contains("no longer covered: " + CoverageTable.percent(numbers.covered(), numbers.known()) + " %")
+                    .contains("no sensor: " + CoverageTable.percent(rest, numbers.known()) + " %")
+                    .noneMatch(word -> word.startsWith("unknown"));
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int column = cell % GRID.columns();
+                int row = cell / GRID.columns();
+                if (all.isKnown(height, column, row) && !all.isCovered(height, column, row)) {
+                    assertThat(skin.colour(GRID.x(column), GRID.y(row), 3, 6, GREY))
+                            .isEqualTo(CauseFills.NO_SENSOR.at(3, 6, PALE).getRGB() & 0xffffff)
+                            .isNotEqualTo(
+                                    CauseFills.of(Cause.UNKNOWN).at(3, 6, PALE).getRGB() & 0xffffff);
+                }
+            }
+        }
+    }
+
+    /** A camera that turns its back has 0 of 12 pixels: not 12 pixels too few, but nothing. */
+    @Test
+    void whereNothingReachesASensorItHasNoMargin() throws IOException {
+        FieldSite back = FieldSite.in(
+                java.nio.file.Files.createDirectory(directory.resolve("back")),
+                "  eye: {kind: camera, position: [0, 0, 4], fov: 40 deg, width: 800, height: 600}\n");
+        FieldCoverage seen = new FieldCoverage(back.field(GRID, 2), FieldCoverage.Choice.WORST, 0.5);
+        CellExaminer examiner = new CellExaminer(seen, back.stage());
+        int out = 0;
+        for (int row = 0; row < GRID.columns(); row++) {
+            CellEvidence evidence = examiner.examine(1, 2, row).orElseThrow();
+            if (seen.cause(1, 2, row) == Cause.OUT_OF_VIEW) {
+                out++;
+                assertThat(new CellWords(seen, back.settings(), 1, 2, row).deciding(evidence))
+                        .isEqualTo("12 m above the ground: out of view. 'eye' decides: probability 0, no signal.");
+            }
+        }
+        assertThat(out).isPositive();
+    }
+
+    /** One and the same thing is said from the field alone, with the evidence, and of the gap in the report. */
+    @Test
+    void whatIsDetectedTooRarelyIsNotCalledDetected() throws IOException {
+        String chance = ROUND.replace("range: 5000", "range: 120")
+                .replace("0.01}}", "0.01}, detection: {kind: chance, pulses: 8}}");
+        FieldSite unsure = FieldSite.in(java.nio.file.Files.createDirectory(directory.resolve("unsure")), chance);
+        FieldCoverage some = new FieldCoverage(unsure.field(GRID, 2), FieldCoverage.Choice.WORST, 0.95);
+        CellExaminer examiner = new CellExaminer(some, unsure.stage());
+        int tooRarely = 0;
+        int detected = 0;
+        for (int cell = 0; cell < GRID.cells(); cell++) {
+            int column = cell % GRID.columns();
+            int row = cell / GRID.columns();
+            if (some.isKnown(1, column, row) && some.cause(1, column, row) == Cause.DETECTED) {
+                boolean isCovered = some.isCovered(1, column, row);
+                String expected = isCovered ? "detected" : "detected, but with too low a probability";
+                CellWords words = new CellWords(some, unsure.settings(), 1, column, row);
+                CellEvidence evidence = examiner.examine(1, column, row).orElseThrow();
+                assertThat(words.summary()).isEqualTo("12 m above the ground: " + expected);
+                assertThat(words.cause(0)).isEqualTo(expected);
+                assertThat(words.reason(0, evidence.sensors().get(0))).isEqualTo(expected);
+                detected += isCovered ? 1 : 0;
+                tooRarely += isCovered ? 0 : 1;
+            }
+        }
+        assertThat(detected).isPositive();
+        assertThat(tooRarely).isPositive();
+    }
+
+    /** Gains may cancel losses: then it is not said that nothing changes. */
+    @Test
+    void whatIsGainedIsSaidBesideWhatIsLost() {
+        RemainingCoverage cancelled = new RemainingCoverage(all, all.without(Set.of("far")), 1, 1000, 100, 100, 5);
+        assertThat(LossWords.sentence(cancelled, Set.of("far")))
+                .isEqualTo("At 12 m, 10.0 % of the known area is covered, as much without 'far'."
+                        + " 0.5 % is lost and 0.5 % is gained, where another heading counts.");
+        RemainingCoverage more = new RemainingCoverage(all, all.without(Set.of("far")), 1, 1000, 100, 120, 0);
+        assertThat(LossWords.sentence(more, Set.of("far")))
+                .isEqualTo("At 12 m, 12.0 % of the known area instead of 10.0 % is covered without 'far' (+2.0)."
+                        + " Nothing is lost and 2.0 % is gained, where another heading counts.");
+
+        HeightSummary height = new HeightSummary(
+                12,
+                1000,
+                1000,
+                0,
+                100,
+                1,
+                Map.of(),
+                new int[] {900, 100},
+                Map.of("round", -20, "short", 0, "far", 0),
+                Map.of("round", 20, "short", 10, "far", 0),
+                Optional.empty());
+        FieldSummary one = new FieldSummary(all, List.of(height));
+        CoverageInputs inputs = new CoverageInputs(
+                "boxes", FieldSite.DRONE, "worst", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), Optional.empty());
+        assertThat(FieldTable.losses(one, inputs).stream().map(line -> line.replaceAll(" +", " ")))
+                .containsExactly(
+                        "no longer covered without a sensor (lost less gained), in % of the known cells:",
+                        "sensor 12 m",
+                        "round -2.0",
+                        "short 0.0",
+                        "far -",
+                        "the same cells are covered on the worst heading without far");
+        assertThat(new Losses(one).html())
+                .contains("12.0 (+2.0)", "10.0 (other cells)", "'far' adds nothing on this heading");
     }
 
     /** The sensor that decides has the highest probability; what it lacks is the difference of its two values. */
