@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** A campaign in parts on several machines: joined, they are the whole campaign, byte for byte. */
 class CampaignShardTest {
-    private static final String CAMPAIGN = CampaignSite.TWO_RANGES.replace("runs: 60", "runs: 230");
+    private static final String CAMPAIGN = CampaignSite.TWO_RANGES.replace("runs: 60", "runs: 130");
 
     @TempDir
     private static Path directory;
@@ -73,12 +73,7 @@ class CampaignShardTest {
 
     @Test
     void missingCasesAreNamedAndNothingIsWritten() {
-        refused(
-                "no directory has the cases 50 to 99, 200 to 229",
-                "merge",
-                at("part-1"),
-                at("part-3"),
-                "--out=" + at("none"));
+        refused("no directory has the cases 50 to 99", "merge", at("part-1"), at("part-3"), "--out=" + at("none"));
         refused("holds no campaign", "merge", at("part-1"), at("."), "--out=" + at("none"));
         refused("holds other files", "merge", at("part-1"), at("part-2"), at("part-3"), "--out=" + directory);
         assertThat(directory.resolve("none")).doesNotExist();
