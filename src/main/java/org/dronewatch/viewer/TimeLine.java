@@ -150,7 +150,7 @@ final class TimeLine extends JPanel implements Scrollable {
             intervals = new DetectionIntervals();
             sensors = run == null
                     ? List.of()
-                    : List.copyOf(run.info().settings().sensors().keySet());
+                    : List.copyOf(run.info().settings().enabledSensors().keySet());
             revalidate();
             colours = run == null
                     ? null

@@ -36,6 +36,7 @@ class TimeLineTest {
             sensors.append(String.format("  r%02d: {use: spotterrf-c550, position: [%d, 0, 144]}%n", i, i));
         }
         sensors.append("  ").append(LONG).append(": {use: spotterrf-c550, position: [50, 0, 144]}\n");
+        sensors.append("  off: {use: spotterrf-c550, position: [60, 0, 144], enabled: false}\n");
         Path file = directory.resolve("many.yaml");
         Files.writeString(
                 file, "world: {models: [packaged:hill.obj]}\nsensors:\n" + sensors + "run: {duration: 30 s}\n");
@@ -75,6 +76,15 @@ class TimeLineTest {
                 .isEqualTo(LONG);
         assertThat(line.getToolTipText(new MouseEvent(line, 0, 0, 0, (int) line.xOf(15.0), y, 0, false)))
                 .isEqualTo(LONG + ", 15.00 s");
+    }
+
+    /** What cannot detect anything needs no room. */
+    @Test
+    void aDisabledSensorHasNoRow() {
+        int below = (int) (line.yOf(41) + 2);
+        assertThat(line.getToolTipText(new MouseEvent(line, 0, 0, 0, 5, below, 0, false)))
+                .as("beyond the last row, the last one counts")
+                .isEqualTo(LONG);
     }
 
     @Test
