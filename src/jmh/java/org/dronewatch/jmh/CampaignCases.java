@@ -15,6 +15,7 @@ import org.dronewatch.campaign.CaseRun;
 import org.dronewatch.campaign.Uniform;
 import org.dronewatch.campaign.Variation;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.setting.SettingsPath;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -64,8 +65,12 @@ public class CampaignCases {
                 "drones.quadrotor.flight.bearing", between("0 deg", "360 deg"),
                 "drones.quadrotor.flight.height", between("-10 m", "40 m"));
         plan = workers.call(() -> new CampaignPlan(
-                new CampaignSettings(
-                        "multi-sensor", vary, Map.of("cameras", changes), Optional.of(CASES), Optional.empty(), 1L),
+                new SettingsPath("runs")
+                        .write(
+                                CampaignSettings.of("multi-sensor")
+                                        .withVary(vary)
+                                        .withVariants(Map.of("cameras", changes)),
+                                Integer.toString(CASES)),
                 Path.of("").toAbsolutePath(),
                 note -> {}));
         workers.call(() -> {
@@ -75,7 +80,7 @@ public class CampaignCases {
     }
 
     private static Variation between(String from, String to) {
-        return new Variation(Optional.empty(), Optional.of(new Uniform(from, to)), Optional.empty(), Optional.empty());
+        return Variation.of(new Uniform(from, to));
     }
 
     /** Lets the threads go. */

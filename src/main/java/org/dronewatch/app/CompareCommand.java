@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
@@ -147,8 +146,7 @@ final class CompareCommand implements Callable<Integer> {
     /** All bearings are equally likely for every drone, birds apart, whose flight has one. */
     private Map<String, Variation> allBearings() {
         SceneSettings scene = new SceneRunner(SceneChoice.named(first)).settings();
-        Variation any = new Variation(
-                Optional.empty(), Optional.of(new Uniform("0 deg", "360 deg")), Optional.empty(), Optional.empty());
+        Variation any = Variation.of(new Uniform("0 deg", "360 deg"));
         Map<String, Variation> vary = new LinkedHashMap<>();
         for (String drone : scene.drones().keySet()) {
             String path = "drones." + drone + ".flight.bearing";

@@ -15,28 +15,40 @@ import org.dronewatch.setting.Quantity;
  * or without.
  *
  * @param values one of these, each with the same probability; 1 to 10,000
+ * @param range evenly spaced values, each with the same probability
  * @param uniform any value in a range, all equally likely
  * @param normal normally distributed, within a range
  * @param triangular likeliest at a mode, and less likely in proportion to the distance from it
  */
 public record Variation(
         Optional<List<String>> values,
+        Optional<EvenlySpaced> range,
         Optional<Uniform> uniform,
         Optional<Normal> normal,
         Optional<Triangular> triangular) {
     /** Nothing is stated yet. */
     @Defaults
-    static final Variation NONE = new Variation(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
+    static final Variation NONE =
+            new Variation(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
 
-    private static final int MOST_VALUES = 10_000;
+    /** The largest number of values that can be listed, or evenly spaced. */
+    static final int MOST_VALUES = 10_000;
+
     private static final MathContext WRITTEN = new MathContext(10);
 
     /** Copies the list. */
     public Variation {
         values = Check.present("values", values).map(List::copyOf);
+        Check.present("range", range);
         Check.present("uniform", uniform);
         Check.present("normal", normal);
         Check.present("triangular", triangular);
+    }
+
+    /** Any value in a range, all equally likely. */
+    public static Variation of(Uniform uniform) {
+        return new Variation(
+                Optional.empty(), Optional.empty(), Optional.of(uniform), Optional.empty(), Optional.empty());
     }
 
     /**
@@ -45,13 +57,14 @@ public record Variation(
      * @throws IllegalArgumentException when there is none, or several
      */
     void check() {
-        long given = Stream.of(values, uniform, normal, triangular)
+        long given = Stream.of(values, range, uniform, normal, triangular)
                 .filter(Optional::isPresent)
                 .count();
         if (given != 1) {
             throw new IllegalArgumentException(
-                    "needs exactly one of values, uniform, normal and triangular; it has " + given);
+                    "needs exactly one of values, range, uniform, normal and triangular; it has " + given);
         }
+        range.ifPresent(EvenlySpaced::check);
         int listed = values.map(List::size).orElse(1);
         if (listed < 1 || listed > MOST_VALUES) {
             throw new IllegalArgumentException("values has " + listed + " entries, must have 1 to 10,000");
@@ -77,7 +90,8 @@ public record Variation(
 
     /** The inverse of the cumulative distribution. */
     private DoubleUnaryOperator distribution(Quantity quantity) {
-        return uniform.map(one -> one.inverse(quantity))
+        return range.map(one -> one.inverse(quantity))
+                .or(() -> uniform.map(one -> one.inverse(quantity)))
                 .or(() -> normal.map(one -> one.inverse(quantity)))
                 .or(() -> triangular.map(one -> one.inverse(quantity)))
                 .orElseThrow();

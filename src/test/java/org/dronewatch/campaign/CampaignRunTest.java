@@ -245,8 +245,14 @@ class CampaignRunTest {
     void whatCannotBeRunIsRefusedBeforeTheFirstCase() {
         refused("vary: {drones.intruder.sped: {values: [1 m/s]}}", "vary.drones.intruder.sped: ");
         refused("vary: {drones.intruder.speed: {uniform: {from: 5 m/s, to: 900 m/s}}}", "vary.drones.intruder.speed: ");
-        refused("vary: {drones.intruder.speed: {}}", "needs exactly one of values, uniform, normal and triangular");
+        refused(
+                "vary: {drones.intruder.speed: {}}",
+                "needs exactly one of values, range, uniform, normal and triangular");
         refused("vary: {drones.intruder.speed: {values: [5], uniform: {from: 5, to: 6}}}", "it has 2");
+        refused("vary: {drones.intruder.speed: {range: {from: 5, to: 6}}}", "range needs either count or step");
+        refused(
+                "vary: {drones.intruder.speed: {range: {from: 5 m/s, to: 900 m/s, step: 5 m/s}}}",
+                "vary.drones.intruder.speed: ");
         refused(
                 "vary: {drones.intruder.speed: {values: [5]}}\nvariants: {a: {drones.intruder.speed: 5}}",
                 "'drones.intruder.speed' would override 'drones.intruder.speed', which varies from case to case");

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,16 +17,39 @@ class VariationTest {
     private static final double TINY = 1e-8;
 
     private static Variation uniform(String from, String to) {
-        return new Variation(Optional.empty(), Optional.of(new Uniform(from, to)), Optional.empty(), Optional.empty());
+        return Variation.of(new Uniform(from, to));
+    }
+
+    private static Variation with(String distribution, Object of) {
+        return SettingsForm.with(Variation.NONE, distribution, Optional.of(of));
     }
 
     private static Variation normal(Normal normal) {
-        return new Variation(Optional.empty(), Optional.empty(), Optional.of(normal), Optional.empty());
+        return with("normal", normal);
     }
 
     private static Variation triangular(String from, String mode, String to) {
-        return new Variation(
-                Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(new Triangular(from, mode, to)));
+        return with("triangular", new Triangular(from, mode, to));
+    }
+
+    private static Variation counted(String from, String to, int count) {
+        return with("range", new EvenlySpaced(from, to, Optional.of(count), Optional.empty()));
+    }
+
+    private static Variation stepped(String from, String to, String step) {
+        return with("range", new EvenlySpaced(from, to, Optional.empty(), Optional.of(step)));
+    }
+
+    /** The values of equally many random numbers each. */
+    private static List<String> all(Variation variation, Quantity quantity, int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> {
+                    String value = variation.value(quantity, (i + 1e-9) / count);
+                    assertThat(variation.value(quantity, (i + 1.0 - 1e-9) / count))
+                            .isEqualTo(value);
+                    return value;
+                })
+                .toList();
     }
 
     private static double metres(Variation variation, double u) {
@@ -73,13 +98,48 @@ class VariationTest {
 
     @Test
     void listedValuesAreEquallyLikely() {
-        Variation variation = new Variation(
-                Optional.of(List.of("a", "b", "c")), Optional.empty(), Optional.empty(), Optional.empty());
+        Variation variation = with("values", List.of("a", "b", "c"));
 
         assertThat(variation.value(Quantity.NUMBER, 0.0)).isEqualTo("a");
         assertThat(variation.value(Quantity.NUMBER, 0.34)).isEqualTo("b");
         assertThat(variation.value(Quantity.NUMBER, Math.nextDown(1.0))).isEqualTo("c");
         assertThat(variation.extremes(Quantity.NUMBER)).containsExactly("a", "b", "c");
+    }
+
+    @Test
+    void evenlySpacedValuesAreEquallyLikely() {
+        assertThat(all(counted("10 m", "0.03 km", 5), Quantity.LENGTH, 5))
+                .containsExactly("10 m", "15 m", "20 m", "25 m", "30 m");
+        assertThat(all(stepped("0 deg", "315 deg", "45 deg"), Quantity.ANGLE, 8))
+                .containsExactly("0 deg", "45 deg", "90 deg", "135 deg", "180 deg", "225 deg", "270 deg", "315 deg");
+        assertThat(all(stepped("1 m", "2 m", "0.4 m"), Quantity.LENGTH, 3))
+                .as("2 m is not a multiple")
+                .containsExactly("1 m", "1.4 m", "1.8 m");
+        assertThat(all(stepped("0", "0.3", "0.1"), Quantity.NUMBER, 4))
+                .as("0.3 / 0.1 is a little less than 3")
+                .containsExactly("0", "0.1", "0.2", "0.3");
+        assertThat(all(stepped("10 degC", "30 degC", "10 degC"), Quantity.TEMPERATURE, 3))
+                .containsExactly("283.15 K", "293.15 K", "303.15 K");
+        assertThat(stepped("5 m", "25 m", "5 m").extremes(Quantity.LENGTH)).containsExactly("5 m", "25 m");
+    }
+
+    @Test
+    void theSpacingMustBeStatedOnceAndFit() {
+        assertThatThrownBy(() -> stepped("5 m", "5 m", "1 m").value(Quantity.LENGTH, 0.5))
+                .hasMessage("from 5.0 must be below to 5.0");
+        assertThatThrownBy(() -> stepped("0 m", "5 m", "0 m").value(Quantity.LENGTH, 0.5))
+                .hasMessage("step 0.0 must be above 0");
+        assertThatThrownBy(() -> stepped("0 m", "5 m", "6 m").value(Quantity.LENGTH, 0.5))
+                .hasMessage("step 6.0 must be at most to - from = 5.0");
+        assertThatThrownBy(() -> stepped("0 m", "5 km", "0.5 m").value(Quantity.LENGTH, 0.5))
+                .hasMessage("step 0.5 gives too many values, must give at most 10,000");
+        assertThatThrownBy(() -> stepped("0 m", "5 m", "1 kg").value(Quantity.LENGTH, 0.5))
+                .hasMessageStartingWith("step: ");
+        assertThatThrownBy(() -> counted("0 m", "5 m", 1)).hasMessageContaining("count 1 must be 2 to 10000");
+        assertThatThrownBy(with("range", EvenlySpaced.of("0", "1"))::check)
+                .hasMessage("range needs either count or step; it has neither");
+        assertThatThrownBy(with("range", new EvenlySpaced("0", "1", Optional.of(3), Optional.of("0.5")))::check)
+                .hasMessage("range needs either count or step; it has both");
     }
 
     @Test
@@ -93,6 +153,6 @@ class VariationTest {
         assertThatThrownBy(() -> uniform("5 kg", "6 m").value(Quantity.LENGTH, 0.5))
                 .hasMessageContaining("from: ");
         assertThatThrownBy(Variation.NONE::check)
-                .hasMessage("needs exactly one of values, uniform, normal and triangular; it has 0");
+                .hasMessage("needs exactly one of values, range, uniform, normal and triangular; it has 0");
     }
 }
