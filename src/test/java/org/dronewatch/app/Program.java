@@ -57,7 +57,7 @@ final class Program {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         // Short runs end before the second compiler's code pays: half the processor time.
-        command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
+        command.add("-XX:TieredStopAtLevel=1");
         command.addAll(javaOptions);
         List<String> classPath = new ArrayList<>(List.of(absoluteClassPath()));
         jars.forEach(jar -> classPath.add(jar.toString()));
