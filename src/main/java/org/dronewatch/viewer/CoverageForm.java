@@ -27,17 +27,18 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.world.World;
 
-/** The inputs of a coverage, with the same defaults as those of the command. */
+/** The inputs of a coverage, with the same defaults as those of the command but for the {@link CoverageProposal}. */
 final class CoverageForm extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final JComboBox<String> drones = new JComboBox<>();
     private final JComboBox<String> headings = new JComboBox<>();
-    private final JTextField heights =
-            field(FieldGrid.HEIGHTS.stream().map(Texts::value).collect(Collectors.joining(", ")), 11);
-    private final JTextField side = field(Texts.value(FieldGrid.DEFAULT_SIDE), 3);
+    private final JTextField heights = field(text(CoverageProposal.OUTDOORS.heights()), 11);
+    private final JTextField side = field(Texts.value(CoverageProposal.OUTDOORS.side()), 3);
     private final JTextField cell = field("", 6);
+    private transient CoverageProposal proposed = CoverageProposal.OUTDOORS;
     private transient SceneSettings settings;
 
     /** What was chosen. */
@@ -103,9 +104,19 @@ final class CoverageForm extends JPanel {
         return field;
     }
 
-    /** Offers the drones of a scene. */
-    void show(SceneSettings next) {
+    private static String text(List<Double> heights) {
+        return heights.stream().map(Texts::value).collect(Collectors.joining(", "));
+    }
+
+    /** Offers the drones of a scene, and proposes heights and a side unless the user has entered others. */
+    void show(SceneSettings next, World world) {
         settings = next;
+        CoverageProposal better = CoverageProposal.of(next, world);
+        if (heights.getText().equals(text(proposed.heights())) && side.getText().equals(Texts.value(proposed.side()))) {
+            heights.setText(text(better.heights()));
+            side.setText(Texts.value(better.side()));
+            proposed = better;
+        }
         drones.setModel(
                 new DefaultComboBoxModel<>(next.individualDrones().keySet().toArray(String[]::new)));
         FieldRequest.firstDrone(next).ifPresent(drones::setSelectedItem);

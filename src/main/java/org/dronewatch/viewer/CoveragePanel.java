@@ -105,7 +105,7 @@ final class CoveragePanel extends JPanel {
         }
         awaited = null;
         run = next;
-        form.show(next.settings());
+        form.show(next.settings(), next.stage().world());
         clear(form.isPossible() ? "Nothing has been computed yet." : "The scene has no drone or no sensor.");
         if (isWanted) {
             isWanted = false;
