@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
@@ -169,6 +170,13 @@ final class CampaignCommand implements Callable<Integer> {
         }
     }
 
+    /** What runs a case of this campaign again, without {@code --case} and its number. */
+    String caseCommand() {
+        String plain = PlainText.value(file);
+        String word = plain.matches("[\\w./:\\\\-]+") ? plain : '"' + plain + '"';
+        return "dronewatch campaign " + word + (runs == null ? "" : " --runs " + runs);
+    }
+
     private static String name(Path given) {
         return String.valueOf(given.getFileName()).replaceFirst("(?i)(\\.campaign)?\\.ya?ml$", "");
     }
@@ -209,7 +217,7 @@ final class CampaignCommand implements Callable<Integer> {
                 whole = false;
             }
             interruption.letFinish();
-            CampaignResult result = files.finish();
+            CampaignResult result = files.finish(Optional.of(caseCommand()));
             CampaignLines.print(plan, result, spec.commandLine().getOut());
             if (report != null) {
                 report.write(stream -> files.writeJunit(result, stream));

@@ -212,16 +212,6 @@ final class CampaignLines {
             out.println(result.variant() + ": failed: " + result.error().orElseThrow());
             return;
         }
-        String detected = result.firstSensor().isEmpty()
-                ? "never detected"
-                : "first detected after " + text(result.firstDetected()) + " s by "
-                        + result.firstSensor().get() + " at " + text(result.range()) + " m";
-        String alerted = result.alert().isEmpty()
-                ? "no alert"
-                : "alert after " + text(result.alert()) + " s, warning " + text(result.warning()) + " s"
-                        + result.inTime()
-                                .map(yes -> yes ? ", in time" : ", too late")
-                                .orElse("");
-        out.println(result.variant() + ": " + detected + "; " + alerted);
+        out.println(result.variant() + ": " + CampaignWords.cameOf(result));
     }
 }

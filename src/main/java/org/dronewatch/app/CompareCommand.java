@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
@@ -194,7 +195,7 @@ final class CompareCommand implements Callable<Integer> {
         } else {
             try (CampaignFiles files = new CampaignFiles(plan, path("--out", out), false)) {
                 run(plan, files.chunks());
-                result = files.finish();
+                result = files.finish(Optional.empty());
             }
         }
         CampaignLines.print(plan, result, target);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Cases;
@@ -76,7 +77,8 @@ final class MergeCommand implements Callable<Integer> {
             files.writeProvenance(part.campaign().provenance(plan, part.wordsOfAll(directory)));
             copy(plan, there, files.chunks());
             plan.sensitivity().ifPresent(further -> copy(further, there, files.chunks(further)));
-            CampaignLines.print(plan, files.finish(), spec.commandLine().getOut());
+            CampaignResult result = files.finish(Optional.of(part.campaign().caseCommand()));
+            CampaignLines.print(plan, result, spec.commandLine().getOut());
         }
         PrintWriter err = spec.commandLine().getErr();
         err.println("results in " + directory);

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.app.Program.Outcome;
@@ -93,6 +94,16 @@ class CampaignCommandTest {
                 .first()
                 .asString()
                 .startsWith("case,variant,seed,drones.intruder.flight.bearing,");
+    }
+
+    /** One case decides, which says nothing. */
+    @Test
+    void theReportDoesNotTakeChanceForAResult() throws IOException {
+        assertThat(json("whole/campaign.json").get("pairs").get(2).get("p").asDouble())
+                .isEqualTo(1.0);
+        assertThat(Files.readString(directory.resolve("whole/report.html")))
+                .contains("Which is better is open: the difference between far and near,")
+                .contains("is no more than chance can explain (p = 1.000).");
     }
 
     @Test
@@ -224,6 +235,11 @@ class CampaignCommandTest {
                 .containsPattern("chance +alone");
         assertThat(Files.readAllLines(directory.resolve("matters/sensitivity.csv")))
                 .hasSize(101);
+        assertThat(Files.readString(directory.resolve("matters/report.html")))
+                .contains(String.format(
+                        Locale.ROOT,
+                        "drones.intruder.flight.distance, alone: %.1f %% (",
+                        100.0 * distance.get("first").asDouble()));
 
         Files.delete(directory.resolve("matters/sensitivity/000001.csv"));
         assertThat(Program.run(Stream.concat(Stream.of(command), Stream.of("--resume"))

@@ -53,6 +53,9 @@ class CampaignShardTest {
 
         assertThat(merged.code()).as(merged.err()).isZero();
         assertThat(bytes("merged")).isEqualTo(bytes("whole"));
+        assertThat(directory.resolve("merged/report.html"))
+                .hasSameTextualContentAs(directory.resolve("whole/report.html"));
+        assertThat(directory.resolve("part-1/report.html")).doesNotExist();
         Outcome again = Program.run("again", at("merged/provenance.json"));
         assertThat(again.code()).as(again.err()).isZero();
         assertThat(again.out()).contains("the results have the same bytes");

@@ -53,10 +53,15 @@ final class CampaignFile {
             ArrayNode influences = root.putArray("sensitivity");
             sensitivity.influences().forEach(one -> add(influences.addObject(), one));
         });
+        root.put("complete", isComplete());
+        return root;
+    }
+
+    /** Whether all cases were run. */
+    boolean isComplete() {
         boolean isExplained =
                 plan.sensitivity().isEmpty() || result.sensitivity().isPresent();
-        root.put("complete", result.stopping().isReached() && isExplained);
-        return root;
+        return result.stopping().isReached() && isExplained;
     }
 
     private void add(ObjectNode node, UntilSettings until) {

@@ -175,11 +175,14 @@ public final class CampaignFiles implements AutoCloseable {
     }
 
     /**
-     * Writes {@code runs.csv}, {@code sensitivity.csv} and {@code campaign.json} from the chunks that are there.
+     * Writes {@code runs.csv}, {@code sensitivity.csv} and {@code campaign.json} from the chunks that are there and,
+     * if all are, {@code report.html}.
      *
+     * @param caseCommand what runs a case again, without {@code --case} and its number; empty if nothing does
      * @return the results of the campaign so far
      */
-    public CampaignResult finish() {
+    public CampaignResult finish(Optional<String> caseCommand) {
+        WorstCases worst = new WorstCases();
         CampaignSummary summary = new CampaignSummary(plan.variants());
         Stopping stopping = new Stopping(plan);
         int variants = plan.variants().size();
@@ -187,11 +190,17 @@ public final class CampaignFiles implements AutoCloseable {
             for (int i = 0; i < results.size(); i += variants) {
                 summary.add(results.subList(i, i + variants));
             }
+            worst.add(results);
         });
         Optional<Sensitivity> sensitivity =
                 plan.sensitivity().map(this::sensitivity).filter(Sensitivity::isComplete);
         CampaignResult result = new CampaignResult(summary, stopping, sensitivity);
-        writeJson("campaign.json", new CampaignFile(plan, result).toJson());
+        CampaignFile file = new CampaignFile(plan, result);
+        writeJson("campaign.json", file.toJson());
+        if (file.isComplete()) {
+            new WholeFile("--out", directory.resolve(CampaignReport.NAME).toString())
+                    .write(new CampaignReport(plan, result, worst, caseCommand)::write);
+        }
         return result;
     }
 

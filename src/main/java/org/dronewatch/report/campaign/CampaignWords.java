@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignQuantity;
 import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
@@ -22,13 +24,11 @@ public final class CampaignWords {
     public static List<String> sensitivity(Sensitivity sensitivity) {
         CampaignQuantity output = sensitivity.settings().output();
         String what = output.words() + " of " + sensitivity.variant();
-        List<Sensitivity.Influence> influences = new ArrayList<>(sensitivity.influences());
+        List<Sensitivity.Influence> influences = ordered(sensitivity);
         List<String> lines = new ArrayList<>();
         if (influences.isEmpty()) {
             return List.of("what explains the " + what + ": nothing, because it is the same in all cases");
         }
-        influences.sort(Comparator.comparing(Sensitivity.Influence::isChance)
-                .thenComparing(Comparator.comparingDouble(CampaignWords::size).reversed()));
         boolean isSobol = influences.get(0).index().isPresent();
         lines.add(
                 isSobol
@@ -49,6 +49,34 @@ public final class CampaignWords {
                     String.format(Locale.ROOT, "  %,d cases failed; their groups are left out", sensitivity.failed()));
         }
         return lines;
+    }
+
+    /** The influences, the strongest first and chance last. */
+    static List<Sensitivity.Influence> ordered(Sensitivity sensitivity) {
+        return sensitivity.influences().stream()
+                .sorted(Comparator.comparing(Sensitivity.Influence::isChance)
+                        .thenComparing(
+                                Comparator.comparingDouble(CampaignWords::size).reversed()))
+                .toList();
+    }
+
+    /** What came of one case that did not fail. */
+    public static String cameOf(CaseResult result) {
+        String detected = result.firstSensor().isEmpty()
+                ? "never detected"
+                : "first detected after " + text(result.firstDetected()) + " s by "
+                        + result.firstSensor().get() + " at " + text(result.range()) + " m";
+        String alerted = result.alert().isEmpty()
+                ? "no alert"
+                : "alert after " + text(result.alert()) + " s, warning " + text(result.warning()) + " s"
+                        + result.inTime()
+                                .map(yes -> yes ? ", in time" : ", too late")
+                                .orElse("");
+        return detected + "; " + alerted;
+    }
+
+    private static String text(OptionalDouble value) {
+        return value.isPresent() ? String.format(Locale.ROOT, "%.1f", value.getAsDouble()) : "-";
     }
 
     /** Why a campaign does not show what is expected of it. */
@@ -96,7 +124,7 @@ public final class CampaignWords {
     }
 
     /** Without a negative zero. */
-    private static double percent(double part) {
+    static double percent(double part) {
         double percent = PERCENT * part;
         return Math.abs(percent) < 0.05 ? 0.0 : percent;
     }

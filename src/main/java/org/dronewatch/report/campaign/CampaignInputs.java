@@ -1,0 +1,87 @@
+package org.dronewatch.report.campaign;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignSettings;
+import org.dronewatch.campaign.EvenlySpaced;
+import org.dronewatch.campaign.Normal;
+import org.dronewatch.campaign.Variation;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.report.html.ReadableNumbers;
+import org.dronewatch.setting.PlainText;
+
+/** What a campaign runs: its variants, and what varies. */
+final class CampaignInputs {
+    private final CampaignPlan plan;
+
+    CampaignInputs(CampaignPlan plan) {
+        this.plan = plan;
+    }
+
+    /** The section. */
+    String html() {
+        CampaignSettings settings = plan.settings();
+        List<List<String>> rows = new ArrayList<>();
+        settings.variants().forEach((name, changes) -> rows.add(List.of(name, changed(changes))));
+        Map<String, String> varied = new LinkedHashMap<>();
+        settings.table().ifPresent(name -> varied.put("table", PlainText.value(name)));
+        settings.vary().forEach((path, variation) -> varied.put(path, words(variation)));
+        return Html.plain("p", introduction(settings))
+                + (rows.isEmpty() ? "" : Html.table(List.of("variant", "settings that differ from the scene"), rows))
+                + (varied.isEmpty() ? "" : Html.definitions(varied));
+    }
+
+    private String introduction(CampaignSettings settings) {
+        return "The scene is " + settings.scene() + ", the seed " + settings.seed()
+                + ". The probabilities hold for the distributions below, which are assumptions: nobody knows where"
+                + " the next attack will come from. "
+                + settings.until()
+                        .map(until -> String.format(
+                                Locale.ROOT,
+                                "The outcomes decided how many cases were run: until '%s' of %s was known to within %s"
+                                        + " percentage points. The other intervals are approximate. ",
+                                ShareWords.name(until.of()),
+                                plan.observed(),
+                                ReadableNumbers.number(ShareWords.PERCENT * until.halfWidth())))
+                        .orElse("")
+                + "runs.csv has all cases, campaign.json all figures, and provenance.json the origin of both.";
+    }
+
+    private static String changed(Map<String, String> changes) {
+        return changes.isEmpty()
+                ? "none"
+                : changes.entrySet().stream()
+                        .map(one -> one.getKey() + " = " + PlainText.value(one.getValue()))
+                        .collect(Collectors.joining("; "));
+    }
+
+    private static String words(Variation variation) {
+        return PlainText.value(variation
+                .values()
+                .map(all -> "one of " + String.join(", ", all))
+                .or(() -> variation.range().map(CampaignInputs::words))
+                .or(() -> variation.uniform().map(one -> "uniform from " + one.from() + " to " + one.to()))
+                .or(() -> variation
+                        .triangular()
+                        .map(one -> "triangular from " + one.from() + " to " + one.to() + ", likeliest " + one.mode()))
+                .or(() -> variation.normal().map(CampaignInputs::words))
+                .orElse(""));
+    }
+
+    private static String words(EvenlySpaced one) {
+        return one.count().map(count -> "one of " + count + " values").orElse("one of the values") + " from "
+                + one.from() + " to " + one.to()
+                + one.step().map(step -> " in steps of " + step).orElse("");
+    }
+
+    private static String words(Normal one) {
+        return "normal with mean " + one.mean() + " and standard deviation " + one.deviation()
+                + one.from().map(from -> ", at least " + from).orElse("")
+                + one.to().map(to -> ", at most " + to).orElse("");
+    }
+}

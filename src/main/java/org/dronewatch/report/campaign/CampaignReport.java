@@ -1,0 +1,145 @@
+package org.dronewatch.report.campaign;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignResult;
+import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.Expectation;
+import org.dronewatch.campaign.Outcome;
+import org.dronewatch.campaign.VariantSummary;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.report.html.Page;
+import org.dronewatch.report.html.ReadableNumbers;
+
+/** A campaign for those who decide: which variant is better, how certain that is, from where, and the worst cases. */
+final class CampaignReport {
+    static final String NAME = "report.html";
+
+    private static final int MOST_NAMED = 4;
+
+    private final CampaignPlan plan;
+    private final CampaignResult result;
+    private final WorstCases worst;
+    private final Optional<String> command;
+    private final Outcome headline;
+    private final PairWords pairs;
+
+    /**
+     * The report of a campaign that is complete.
+     *
+     * @param worst its worst cases
+     * @param command that runs a case again, without its number; empty if there is none
+     */
+    CampaignReport(CampaignPlan plan, CampaignResult result, WorstCases worst, Optional<String> command) {
+        this.plan = plan;
+        this.result = result;
+        this.worst = worst;
+        this.command = command;
+        this.headline = ShareWords.headline(result.summary());
+        this.pairs = new PairWords(result.summary());
+    }
+
+    /** Writes the page; the stream stays open. */
+    void write(OutputStream stream) throws IOException {
+        VariantTables tables = new VariantTables(result.summary());
+        String scene = plan.settings().scene();
+        Page page = new Page(stream, scene + ": campaign report", scene + ": campaign");
+        page.verdict(verdict());
+        if (!plan.settings().expect().isEmpty()) {
+            page.section("Expectations", expectations());
+        }
+        page.section("How often the defence succeeds", response() + tables.shares());
+        page.section("By the direction of the attack", tables.rose());
+        page.section("Warning time and range", tables.quantiles());
+        Optional<String> deciding = pairs.html();
+        if (deciding.isPresent()) {
+            page.section("What decides", deciding.get());
+        }
+        if (result.sensitivity().isPresent()) {
+            page.section(
+                    "Which settings matter",
+                    new SensitivityBars(result.sensitivity().get()).html());
+        }
+        page.section("The worst case", worst.html(plan, command));
+        page.section("What was run", new CampaignInputs(plan).html());
+        page.end();
+    }
+
+    private String verdict() {
+        CampaignSummary summary = result.summary();
+        List<String> sentences = new ArrayList<>();
+        List<String> ranked = pairs.ranked();
+        sentences.add(shares(ranked));
+        pairs.verdict().ifPresent(sentences::add);
+        ranked.stream().findFirst().flatMap(this::worstInWords).ifPresent(sentences::add);
+        int failed = summary.variants().values().stream()
+                .mapToInt(VariantSummary::failed)
+                .sum();
+        if (failed > 0) {
+            sentences.add(String.format(
+                    Locale.ROOT, "%,d runs failed and count in none of these figures; runs.csv says why.", failed));
+        }
+        return String.join(" ", sentences);
+    }
+
+    private String shares(List<String> ranked) {
+        Map<String, VariantSummary> variants = result.summary().variants();
+        if (ranked.isEmpty()) {
+            return "No case could be run.";
+        }
+        int cases = variants.get(ranked.get(0)).cases();
+        boolean isAlone = variants.size() == 1;
+        String named = ranked.stream()
+                .limit(MOST_NAMED)
+                .map(name -> ShareWords.withInterval(
+                                variants.get(name).proportion(headline).orElseThrow())
+                        + (isAlone ? "" : " with " + name))
+                .collect(Collectors.joining(", "));
+        return String.format(Locale.ROOT, "In %,d attacks, ", cases) + ShareWords.clause(headline) + " in " + named
+                + (ranked.size() > MOST_NAMED ? ", and less often with the others" : "")
+                + ". In brackets: the 95 % confidence interval of the probability.";
+    }
+
+    private Optional<String> worstInWords(String variant) {
+        boolean isAlone = plan.variants().size() == 1;
+        return worst.inWords(variant, "The worst case" + (isAlone ? "" : " of " + variant));
+    }
+
+    /** What in time means; empty where that does not matter. */
+    private String response() {
+        List<String> responses = plan.variants().stream()
+                .map(name -> ReadableNumbers.number(plan.shared(name).alert().response()))
+                .distinct()
+                .toList();
+        return headline == Outcome.IN_TIME && responses.size() == 1
+                ? Html.plain(
+                        "p",
+                        "In time means at least " + responses.get(0)
+                                + " s (alert.response) before the drone can reach what is protected.")
+                : "";
+    }
+
+    private String expectations() {
+        String items = plan.settings().expect().stream()
+                .map(this::words)
+                .map(words -> Html.plain("li", words))
+                .collect(Collectors.joining());
+        return Html.element("ul", items);
+    }
+
+    private String words(Expectation one) {
+        CampaignSummary summary = result.summary();
+        return one.isMet(plan, summary)
+                ? "Met: " + ShareWords.name(one.of()) + " of " + one.variantIn(plan) + ", lower bound at least "
+                        + one.low() + ": "
+                        + ShareWords.withInterval(one.proportion(plan, summary).orElseThrow()) + "."
+                : "Not met: " + CampaignWords.missed(plan, one, summary) + ".";
+    }
+}

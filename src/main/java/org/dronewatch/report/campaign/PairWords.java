@@ -1,0 +1,136 @@
+package org.dronewatch.report.campaign;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.dronewatch.campaign.CampaignSummary;
+import org.dronewatch.campaign.Outcome;
+import org.dronewatch.campaign.PairedDifference;
+import org.dronewatch.campaign.Proportion;
+import org.dronewatch.campaign.VariantComparison;
+import org.dronewatch.report.html.Html;
+
+/** Which of the variants is better, whether that is more than chance, and which cases decide. */
+final class PairWords {
+    private static final double SIGNIFICANT = 0.05;
+    private static final int MOST_PAIRS = 20;
+
+    private final CampaignSummary summary;
+    private final Outcome headline;
+    private final List<VariantComparison> pairs;
+
+    PairWords(CampaignSummary summary) {
+        this.summary = summary;
+        this.headline = ShareWords.headline(summary);
+        this.pairs = summary.comparisons().stream()
+                .filter(pair -> pair.outcome() == headline)
+                .toList();
+    }
+
+    /** The variants of which the outcome is known, the best first. */
+    List<String> ranked() {
+        return summary.variants().keySet().stream()
+                .filter(name -> proportion(name).isPresent())
+                .sorted(Comparator.comparingDouble(
+                        name -> -proportion(name).orElseThrow().share()))
+                .toList();
+    }
+
+    private Optional<Proportion> proportion(String variant) {
+        return summary.variants().get(variant).proportion(headline);
+    }
+
+    /** Whether the best variant is better than the next; empty where there are no two. */
+    Optional<String> verdict() {
+        List<String> ranked = ranked();
+        if (ranked.size() < 2) {
+            return Optional.empty();
+        }
+        String first = ranked.get(0);
+        String second = ranked.get(1);
+        return pairs.stream()
+                .filter(pair -> List.of(first, second).containsAll(List.of(pair.a(), pair.b())))
+                .findFirst()
+                .map(pair -> verdict(pair, first, second));
+    }
+
+    private String verdict(VariantComparison pair, String first, String second) {
+        PairedDifference difference = pair.difference();
+        if (difference.onlyA() + difference.onlyB() == 0) {
+            return "Between " + first + " and " + second + " no case decides: they are equally good in all of them.";
+        }
+        String of = " difference between " + first + " and " + second + ", "
+                + ShareWords.difference(difference, !pair.a().equals(first)) + ", is ";
+        return isChance(difference)
+                ? "Which is better is open: the" + of + "no more than chance can explain (" + ShareWords.p(difference)
+                        + ")."
+                : "The better variant is " + first + ": the" + of + "more than chance (" + ShareWords.p(difference)
+                        + ").";
+    }
+
+    /** With several pairs, a small p is to be expected of some by chance (Bonferroni's correction). */
+    private boolean isChance(PairedDifference difference) {
+        return difference.pValue() * pairs.size() >= SIGNIFICANT;
+    }
+
+    /** The section; empty with a single variant. */
+    Optional<String> html() {
+        if (pairs.isEmpty()) {
+            return Optional.empty();
+        }
+        List<String> ranked = ranked();
+        String items = pairs.stream()
+                .sorted(Comparator.comparingInt(pair -> Math.min(ranked.indexOf(pair.a()), ranked.indexOf(pair.b()))))
+                .limit(MOST_PAIRS)
+                .map(pair -> Html.plain("li", words(pair)))
+                .collect(Collectors.joining());
+        return Optional.of(Html.plain("p", introduction()) + Html.element("ul", items));
+    }
+
+    private String introduction() {
+        String limit = pairs.size() == 1
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        " With %,d pairs, p must be below %.2g to count as more than chance.",
+                        pairs.size(),
+                        SIGNIFICANT / pairs.size());
+        return "All variants face the same attacks. Only attacks in which one of a pair is better say anything about"
+                + " it: p is the probability that chance alone divides them so unevenly." + limit
+                + (pairs.size() > MOST_PAIRS ? " These are " + MOST_PAIRS + " of them; campaign.json has all." : "");
+    }
+
+    private String words(VariantComparison pair) {
+        PairedDifference difference = pair.difference();
+        String counts = String.format(
+                Locale.ROOT,
+                "%s and %s: %s only with %s in %,d of %,d cases, only with %s in %,d. ",
+                pair.a(),
+                pair.b(),
+                ShareWords.clause(headline),
+                pair.a(),
+                difference.onlyA(),
+                difference.of(),
+                pair.b(),
+                difference.onlyB());
+        if (difference.onlyA() + difference.onlyB() == 0) {
+            return counts.strip();
+        }
+        List<String> cases = new ArrayList<>();
+        for (String better : List.of(pair.a(), pair.b())) {
+            String numbers = pair.deciding().stream()
+                    .filter(number -> pair.betterIn(number).equals(better))
+                    .map(String::valueOf)
+                    .collect(Collectors.joining(", "));
+            if (!numbers.isEmpty()) {
+                cases.add(numbers + " for " + better);
+            }
+        }
+        return counts + "The difference, " + ShareWords.difference(difference, false) + ", is "
+                + (isChance(difference) ? "no more than chance can explain" : "more than chance") + " ("
+                + ShareWords.p(difference) + "). The first cases that decide: " + String.join("; ", cases) + ".";
+    }
+}

@@ -1,0 +1,87 @@
+package org.dronewatch.report.campaign;
+
+import java.util.List;
+import java.util.Locale;
+import org.dronewatch.campaign.CampaignQuantity;
+import org.dronewatch.campaign.Sensitivity;
+import org.dronewatch.campaign.sensitivity.MorrisEffect;
+import org.dronewatch.campaign.sensitivity.SobolIndex;
+import org.dronewatch.report.html.Html;
+
+/** Which settings matter, as bars. */
+final class SensitivityBars {
+    private final Sensitivity sensitivity;
+    private final String what;
+
+    SensitivityBars(Sensitivity sensitivity) {
+        this.sensitivity = sensitivity;
+        this.what = sensitivity.settings().output().words() + " of " + sensitivity.variant();
+    }
+
+    /** The section. */
+    String html() {
+        List<Sensitivity.Influence> influences = CampaignWords.ordered(sensitivity);
+        if (influences.isEmpty()) {
+            return Html.plain("p", "Nothing explains the " + what + ": it is the same in all cases.");
+        }
+        String left = sensitivity.failed() > 0
+                ? String.format(
+                        Locale.ROOT, " %,d further cases failed; their groups are left out.", sensitivity.failed())
+                : "";
+        return influences.get(0).index().isPresent() ? sobol(influences, left) : morris(influences, left);
+    }
+
+    private String sobol(List<Sensitivity.Influence> influences, String left) {
+        IntervalBars bars = new IntervalBars("what explains the " + what, ShareWords.PERCENT, "%");
+        for (Sensitivity.Influence one : influences) {
+            SobolIndex index = one.index().orElseThrow();
+            String name = CampaignWords.name(one);
+            add(bars, name + ", alone: ", index.first(), index.low(), index.high(), 0);
+            add(bars, name + ", with interactions: ", index.total(), index.totalLow(), index.totalHigh(), 1);
+        }
+        return Html.plain(
+                        "p",
+                        "How much of the variance of the " + what + " each setting explains, with 95 % confidence"
+                                + " intervals: alone, and together with the others. No layout and no setting can"
+                                + " remove what is due to chance." + left)
+                + bars.svg();
+    }
+
+    private static void add(IntervalBars bars, String words, double value, double low, double high, int colour) {
+        double percent = ShareWords.PERCENT;
+        String text = String.format(
+                Locale.ROOT,
+                "%s%.1f %% (%.1f to %.1f)",
+                words,
+                CampaignWords.percent(value),
+                CampaignWords.percent(low),
+                CampaignWords.percent(high));
+        bars.add(text, percent * value, percent * low, percent * high, SeriesStyle.colour(colour));
+    }
+
+    private String morris(List<Sensitivity.Influence> influences, String left) {
+        CampaignQuantity output = sensitivity.settings().output();
+        double most = influences.stream()
+                .mapToDouble(one -> one.effect().orElseThrow().magnitude())
+                .max()
+                .orElse(0.0);
+        IntervalBars bars = new IntervalBars("effects on the " + what, most > 0.0 ? most : 1.0, output.unit());
+        for (Sensitivity.Influence one : influences) {
+            MorrisEffect effect = one.effect().orElseThrow();
+            String words = String.format(
+                    Locale.ROOT,
+                    "%s: %.3f %s (deviation %.3f)",
+                    CampaignWords.name(one),
+                    effect.magnitude(),
+                    output.unit(),
+                    effect.deviation());
+            bars.add(words, effect.magnitude(), 0.0, 0.0, SeriesStyle.colour(0));
+        }
+        return Html.plain(
+                        "p",
+                        "The mean magnitude of the change of the " + what + " when a setting changes across its whole"
+                                + " distribution. A large deviation means that the effect depends on other settings."
+                                + left)
+                + bars.svg();
+    }
+}
