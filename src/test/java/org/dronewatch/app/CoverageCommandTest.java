@@ -267,7 +267,8 @@ class CoverageCommandTest {
         JsonNode warnings = json.get("warning");
         assertThat(warnings).hasSize(2 * 36);
         JsonNode east = warnings.get(9);
-        assertThat(east.propertyNames()).containsExactly("bearing_deg", "height_m", "range_m", "warning_s", "in_time");
+        assertThat(east.propertyNames())
+                .containsExactly("bearing_deg", "height_m", "range_m", "warning_s", "at_least", "in_time");
         assertThat(east.get("bearing_deg").asDouble()).isEqualTo(90.0);
         assertThat(east.get("height_m").asDouble()).isEqualTo(2.0);
         assertThat(east.get("warning_s").asDouble())

@@ -50,8 +50,11 @@ public record FieldRequest(
 
     /** The approximate number of cells that the sensors look at, added up over all sensors. */
     public long looks() {
+        InboundFlights flights = InboundFlights.of(settings, stage, drone, grid, terms);
         long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
-                + InboundWarnings.cells(grid, InboundTarget.of(settings, stage.protection(), grid), stage.protection());
+                + (long) flights.steps()
+                        * InboundFlights.BEARINGS
+                        * grid.heights().size();
         return cells * settings.enabledSensors().size();
     }
 }

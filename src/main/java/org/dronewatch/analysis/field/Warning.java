@@ -11,11 +11,24 @@ import java.util.OptionalDouble;
  * @param range horizontal distance from its target when it is first detected, m; empty if it is not detected before it
  *     arrives
  * @param time time from its first detection until it arrives, s; empty if it is not detected before it arrives
+ * @param isFromStart whether it is detected where its flight begins, or at the first place about which the model of the
+ *     site tells anything, so that the time is a lower bound: a flight that begins farther away may be detected earlier
  */
-public record Warning(double bearing, double height, double arrival, OptionalDouble range, OptionalDouble time) {
+public record Warning(
+        double bearing, double height, double arrival, OptionalDouble range, OptionalDouble time, boolean isFromStart) {
 
     /** Whether it is detected at least a time, s, before it arrives. */
     public boolean isInTime(double response) {
         return time.isPresent() && time.getAsDouble() >= response;
+    }
+
+    /** Whether it is unknown if that is so, since its flight begins too near. */
+    public boolean isUndecided(double response) {
+        return isFromStart && !isInTime(response);
+    }
+
+    /** Whether that is not so. */
+    public boolean isLate(double response) {
+        return !isFromStart && !isInTime(response);
     }
 }

@@ -136,7 +136,7 @@ final class FieldFile {
         }
     }
 
-    /** Without a required response, it is not stated whether a warning is in time. */
+    /** Without a required response, or if its flight begins too near, it is not stated whether a warning is in time. */
     private static void add(ObjectNode node, Warning warning, double response) {
         node.put("bearing_deg", Numbers.rounded(Math.toDegrees(warning.bearing())));
         node.put("height_m", Numbers.rounded(warning.height()));
@@ -147,7 +147,8 @@ final class FieldFile {
             node.putNull("range_m");
             node.putNull("warning_s");
         }
-        if (response > 0.0) {
+        node.put("at_least", warning.isFromStart());
+        if (response > 0.0 && !warning.isUndecided(response)) {
             node.put("in_time", warning.isInTime(response));
         } else {
             node.putNull("in_time");

@@ -1,31 +1,22 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.FieldSurvey;
-import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.VisibleHeights;
-import org.dronewatch.analysis.field.Warning;
-import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
-import org.dronewatch.world.World;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
 final class FieldPictures {
     /** Lines on a pale map. */
     private static final Color NEAR_GROUND = new Color(0xd55e00);
-
-    /** Corners of the outline of a sphere. */
-    private static final int CIRCLE = 72;
 
     private static final Color HIGH_UP = new Color(0x0072b2);
 
@@ -33,10 +24,9 @@ final class FieldPictures {
     private static final String VISIBLE = "visible-height.png";
     private static final String WARNING = "warning.png";
 
-    private final World world;
     private final int[] ground;
     private final List<Position> sensors;
-    private final Protection protection;
+    private final WarningMap warnings;
     private final List<String> credits;
     private final CoverageInputs inputs;
 
@@ -47,10 +37,9 @@ final class FieldPictures {
      * @param grid of the maps
      */
     FieldPictures(CoverageSite site, CoverageInputs inputs, FieldGrid grid) {
-        this.world = site.stage().world();
-        this.ground = MapSheet.ground(world, grid);
+        this.ground = MapSheet.ground(site.stage().world(), grid);
         this.sensors = site.sensors();
-        this.protection = site.stage().protection();
+        this.warnings = new WarningMap(site, inputs);
         this.credits = site.stage().credits();
         this.inputs = inputs;
     }
@@ -64,7 +53,7 @@ final class FieldPictures {
         }
         survey.detectable().ifPresent(found -> maps.put(DETECTABLE, detectableHeights(found)));
         survey.visible().ifPresent(found -> maps.put(VISIBLE, visibleHeights(found)));
-        survey.warnings().ifPresent(found -> maps.put(WARNING, warnings(survey.grid(), found)));
+        survey.warnings().ifPresent(found -> maps.put(WARNING, warnings.sheet(survey.grid(), ground, found)));
         return maps;
     }
 
@@ -137,90 +126,13 @@ final class FieldPictures {
         return sheet;
     }
 
-    /**
-     * Where straight inbound flights are first detected, a line for each height, and where they must be detected for
-     * the response to be in time.
-     */
-    MapSheet warnings(FieldGrid grid, InboundWarnings warnings) {
-        FieldGrid shown = grid.area().isEmpty() ? grid : around(warnings);
-        MapSheet sheet = new MapSheet(shown);
-        sheet.drawMap(
-                shown.equals(grid) ? ground : MapSheet.ground(world, shown),
-                (column, row) -> (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.35),
-                sensors);
-        sheet.credits(credits);
-        sheet.title(inputs.scene());
-        sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
-        sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
-        sheet.line("is first detected, from up to " + metres(warnings.reach()) + ";");
-        if (inputs.within().isPresent()) {
-            sheet.line(inputs.timeInWords() + " after the first place where");
-            sheet.line("a sensor covers it within this time;");
-        }
-        sheet.line("least warning until it arrives:");
-        sheet.space();
-        double[] heights = WarningTable.heights(warnings);
-        for (int i = 0; i < heights.length; i++) {
-            double height = heights[i];
-            List<Warning> its = warnings.all().stream()
-                    .filter(one -> one.height() == height)
-                    .toList();
-            Color colour = ofHeight(i, heights.length);
-            sheet.outline(outline(warnings, its), colour, i + 1);
-            sheet.sample(colour, i + 1, metres(height) + ": least " + WarningTable.least(its));
-        }
-        for (List<Position> zone : zones()) {
-            sheet.outline(zone, Color.BLACK, 0);
-        }
-        if (warnings.isZone()) {
-            sheet.sample(Color.BLACK, 0, "protected zone");
-        }
-        sheet.space();
-        sheet.line("where a line meets the zone, or the middle:");
-        sheet.line("no detection before the drone arrives");
-        sheet.caption("Where a drone that flies in straight is first detected, by height.");
-        return sheet;
-    }
-
     /** The colour of a line for a height, given by its number. */
     static Color ofHeight(int number, int heights) {
         return MapSheet.mixed(NEAR_GROUND, HIGH_UP, heights == 1 ? 0.0 : (double) number / (heights - 1));
     }
 
-    /** Flights to an area begin far outside it. */
-    private static FieldGrid around(InboundWarnings warnings) {
-        double side = 2.0 * warnings.reach();
-        Position middle = warnings.target();
-        return new FieldGrid(middle.x(), middle.y(), side, side, FieldGrid.HEIGHTS);
-    }
-
-    private static List<Position> outline(InboundWarnings warnings, List<Warning> bearings) {
-        return bearings.stream()
-                .map(one -> around(warnings.target(), one.bearing(), one.range().orElse(one.arrival())))
-                .toList();
-    }
-
-    private static Position around(Position middle, double bearing, double distance) {
-        return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));
-    }
-
-    /** The outlines of the protected zones in plan view. */
-    private List<List<Position>> zones() {
-        List<List<Position>> outlines = new ArrayList<>();
-        protection
-                .zone()
-                .ifPresent(ball -> outlines.add(IntStream.range(0, CIRCLE)
-                        .mapToObj(i -> around(ball.centre(), 2.0 * Math.PI * i / CIRCLE, ball.radius()))
-                        .toList()));
-        protection
-                .areas()
-                .forEach(area -> outlines.add(area.outline().stream()
-                        .map(corner -> new Position(corner.x(), corner.y(), 0.0))
-                        .toList()));
-        return outlines;
-    }
-
-    private static String metres(double length) {
+    /** A length with its unit. */
+    static String metres(double length) {
         return String.format(Locale.ROOT, "%s m", Numbers.text(length));
     }
 }

@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.Numbers;
 
 /** A table of the warning of inbound flights. */
 public final class WarningTable {
+    private static final String AT_LEAST = ">= ";
+
     private WarningTable() {}
 
     /** For each height the least warning and its bearing, the median, and how many bearings give none or too little. */
@@ -20,23 +23,23 @@ public final class WarningTable {
                 "warning of drones that fly straight in from %s: time from the first detection until they reach %s:",
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
                 warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
-        lines.add(text("%10s  %16s  %10s  %12s", "height", "least", "median", "not detected")
+        lines.add(text("%10s  %28s  %10s  %14s", "height", "least", "median", "not detected")
                 + (isRequired ? text("  %24s", "less than " + Numbers.text(warnings.response()) + " s") : ""));
         for (double height : heights(warnings)) {
             List<Warning> its = warnings.all().stream()
                     .filter(one -> one.height() == height)
                     .toList();
             String line = text(
-                    "%10s  %16s  %10s  %12s",
+                    "%10s  %28s  %10s  %14s",
                     Numbers.text(height) + " m",
                     least(its),
                     median(its),
                     bearings(its.stream().filter(one -> one.time().isEmpty()).count(), its.size()));
-            long late = its.stream()
-                    .filter(one -> !one.isInTime(warnings.response()))
-                    .count();
+            long late =
+                    its.stream().filter(one -> one.isLate(warnings.response())).count();
             lines.add(line + (isRequired ? text("  %24s", bearings(late, its.size())) : ""));
         }
+        lines.addAll(open(warnings));
         return lines;
     }
 
@@ -45,23 +48,35 @@ public final class WarningTable {
         return warnings.all().stream().mapToDouble(Warning::height).distinct().toArray();
     }
 
-    /** The least warning, with its bearing; the first bearing from north among equals. */
+    /** The least warning, with its bearings. */
     static String least(List<Warning> warnings) {
-        Warning least = warnings.stream()
-                .min(Comparator.comparingDouble(one -> one.time().orElse(-1.0)))
-                .orElseThrow();
-        String from = text(" from %.0f deg", Math.toDegrees(least.bearing()));
-        return (least.time().isPresent() ? text("%.1f s", least.time().getAsDouble()) : "none") + from;
+        LeastWarning least = LeastWarning.of(warnings, time -> text("%.1f s", time));
+        String time = least.isNone() ? "none" : (least.isFromStart() ? AT_LEAST : "") + least.time();
+        return time + " from " + least.bearings(warnings);
     }
 
     /** The lower one of two in the middle; those without a detection count as the least. */
     private static String median(List<Warning> warnings) {
-        double[] times = warnings.stream()
-                .mapToDouble(one -> one.time().orElse(-1.0))
-                .sorted()
-                .toArray();
-        double middle = times[(times.length - 1) / 2];
-        return middle < 0.0 ? "none" : text("%.1f s", middle);
+        List<Warning> sorted = warnings.stream()
+                .sorted(Comparator.comparingDouble(one -> one.time().orElse(-1.0)))
+                .toList();
+        List<Warning> lower = sorted.subList(0, (sorted.size() - 1) / 2 + 1);
+        OptionalDouble middle = lower.get(lower.size() - 1).time();
+        String from = lower.stream().anyMatch(Warning::isFromStart) ? AT_LEAST : "";
+        return middle.isEmpty() ? "none" : from + text("%.1f s", middle.getAsDouble());
+    }
+
+    /** What the distance at which flights begin leaves open; empty if nothing. */
+    private static List<String> open(InboundWarnings warnings) {
+        List<String> lines = new ArrayList<>();
+        if (warnings.all().stream().anyMatch(Warning::isFromStart)) {
+            lines.add(AT_LEAST + "... : detected where the flight begins, or where the known ground does");
+        }
+        if (warnings.undecided() > 0) {
+            lines.add("unknown whether the required " + Numbers.text(warnings.response()) + " s are met: "
+                    + warnings.undecided() + " of " + warnings.all().size() + " flights, which begin too near");
+        }
+        return lines;
     }
 
     private static String bearings(long count, int of) {

@@ -3,10 +3,8 @@ package org.dronewatch.report.coverage;
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.html.Html;
@@ -34,33 +32,26 @@ final class WarningWords {
                         : "The scene requires no response time (alert.response).");
     }
 
-    /** What the size of the area hides; empty where no flight is detected. */
+    /** What the distance at which flights begin hides. */
     private String range() {
-        OptionalDouble longest = longest();
-        if (longest.isEmpty()) {
-            return "";
-        }
         String limit = String.format(
                 Locale.ROOT,
                 "The flights begin %s m away, so a warning of more than %s s cannot be found.",
                 number(warnings.reach()),
-                number(longest.getAsDouble()));
+                number(warnings.longest()));
+        boolean isShort = warnings.longest() < warnings.response();
         return Html.plain(
                 "p",
                 limit
-                        + (warnings.response() > longest.getAsDouble()
-                                ? " That is less than the required response: choose a larger area (--side)."
+                        + (isShort
+                                ? " That is less than the required response: the model of the site ends there, or the"
+                                        + " flights have their maximum number of cells. Use a model of a larger site,"
+                                        + " or larger cells (--cell)."
+                                : "")
+                        + (warnings.all().stream().anyMatch(Warning::isFromStart)
+                                ? " Where the drone is detected as soon as its flight or the known ground begins, the"
+                                        + " warning is at least as long as stated."
                                 : ""));
-    }
-
-    /** The longest warning that a flight that is detected at once would give, s: its speed follows from any other. */
-    private OptionalDouble longest() {
-        return warnings.all().stream()
-                .filter(one -> one.time().isPresent() && one.range().getAsDouble() > one.arrival())
-                .mapToDouble(one -> (warnings.reach() - one.arrival())
-                        * one.time().getAsDouble()
-                        / (one.range().getAsDouble() - one.arrival()))
-                .max();
     }
 
     private String table() {
@@ -68,9 +59,9 @@ final class WarningWords {
         boolean isRequired = warnings.response() > 0.0;
         for (double height : WarningTable.heights(warnings)) {
             List<Warning> its = at(height);
-            List<String> row = new ArrayList<>(List.of(number(height) + " m", least(its), count(its, 0.0)));
+            List<String> row = new ArrayList<>(List.of(number(height) + " m", inTable(least(its)), undetected(its)));
             if (isRequired) {
-                row.add(count(its, warnings.response()));
+                row.add(late(its));
             }
             rows.add(row);
         }
@@ -85,40 +76,63 @@ final class WarningWords {
         return warnings.all().stream().filter(one -> one.height() == height).toList();
     }
 
-    private static String count(List<Warning> its, double response) {
-        return its.stream().filter(one -> !one.isInTime(response)).count() + " of " + its.size();
+    private static String share(long count, List<Warning> its) {
+        return count + " of " + its.size();
     }
 
-    private static String least(List<Warning> its) {
-        Warning least = worst(its);
-        return (least.time().isPresent() ? number(least.time().getAsDouble()) + " s" : "none") + " from the "
-                + ReferencePoint.direction(least.bearing());
+    private static String undetected(List<Warning> its) {
+        return share(its.stream().filter(one -> one.time().isEmpty()).count(), its);
     }
 
-    private static Warning worst(List<Warning> its) {
-        return its.stream()
-                .min(Comparator.comparingDouble(one -> one.time().orElse(-1.0)))
-                .orElseThrow();
+    private String late(List<Warning> its) {
+        return share(its.stream().filter(one -> one.isLate(warnings.response())).count(), its);
+    }
+
+    private static LeastWarning least(List<Warning> its) {
+        return LeastWarning.of(its, time -> number(time) + " s");
+    }
+
+    private static String time(LeastWarning least) {
+        return (least.isFromStart() ? "at least " : "") + least.time();
+    }
+
+    private static String inTable(LeastWarning least) {
+        return (least.isNone() ? "none" : time(least)) + " from " + least.directions();
     }
 
     /** The worst warning of all heights, and whether all are in time. */
     String worstInWords() {
-        Warning worst = worst(warnings.all());
+        LeastWarning worst = least(warnings.all());
         String zone = warnings.isZone() ? "the protected zone" : "the middle of the sensors";
-        String from =
-                number(worst.height()) + " m above the ground, from the " + ReferencePoint.direction(worst.bearing());
-        String first = worst.time().isPresent()
-                ? "The shortest warning of a straight inbound flight is "
-                        + number(worst.time().getAsDouble()) + " s before it reaches " + zone + ": at " + from + "."
-                : "A straight inbound flight at " + from + ", reaches " + zone + " undetected, as in "
-                        + count(warnings.all(), 0.0) + " cases (bearings and heights).";
-        if (warnings.response() == 0.0) {
-            return first;
+        String cases = share(worst.flights().size(), warnings.all()) + " cases (bearings and heights)";
+        double height = worst.flights().get(0).height();
+        String first;
+        if (worst.isNone()) {
+            first = "A straight inbound flight at " + number(height) + " m above the ground, from the "
+                    + ReferencePoint.direction(worst.flights().get(0).bearing()) + ", reaches " + zone
+                    + " undetected, as in " + cases + ".";
+        } else {
+            boolean isOneHeight = worst.flights().stream().allMatch(one -> one.height() == height);
+            first = "The shortest warning of a straight inbound flight is " + time(worst) + " before it reaches " + zone
+                    + (isOneHeight
+                            ? ": at " + number(height) + " m above the ground, from "
+                                    + least(at(height)).directions() + "."
+                            : ", in " + cases + ".");
         }
-        boolean isMet = warnings.all().stream().allMatch(one -> one.isInTime(warnings.response()));
-        return first + " The required " + number(warnings.response()) + " s are "
-                + (isMet
-                        ? "met from every bearing at every height."
-                        : "not met in " + count(warnings.all(), warnings.response()) + " cases.");
+        return first + (warnings.response() > 0.0 ? required() : "");
+    }
+
+    private String required() {
+        String required = " The required " + number(warnings.response()) + " s are ";
+        long late = warnings.late();
+        long undecided = warnings.undecided();
+        if (late == 0 && undecided == 0) {
+            return required + "met from every bearing at every height.";
+        }
+        String isLate = late > 0 ? required + "not met in " + share(late, warnings.all()) + " cases." : "";
+        return undecided == 0
+                ? isLate
+                : isLate + " In " + share(undecided, warnings.all()) + " cases, it is unknown whether they are met:"
+                        + " the drone is detected as soon as its flight or the known ground begins.";
     }
 }

@@ -147,7 +147,8 @@ class CoverageReportTest {
         assertThat(text).contains("requires no response time").doesNotContain("required response,");
         assertThat(page.getElementsByTagName("polygon").getLength()).isEqualTo(2);
         InboundWarnings all = found.warnings().orElseThrow();
-        InboundWarnings asked = new InboundWarnings(all.target(), all.reach(), 8.0, all.isZone(), all.all());
+        InboundWarnings asked =
+                new InboundWarnings(all.target(), all.reach(), all.longest(), 8.0, all.isZone(), all.all());
         String rose = new WarningRose(asked).svg();
         double longest = all.all().stream()
                 .mapToDouble(one -> one.time().orElse(0))
@@ -184,15 +185,17 @@ class CoverageReportTest {
                         one.height(),
                         one.arrival(),
                         java.util.OptionalDouble.empty(),
-                        java.util.OptionalDouble.empty()))
+                        java.util.OptionalDouble.empty(),
+                        false))
                 .toList();
         InboundWarnings all = found.warnings().orElseThrow();
-        InboundWarnings undetected = new InboundWarnings(all.target(), all.reach(), 8.0, all.isZone(), silent);
+        InboundWarnings undetected =
+                new InboundWarnings(all.target(), all.reach(), all.longest(), 8.0, all.isZone(), silent);
         String words = new Losses(none).html()
                 + new WarningWords(undetected).html()
                 + new WarningWords(undetected).worstInWords();
         assertThat(words)
-                .contains("undetected, as in 72 of 72 cases", "none from the north")
+                .contains("undetected, as in 72 of 72 cases", "none from every bearing")
                 .contains("Nothing is covered, so nothing can be lost.")
                 .doesNotContain("NaN", "Infinity", "adds nothing");
         assertThat(none.idleSensors()).isEmpty();

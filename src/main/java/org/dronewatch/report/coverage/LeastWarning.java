@@ -1,0 +1,78 @@
+package org.dronewatch.report.coverage;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.Warning;
+
+/**
+ * The least warning of some inbound flights, and all of them for which it reads the same.
+ *
+ * @param time in words; empty where the drone arrives undetected
+ * @param isFromStart whether it is a lower bound
+ * @param flights those with this warning, in their order
+ * @param of the number of all flights
+ */
+record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
+    /**
+     * The least warning.
+     *
+     * @param all at least one flight
+     * @param words writes a time, s
+     */
+    static LeastWarning of(List<Warning> all, DoubleFunction<String> words) {
+        Warning least = all.stream()
+                .min(Comparator.comparingDouble(one -> one.time().orElse(-1.0)))
+                .orElseThrow();
+        String time = words(least, words);
+        List<Warning> same =
+                all.stream().filter(one -> words(one, words).equals(time)).toList();
+        return new LeastWarning(time, same.stream().allMatch(Warning::isFromStart), same, all.size());
+    }
+
+    private static String words(Warning one, DoubleFunction<String> words) {
+        return one.time().isPresent() ? words.apply(one.time().getAsDouble()) : "";
+    }
+
+    /** Whether a drone arrives undetected. */
+    boolean isNone() {
+        return time.isEmpty();
+    }
+
+    /**
+     * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 bearings}, of flights that are all
+     * those at a height, from north.
+     *
+     * @param all the flights
+     */
+    String bearings(List<Warning> all) {
+        int count = flights.size();
+        if (count == of && count > 1) {
+            return "all bearings";
+        }
+        // Where an arc begins: the flight before it is not among them.
+        List<Integer> starts = IntStream.range(0, of)
+                .filter(i -> flights.contains(all.get(i)) && !flights.contains(all.get((i + of - 1) % of)))
+                .boxed()
+                .toList();
+        if (starts.size() > 1) {
+            return count + " bearings";
+        }
+        int first = starts.isEmpty() ? 0 : starts.get(0);
+        String from = degrees(all.get(first));
+        return count == 1 ? from + " deg" : from + " to " + degrees(all.get((first + count - 1) % of)) + " deg";
+    }
+
+    private static String degrees(Warning one) {
+        return String.valueOf(Math.round(Math.toDegrees(one.bearing())));
+    }
+
+    /** The bearings in a sentence: {@code the north}, {@code every bearing} or {@code 7 bearings}. */
+    String directions() {
+        if (flights.size() == 1) {
+            return "the " + ReferencePoint.direction(flights.get(0).bearing());
+        }
+        return flights.size() == of ? "every bearing" : flights.size() + " bearings";
+    }
+}

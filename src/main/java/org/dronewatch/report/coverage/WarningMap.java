@@ -1,0 +1,123 @@
+package org.dronewatch.report.coverage;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.In;
+
+/** The map of the warning of straight inbound flights: where they begin, and a line for each height. */
+final class WarningMap {
+    private static final Color START = Color.GRAY;
+
+    /** The side of a map of flights, as a multiple of the distance at which they begin. */
+    private static final double FRAME = 2.1;
+
+    /** Corners of the outline of a circle. */
+    private static final int CIRCLE = 72;
+
+    private final CoverageSite site;
+    private final CoverageInputs inputs;
+
+    WarningMap(CoverageSite site, CoverageInputs inputs) {
+        this.site = site;
+        this.inputs = inputs;
+    }
+
+    /**
+     * Where straight inbound flights are first detected, a line for each height, and where they must be detected for
+     * the response to be in time.
+     *
+     * @param grid of the other maps
+     * @param ground of that grid, as {@link MapSheet#ground} gives it
+     */
+    MapSheet sheet(FieldGrid grid, int[] ground, InboundWarnings warnings) {
+        FieldGrid shown = showsAll(grid, warnings) ? grid : around(warnings);
+        MapSheet sheet = new MapSheet(shown);
+        sheet.drawMap(
+                shown.equals(grid) ? ground : MapSheet.ground(site.stage().world(), shown),
+                (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.35),
+                site.sensors());
+        sheet.credits(site.stage().credits());
+        sheet.title(inputs.scene());
+        sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
+        sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
+        sheet.line("is first detected, from up to " + FieldPictures.metres(warnings.reach()) + ";");
+        if (inputs.within().isPresent()) {
+            sheet.line(inputs.timeInWords() + " after the first place where");
+            sheet.line("a sensor covers it within this time;");
+        }
+        sheet.line("least warning until it arrives:");
+        sheet.space();
+        sheet.outline(circle(warnings.target(), warnings.reach()), START, 0);
+        double[] heights = WarningTable.heights(warnings);
+        for (int i = 0; i < heights.length; i++) {
+            double height = heights[i];
+            List<Warning> its = warnings.all().stream()
+                    .filter(one -> one.height() == height)
+                    .toList();
+            Color colour = FieldPictures.ofHeight(i, heights.length);
+            sheet.outline(outline(warnings, its), colour, i + 1);
+            sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": least " + WarningTable.least(its));
+        }
+        for (List<Position> zone : zones()) {
+            sheet.outline(zone, Color.BLACK, 0);
+        }
+        sheet.sample(START, 0, "where the flights begin");
+        if (warnings.isZone()) {
+            sheet.sample(Color.BLACK, 0, "protected zone");
+        }
+        sheet.space();
+        sheet.line("where a line meets the zone, or the middle:");
+        sheet.line("no detection before the drone arrives");
+        sheet.caption("Where a drone that flies in straight is first detected, by height.");
+        return sheet;
+    }
+
+    /** Whether all flights begin on the map of a grid: their target may not be its middle, or they begin beyond it. */
+    private static boolean showsAll(FieldGrid grid, InboundWarnings warnings) {
+        Position target = warnings.target();
+        double aside = Math.max(Math.abs(target.x() - grid.east()), Math.abs(target.y() - grid.north()));
+        return grid.area().isEmpty() && aside + warnings.reach() <= 0.5 * grid.columns() * grid.cell();
+    }
+
+    private static FieldGrid around(InboundWarnings warnings) {
+        double side = Math.min(FRAME * warnings.reach(), In.FARTHEST);
+        Position middle = warnings.target();
+        return new FieldGrid(middle.x(), middle.y(), side, side, FieldGrid.HEIGHTS);
+    }
+
+    private static List<Position> outline(InboundWarnings warnings, List<Warning> bearings) {
+        return bearings.stream()
+                .map(one -> around(warnings.target(), one.bearing(), one.range().orElse(one.arrival())))
+                .toList();
+    }
+
+    private static Position around(Position middle, double bearing, double distance) {
+        return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));
+    }
+
+    private static List<Position> circle(Position middle, double radius) {
+        return IntStream.range(0, CIRCLE)
+                .mapToObj(i -> around(middle, 2.0 * Math.PI * i / CIRCLE, radius))
+                .toList();
+    }
+
+    /** The outlines of the protected zones in plan view. */
+    private List<List<Position>> zones() {
+        Protection protection = site.stage().protection();
+        List<List<Position>> outlines = new ArrayList<>();
+        protection.zone().ifPresent(ball -> outlines.add(circle(ball.centre(), ball.radius())));
+        protection
+                .areas()
+                .forEach(area -> outlines.add(area.outline().stream()
+                        .map(corner -> new Position(corner.x(), corner.y(), 0.0))
+                        .toList()));
+        return outlines;
+    }
+}
