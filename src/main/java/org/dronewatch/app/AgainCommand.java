@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
         description = {
             "Repeats the run or campaign of a provenance.json, and states for each file beside it whether the new one has"
                     + " the same bytes; the exit code is 1 if not.",
-            "Relative paths are resolved as when it was first run, from the current directory."
+            "Relative paths are resolved from the current directory, as in the first run."
         },
         footer = {"", "Example:", "  dronewatch again results/provenance.json"})
 final class AgainCommand implements Callable<Integer> {
@@ -89,7 +89,7 @@ final class AgainCommand implements Callable<Integer> {
         PrintWriter print = spec.commandLine().getOut();
         List<String> changed = recorded.differences(RecordedCommand.read(target.resolve(ProvenanceFile.NAME)));
         if (!changed.isEmpty()) {
-            print.println("not the same as then: " + String.join(", ", changed));
+            print.println("changed since the recorded run: " + String.join(", ", changed));
         }
         Map<String, SameBytes.State> states = SameBytes.compare(given.resolveSibling(""), target);
         states.forEach((name, state) ->

@@ -87,7 +87,7 @@ final class CampaignCommand implements Callable<Integer> {
     @Option(
             names = "--junit",
             paramLabel = "FILE.xml",
-            description = "Writes expectations and cases as JUnit reports tests, for servers that build software.")
+            description = "Also writes expectations and cases as test results in JUnit's XML format, for CI servers.")
     private String junit;
 
     @Mixin
@@ -107,7 +107,8 @@ final class CampaignCommand implements Callable<Integer> {
             CampaignPlan plan = plan(spec.commandLine().getErr());
             if (!part.isAll() && plan.settings().until().isPresent()) {
                 throw new InputException("--shard " + part
-                        + ": a campaign that ends by 'until' cannot be divided, because its cases decide their number");
+                        + ": a campaign that ends by 'until' cannot be divided, because the results of the"
+                        + " cases determine how many are run");
             }
             return only == null ? runAll(plan, part, name(given)) : runOne(plan);
         });

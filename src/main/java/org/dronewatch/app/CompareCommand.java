@@ -78,7 +78,10 @@ final class CompareCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
     private Long seed;
 
-    @Option(names = "--out", paramLabel = "DIR", description = "New directory for all results, as of a campaign.")
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "New directory for all results, in the files of a campaign.")
     private String out;
 
     @Mixin
@@ -101,7 +104,8 @@ final class CompareCommand implements Callable<Integer> {
         CampaignSettings settings = settings(file);
         settings.vary().forEach((path, variation) -> err.println("varies: " + path));
         if (settings.vary().isEmpty() && settings.table().isEmpty()) {
-            err.println("no attack has a bearing that could vary, so only chance does: --vary FILE states what else");
+            err.println("no attack has a bearing that could vary, so only chance varies; name other settings that"
+                    + " vary with --vary FILE");
         }
         Path directory = file.toAbsolutePath().normalize().getParent();
         return threads.call(() -> {

@@ -126,7 +126,7 @@ final class FieldOptions {
     FieldGrid grid(SceneSettings settings, OptionalDouble side) {
         Position middle = InboundTarget.sensors(settings);
         if (area != null && side.isPresent()) {
-            throw new InputException(AREA + " " + PlainText.value(area) + ": excludes --side");
+            throw new InputException(AREA + " " + PlainText.value(area) + ": cannot be combined with --side");
         }
         try {
             return area == null

@@ -69,7 +69,7 @@ final class Replay {
         if (parsed.commandSpec().userObject() instanceof CampaignCommand campaign) {
             return campaign;
         }
-        throw refusal("is not that of a campaign");
+        throw refusal("does not record a campaign");
     }
 
     /** The words of the command that runs the whole campaign of which the recorded one ran a part. */

@@ -19,8 +19,8 @@ public final class CampaignReader {
     private CampaignReader() {}
 
     /**
-     * Reads a file. The name of a table may stand in the place of all that varies, {@code vary: factors.csv}, or among
-     * it, {@code vary: {factors.csv, ...}}.
+     * Reads a file. The name of a table may replace the settings that vary, {@code vary: factors.csv}, or be listed
+     * among them, {@code vary: {factors.csv, ...}}.
      *
      * @throws org.dronewatch.setting.InputException with a line for each mistake: file, line, column, setting, value
      *     and limit

@@ -32,13 +32,13 @@ public final class CampaignRun {
         void put(int chunk, List<CaseResult> results);
     }
 
-    /** Is told which cases are done, from any thread. */
+    /** Receives the progress, from any thread. */
     @FunctionalInterface
     public interface Progress {
-        /** So many more cases have been run. */
+        /** This many more cases have been run. */
         void ran(int cases);
 
-        /** So many more cases were there already. */
+        /** This many more cases had been run before. */
         default void kept(int cases) {
             ran(cases);
         }
@@ -80,7 +80,7 @@ public final class CampaignRun {
     }
 
     /**
-     * Runs what is missing, on the calling {@link Workers}; the same results for any number of them.
+     * Runs what is missing, on the {@link Workers} of the calling thread; the same results for any number of them.
      *
      * @throws java.util.concurrent.CancellationException when the thread is interrupted: the chunks that are whole are
      *     kept

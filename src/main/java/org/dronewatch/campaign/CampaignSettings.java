@@ -24,7 +24,7 @@ import org.dronewatch.setting.SettingsForm;
  *     {@code --set}, and {@code scene} for another scene; without any there is one variant, the scene as it is
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
  * @param until how precisely a probability is to be known, instead of a fixed number of cases
- * @param sensitivity how it is found out which settings matter
+ * @param sensitivity how to determine which settings matter
  * @param expect what it is expected to show
  * @param seed seed of what is drawn for the cases, and of their runs
  */

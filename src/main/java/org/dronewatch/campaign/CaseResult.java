@@ -23,7 +23,7 @@ import java.util.OptionalDouble;
  * @param alert when the first alert was raised for an attacking drone, s; empty if never
  * @param warning the warning time of that alert, s; empty without alert or zone
  * @param inTime whether it came in time; empty where nothing is protected or no response time is required
- * @param drones what came of each attacking drone, by name, in the order of the scene; empty in a case that failed
+ * @param drones the outcome for each attacking drone, by name, in the order of the scene; empty in a case that failed
  */
 public record CaseResult(
         int number,

@@ -2,7 +2,7 @@ package org.dronewatch.campaign;
 
 import java.util.List;
 
-/** Cases that can be run in any order, each with every one of some variants. Immutable; for all threads. */
+/** Cases that can be run in any order, each with every one of some variants. Immutable and thread-safe. */
 public interface Cases {
     /** The number of cases, or, if it depends on their outcomes, the largest number. */
     int size();

@@ -2,7 +2,7 @@ package org.dronewatch.campaign;
 
 import java.util.Optional;
 
-/** What came of one drone in a case. */
+/** The outcome for one drone in a case. */
 public enum DroneOutcome {
     /** No sensor detects it. */
     MISSED(false, false, Optional.empty()),

@@ -37,7 +37,7 @@ public final class Sensitivity {
         this.cases = cases;
     }
 
-    /** Adds results, in the order of the cases and from the first on. */
+    /** Adds results, in the order of the cases, starting with the first. */
     public void add(List<CaseResult> results) {
         int size = cases.design().groupSize();
         for (CaseResult result : results) {

@@ -9,9 +9,9 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.setting.InputException;
 
 /**
- * The further cases from which it is estimated how much each setting that varies contributes to the variation of a
- * result. Chance is the last factor: the seed has a first and a second value like any setting, so that its influence
- * can be compared with theirs.
+ * The additional cases used to estimate how much each setting that varies contributes to the variation of a result.
+ * Chance is the last factor: the seed has a first and a second value like any setting, so that its influence can be
+ * compared with theirs.
  */
 public final class SensitivityCases implements Cases {
     /** The path of chance. */

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How it is found out which of the settings that vary matter, and which do not.
+ * How to determine which of the settings that vary matter, and which do not.
  *
  * @param method how; {@code none} to switch it off
  * @param base number of groups of further cases, 2 to 100,000

@@ -6,7 +6,7 @@ import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
 
 /**
- * How exposed a drone is at a place: the rate at which it is detected, given that it has not been yet. Its integral
+ * How exposed a drone is at a position: the rate at which it is detected, given that it has not been yet. Its integral
  * along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A sensor
  * whose independent looks, f times a second, detect with the probability p each, has the rate {@code -f ln(1 - p)}.
  *
@@ -14,7 +14,7 @@ import org.dronewatch.geometry.Position;
  */
 public interface ExposureField {
     /**
-     * The rate at a place, 1/s, 0 or more and finite wherever a drone may be.
+     * The rate at a position, 1/s, 0 or more and finite wherever a drone may be.
      *
      * @param x east, m
      * @param y north, m
@@ -25,7 +25,7 @@ public interface ExposureField {
     double rate(double x, double y, double z, double heading, int mode);
 
     /**
-     * A lower bound of the rates at all places in a box, on all headings, 1/s, 0 or more; the tighter it is, the
+     * A lower bound of the rates at all positions in a box, on all headings, 1/s, 0 or more; the tighter it is, the
      * tighter is the lower bound of a weakest route.
      *
      * @param low the corner of the box with the least coordinates, m

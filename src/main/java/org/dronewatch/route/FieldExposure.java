@@ -13,9 +13,9 @@ import org.dronewatch.sensor.SensorSettings;
  * distance to the next lower height to half that to the next higher one. A sensor whose looks are independent has the
  * rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One whose chance is
  * drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see {@link Chance#hazard}): the
- * probability of a detection that follows is not too low.
+ * resulting probability of detection is not too low.
  *
- * <p>The rates are those of the nearest of the field's courses of the compass or, within 5 degrees, across the line of
+ * <p>The rates are those of the nearest of the field's compass headings or, within 5 degrees, across the line of
  * sight of a sensor. Where the field is not open, rates are 0: no route leads there.
  */
 public final class FieldExposure implements ExposureField {
@@ -49,11 +49,11 @@ public final class FieldExposure implements ExposureField {
      *
      * @param field of single looks, with all {@linkplain Course#all courses}
      * @param settings of its scene
-     * @throws IllegalArgumentException if the field has no course of the compass
+     * @throws IllegalArgumentException if the field has no compass headings
      */
     public static FieldExposure of(DetectionField field, SceneSettings settings) {
         if (field.courses().stream().noneMatch(course -> course.kind() == Course.Kind.COMPASS)) {
-            throw new IllegalArgumentException("the field has no course of the compass: must have all courses");
+            throw new IllegalArgumentException("the field has no compass headings: it must have all courses");
         }
         double[][] rates = new double[field.sensors().size()][STEPS + 1];
         for (int sensor = 0; sensor < rates.length; sensor++) {

@@ -59,7 +59,7 @@ public final class RouteGrid {
         this.closed = (BitSet) closed.clone();
     }
 
-    /** A grid over level ground at height 0, on which a drone can be everywhere. */
+    /** A grid over level ground at height 0, where a drone can be anywhere. */
     public static RouteGrid level(double west, double south, double spacing, int columns, int rows, double... heights) {
         return new RouteGrid(west, south, spacing, columns, rows, heights, new double[columns * rows], new BitSet());
     }
@@ -74,7 +74,7 @@ public final class RouteGrid {
         return (level * rows + row) * columns + column;
     }
 
-    /** The nearest post at the level that is nearest in height above the ground; of points outside, one at the rim. */
+    /** The nearest post at the level that is nearest in height above the ground; for points outside, one at the rim. */
     public int nearest(Position at) {
         double column = clamp((at.x() - west) / spacing, columns);
         double row = clamp((at.y() - south) / spacing, rows);

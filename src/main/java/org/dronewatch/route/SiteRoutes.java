@@ -19,8 +19,8 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * The weakest routes of a site under power: from the rim of a detection field, at any of its heights up to the drone's
- * ceiling, to the protected zone or, without one, to the middle of the sensors. A route has arrived within the length
- * of a cell of the zone or, in plan view, of the middle. Immutable and thread-safe.
+ * ceiling, to the protected zone or, without one, to the middle of the sensors. A route counts as having arrived
+ * when it is within one cell's length of the zone or, in plan view, of the middle. Immutable and thread-safe.
  */
 public final class SiteRoutes {
     /** The sectors from which routes come: the first about north, then clockwise. */
@@ -48,7 +48,7 @@ public final class SiteRoutes {
      * @param settings of its scene; the time of the response is that of the alerts
      * @param stage its world and drones
      * @param drone name of the drone
-     * @throws IllegalArgumentException if the drone can be at no place of the rim or the zone
+     * @throws IllegalArgumentException if the drone cannot be anywhere on the rim, or not anywhere in the zone
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static SiteRoutes of(DetectionField field, SceneSettings settings, Stage stage, String drone) {
@@ -155,7 +155,7 @@ public final class SiteRoutes {
         return Math.floorMod((int) Math.rint(bearing / (2.0 * Math.PI) * SECTORS), SECTORS);
     }
 
-    /** By sensor, the exposure along the whole of a route, also where a detection comes too late. */
+    /** By sensor, the exposure along the whole of a route, even where a detection comes too late. */
     public Map<String, Double> bySensor(WeakestRoute route) {
         Map<String, Double> bySensor = new LinkedHashMap<>();
         IntStream.range(0, field.sensors().size())

@@ -71,7 +71,7 @@ final class CoverageForm extends JPanel {
                 heights,
                 named("Side", side, "Length of the area's side, centred on the sensors, m"),
                 side,
-                named("Cell", cell, "Length of a cell's side, m; a hundredth of that of the area if it is empty"),
+                named("Cell", cell, "Length of a cell's side, m; if left empty, a hundredth of the area's side"),
                 cell));
         List.of(heights, side, cell).forEach(field -> field.addActionListener(e -> entered.run()));
     }

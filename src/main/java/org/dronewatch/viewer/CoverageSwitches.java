@@ -18,7 +18,7 @@ import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.report.coverage.CellWords;
 
-/** A check box for each sensor of a coverage, and beside it what the sensor makes of the drone in the pointed cell. */
+/** A check box for each sensor of a coverage, and beside it whether it detects the drone in the pointed cell. */
 final class CoverageSwitches extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final String NONE = " ";
@@ -56,7 +56,7 @@ final class CoverageSwitches extends JPanel {
         head("sensor", 0, "Uncheck a sensor to see what is lost without it");
         head("p", 1, "Probability that one look detects the drone in the cell under the pointer");
         head("margin", 2, "Signal minus threshold in the cell under the pointer");
-        head("in this cell", 3, "What the sensor makes of the drone in the cell under the pointer");
+        head("in this cell", 3, "Whether the sensor detects the drone in the cell under the pointer, or why not");
         for (String name : names) {
             JCheckBox box = new JCheckBox(name, true);
             box.setToolTipText("Switches '" + name + "' on or off in the coverage");
@@ -114,7 +114,7 @@ final class CoverageSwitches extends JPanel {
         return sensors.stream().map(Row::box).toList();
     }
 
-    /** What each sensor makes of the drone in the cell under the pointer. */
+    /** Whether each sensor detects the drone, or why not, in the cell under the pointer. */
     List<String> reasons() {
         return sensors.stream().map(row -> row.reason().getText()).toList();
     }

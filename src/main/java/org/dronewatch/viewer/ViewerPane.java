@@ -35,7 +35,7 @@ final class ViewerPane extends JPanel {
     private final TimeLine timeLine = new TimeLine(playback);
     private final ControlBar controls;
     private final Notice notice = new Notice();
-    private final StatusBar status = new StatusBar("Reading models and building trees ...");
+    private final StatusBar status = new StatusBar("Reading models and preparing ray tracing ...");
     private final RunTabs tabs;
     private final JSplitPane across;
     private final JSplitPane down;

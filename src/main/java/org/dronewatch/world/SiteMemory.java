@@ -8,7 +8,7 @@ import org.dronewatch.bvh.TracingIndex;
 
 /**
  * What runs compute of their sites without drones, such as what a camera sees of the site: kept, so that thousands of
- * runs on one site share it. When it takes more than its share of memory, what was not used for longest is dropped, and
+ * runs on one site share it. When it takes more than its share of memory, what was least recently used is dropped, and
  * made again when it is next needed. Thread-safe.
  */
 public final class SiteMemory {
@@ -54,7 +54,7 @@ public final class SiteMemory {
         }
     }
 
-    /** How many things were made so far, those that were dropped included. */
+    /** The number of entries made so far, including those dropped. */
     public synchronized long made() {
         return made;
     }

@@ -329,7 +329,7 @@ public final class World {
     }
 
     /**
-     * Whether a point appears to be inside a wall or under the ground: most surfaces that rays from it hit face away
+     * Whether a point appears to be inside a wall or below the ground: most surfaces that rays from it hit face away
      * from it. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
      */
     public boolean isInsideWall(Position position) {

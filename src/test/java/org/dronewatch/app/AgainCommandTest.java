@@ -82,7 +82,7 @@ class AgainCommandTest {
         assertThat(outcome.code()).isEqualTo(1);
         assertThat(outcome.out())
                 .contains(
-                        "not the same as then: version",
+                        "changed since the recorded run: version",
                         "different  detections.csv",
                         "same       result.json",
                         "new        plots/",
@@ -101,7 +101,9 @@ class AgainCommandTest {
         Files.writeString(provenance, "{\"program\": \"dronewatch\"");
         assertThat(again().err()).contains("is not JSON").hasLineCount(1);
         Files.writeString(provenance, "{}");
-        assertThat(again().err()).contains("is no provenance.json").hasLineCount(1);
+        assertThat(again().err())
+                .contains("is not a provenance.json written by dronewatch")
+                .hasLineCount(1);
     }
 
     @Test

@@ -238,7 +238,7 @@ class CoverageCommandTest {
                 "--within=0 | --within 0: within 0 s must be above 0 and at most 86400",
                 "--within=soon | --within soon: 'soon'",
                 "--area=yard | --area yard: no such zone; the scene protects hook, protected",
-                "--area=protected --side=100 | --area protected: excludes --side",
+                "--area=protected --side=100 | --area protected: cannot be combined with --side",
                 "--area=hook --cell=90 | --cell 90.0 m: must be smaller, since no cell has its middle in 'hook'",
                 "--within=5 --out=plan.png | --within: has no effect on a plan",
                 "--area=protected --out=plan.png | --area: has no effect on a plan",

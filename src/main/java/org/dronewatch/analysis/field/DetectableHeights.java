@@ -111,8 +111,8 @@ public final class DetectableHeights {
     }
 
     /**
-     * The largest interval between two covered heights of the grid with no covered height between them, but an
-     * uncovered one, m; 0 where a column is covered from its least height up, or only below some height.
+     * The largest interval between two covered heights of the grid between which it has only uncovered heights, at
+     * least one, m; 0 where a column is covered from its least height up, or only below some height.
      */
     public double coveredAgainGap(int column, int row) {
         return gaps[row * grid.columns() + column];

@@ -36,8 +36,8 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
     }
 
     /**
-     * The sensors without any one of which the same cells are covered at every height; none where nothing is covered,
-     * since there no sensor adds anything that it could fail to add.
+     * The sensors any one of which can be left out without changing the covered cells at any height; empty where
+     * nothing is covered.
      */
     public List<String> idleSensors() {
         if (heights.stream().allMatch(one -> one.covered() == 0)) {

@@ -19,10 +19,10 @@ import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * Keeps the assessments of each sensor at each height in the user's cache directory, where an equal sensor finds them
- * again: named by the hash of the world with all of its files, the drone, the sensor, the seed, the courses, the grid,
- * and this program's code. Sensors and drones of other jars are not kept, since their code is not part of the hash.
- * Not thread-safe.
+ * Keeps the assessments of each sensor at each height in the user's cache directory, where they are found again for
+ * an identical sensor, by the hash of the world with all of its files, the drone, the sensor, the seed, the courses,
+ * the grid, and this program's code. Sensors and drones of other jars are not kept, since their code is not part of
+ * the hash. Not thread-safe.
  */
 public final class LayerStore {
     /** Keeps nothing. */

@@ -1,9 +1,9 @@
 package org.dronewatch.campaign.sensitivity;
 
 /**
- * At which values of its factors a function is evaluated so that the influence of each can be estimated. Evaluations
- * come in groups. Within a group each factor has one of two values, the first or the second. Immutable; for all
- * threads.
+ * The values of its factors at which a function is evaluated, so that the influence of each can be estimated.
+ * Evaluations come in groups. Within a group each factor has one of two values, the first or the second. Immutable and
+ * thread-safe.
  */
 public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
     /** The number of factors. */

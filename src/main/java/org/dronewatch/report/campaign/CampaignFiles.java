@@ -235,7 +235,7 @@ public final class CampaignFiles implements AutoCloseable {
         writeJson(ProvenanceFile.NAME, provenance);
     }
 
-    /** Writes the results in the form of JUnit. */
+    /** Writes the results in JUnit's XML format. */
     public void writeJunit(CampaignResult result, OutputStream stream) throws IOException {
         new JunitFile(plan, result.summary(), chunks()).write(stream);
     }

@@ -16,8 +16,8 @@ import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Stopping;
 
 /**
- * A campaign in the form in which JUnit reports tests: a suite of its expectations, and one of the cases of each
- * variant, in which those that could not be run fail.
+ * A campaign as test results in JUnit's XML format: a suite of its expectations, and one of the cases of each variant,
+ * in which those that could not be run fail.
  */
 final class JunitFile {
     private static final String FAILURE = "failure";

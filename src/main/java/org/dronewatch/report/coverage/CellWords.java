@@ -13,7 +13,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 
-/** Describes one cell of a coverage: which sensor decides there, and what each of them makes of the drone. */
+/** Describes one cell of a coverage: which sensor decides there, and whether each detects the drone, or why not. */
 public final class CellWords {
     private static final double LEAST_SHOWN = 0.005;
 

@@ -13,7 +13,7 @@ import org.dronewatch.report.Numbers;
  * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
  * @param covered the probability with which a sensor must detect the drone to cover a cell
  * @param terms on which the drone counts as detected
- * @param area name of the protected area whose cells alone count; empty if all do
+ * @param area name of the protected area to which the cells that count are limited; empty if all do
  * @param origin geographic position of the scene's origin, if it is known
  */
 public record CoverageInputs(

@@ -174,7 +174,9 @@ final class CoverageReport {
                 .skip(1)
                 .map(one -> ConditionTable.words(conditions.get(0), one) + ".")
                 .toList();
-        return Html.plain("p", "The % of the known area that is covered, and the sensor that covers most, with its %.")
+        return Html.plain(
+                        "p",
+                        "The % of the known area that is covered, and the sensor that covers most, with its percentage.")
                 + Html.table(head, rows)
                 + list(words);
     }

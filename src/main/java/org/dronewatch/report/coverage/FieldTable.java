@@ -113,7 +113,8 @@ public final class FieldTable {
         lines.add(line.toString());
         if (detectable.coveredAgain() > 0) {
             lines.add(text(
-                    "in %s %% of it there is a height without a detection between two with one; the largest interval is %s",
+                    "in %s %% of it there is a height without detection between two heights with detection;"
+                            + " the largest interval is %s",
                     percent(detectable.coveredAgain(), detectable.columns()), metres(detectable.largestGap())));
         }
         return lines;

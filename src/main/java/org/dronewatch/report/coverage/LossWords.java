@@ -26,7 +26,7 @@ public final class LossWords {
         }
         String names = "'" + String.join("', '", off) + "'";
         String words = remaining.lost() == 0
-                ? at + covered + " of the known area is covered, as much without " + names + "."
+                ? at + covered + " of the known area is covered, with or without " + names + "."
                 : String.format(
                         Locale.ROOT,
                         "%s%s of the known area instead of %s is covered without %s (%+.1f).",
@@ -41,7 +41,7 @@ public final class LossWords {
     /** Without a sensor, another course may count. */
     private static String gained(RemainingCoverage remaining) {
         return capital(share(remaining.gone(), remaining)) + " is lost and " + share(remaining.gained(), remaining)
-                + " is gained, where another heading counts.";
+                + " is gained, where a different heading becomes the worst.";
     }
 
     private static String capital(String words) {

@@ -52,7 +52,7 @@ final class WarningMap {
             sheet.line(inputs.timeInWords() + " after the first place where");
             sheet.line("a sensor covers it within this time;");
         }
-        sheet.line("least warning until it arrives:");
+        sheet.line("shortest warning before it arrives:");
         sheet.space();
         sheet.outline(circle(warnings.target(), warnings.reach()), START, 0);
         double[] heights = WarningTable.heights(warnings);

@@ -104,13 +104,13 @@ final class WarningWords {
     String worstInWords() {
         LeastWarning worst = least(warnings.all());
         String zone = warnings.isZone() ? "the protected zone" : "the middle of the sensors";
-        String cases = share(worst.flights().size(), warnings.all()) + " cases (bearings and heights)";
+        String cases = share(worst.flights().size(), warnings.all()) + " combinations of bearing and height";
         double height = worst.flights().get(0).height();
         String first;
         if (worst.isNone()) {
             first = "A straight inbound flight at " + number(height) + " m above the ground, from the "
                     + ReferencePoint.direction(worst.flights().get(0).bearing()) + ", reaches " + zone
-                    + " undetected, as in " + cases + ".";
+                    + " undetected; this happens in " + cases + ".";
         } else {
             boolean isOneHeight = worst.flights().stream().allMatch(one -> one.height() == height);
             first = "The shortest warning of a straight inbound flight is " + time(worst) + " before it reaches " + zone

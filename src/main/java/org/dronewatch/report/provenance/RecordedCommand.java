@@ -34,7 +34,7 @@ public record RecordedCommand(List<String> words, JsonNode content) {
     /**
      * Reads a file.
      *
-     * @throws InputException in one line when it is no such file, or states no command
+     * @throws InputException in one line when it is not such a file, or states no command
      */
     public static RecordedCommand read(Path file) {
         JsonNode root;
@@ -46,7 +46,8 @@ public record RecordedCommand(List<String> words, JsonNode content) {
             throw new InputException(PlainText.value(file) + ": is not JSON", e);
         }
         if (!ProgramVersion.PROGRAM.equals(root.path("program").asString(""))) {
-            throw new InputException(PlainText.value(file) + ": is no provenance.json of " + ProgramVersion.PROGRAM);
+            throw new InputException(
+                    PlainText.value(file) + ": is not a provenance.json written by " + ProgramVersion.PROGRAM);
         }
         JsonNode command = root.path("command");
         if (!command.isArray() || command.isEmpty() || command.size() > MOST_WORDS) {

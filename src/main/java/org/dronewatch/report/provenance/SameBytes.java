@@ -29,13 +29,13 @@ public final class SameBytes {
 
     private SameBytes() {}
 
-    /** How a file is found again. */
+    /** How a file compares with the earlier one. */
     public enum State {
         /** It has the same bytes. */
         SAME,
-        /** It has others. */
+        /** Its bytes differ. */
         DIFFERENT,
-        /** It is not there any more. */
+        /** It is no longer there. */
         MISSING,
         /** It was not there before. */
         NEW

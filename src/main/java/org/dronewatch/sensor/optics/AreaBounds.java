@@ -6,8 +6,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Bounds on the {@link VisibleArea} of a drone at a place that hold however it turns, at the cost of a ray. One thread
- * at a time.
+ * Bounds on the {@link VisibleArea} of a drone at a position, at the cost of a ray; they hold however it turns. One
+ * thread at a time.
  */
 public final class AreaBounds {
     /** The least cosine of the angle between the camera's axis and the drone for which an upper bound is stated. */
@@ -45,8 +45,8 @@ public final class AreaBounds {
     }
 
     /**
-     * Whether the site certainly hides a drone: a single triangle lies before it and all around it. Parameters as
-     * above.
+     * Whether the site certainly hides a drone: a single triangle lies in front of it and extends beyond its outline.
+     * Parameters as above.
      */
     public boolean isHidden(Position at, double radius) {
         Position from = camera.position();

@@ -8,9 +8,9 @@ import org.dronewatch.drone.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**
- * Bounds on the number of pixels that show a level drone at a place, on any heading: the rays of the pixels around it
- * are looked up in masks of its silhouette, and in the image of the site; only those for which neither is certain are
- * traced to the drone, and only on request. Reused for many places. One per thread.
+ * Bounds on the number of pixels that show a level drone at a position; they hold on every heading: the rays of the
+ * pixels around it are looked up in masks of its silhouette, and in the image of the site; only those for which neither
+ * is certain are traced to the drone, and only on request. Reused for many positions. One per thread.
  */
 public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */
@@ -116,7 +116,7 @@ public final class PixelBounds {
     }
 
     /**
-     * Traces pixels about which the last count left a doubt, until the bounds suffice or are exact: first those that
+     * Traces pixels that the last count left undecided, until the bounds suffice or are exact: first those that
      * are expected to decide.
      *
      * @param enough as for that count

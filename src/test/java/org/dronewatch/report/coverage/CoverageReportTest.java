@@ -195,7 +195,9 @@ class CoverageReportTest {
                 + new WarningWords(undetected).html()
                 + new WarningWords(undetected).worstInWords();
         assertThat(words)
-                .contains("undetected, as in 72 of 72 cases", "none from every bearing")
+                .contains(
+                        "undetected; this happens in 72 of 72 combinations of bearing and height.",
+                        "none from every bearing")
                 .contains("Nothing is covered, so nothing can be lost.")
                 .doesNotContain("NaN", "Infinity", "adds nothing");
         assertThat(none.idleSensors()).isEmpty();

@@ -124,7 +124,7 @@ class CoverageSkinTest {
                 assertThat(words)
                         .contains(
                                 lost == 0
-                                        ? "as much without '" + sensor + "'"
+                                        ? "with or without '" + sensor + "'"
                                         : String.format(
                                                 Locale.ROOT,
                                                 "without '%s' (%.1f)",
@@ -249,12 +249,12 @@ class CoverageSkinTest {
     void whatIsGainedIsSaidBesideWhatIsLost() {
         RemainingCoverage cancelled = new RemainingCoverage(all, all.without(Set.of("far")), 1, 1000, 100, 100, 5);
         assertThat(LossWords.sentence(cancelled, Set.of("far")))
-                .isEqualTo("At 12 m, 10.0 % of the known area is covered, as much without 'far'."
-                        + " 0.5 % is lost and 0.5 % is gained, where another heading counts.");
+                .isEqualTo("At 12 m, 10.0 % of the known area is covered, with or without 'far'."
+                        + " 0.5 % is lost and 0.5 % is gained, where a different heading becomes the worst.");
         RemainingCoverage more = new RemainingCoverage(all, all.without(Set.of("far")), 1, 1000, 100, 120, 0);
         assertThat(LossWords.sentence(more, Set.of("far")))
                 .isEqualTo("At 12 m, 12.0 % of the known area instead of 10.0 % is covered without 'far' (+2.0)."
-                        + " Nothing is lost and 2.0 % is gained, where another heading counts.");
+                        + " Nothing is lost and 2.0 % is gained, where a different heading becomes the worst.");
 
         HeightSummary height = new HeightSummary(
                 12,

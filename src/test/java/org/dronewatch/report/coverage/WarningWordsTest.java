@@ -100,7 +100,7 @@ class WarningWordsTest {
         assertThat(words(flights(0, bearing -> bearing == 9 ? 3 : 8, bearing -> false)))
                 .contains("3 s from the east", "is 3 s before it reaches the protected zone, in 2 of 72 cases");
         assertThat(words(flights(0, bearing -> bearing < 5 ? -1 : 8, bearing -> false)))
-                .contains("none from 5 bearings", "undetected, as in 10 of 72 cases");
+                .contains("none from 5 bearings", "undetected; this happens in 10 of 72 combinations");
     }
 
     /** The target is not the middle of the grid, so that its map would end 150 m north of the target. */
