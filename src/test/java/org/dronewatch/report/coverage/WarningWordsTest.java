@@ -98,7 +98,7 @@ class WarningWordsTest {
         assertThat(table(flights(0, bearing -> bearing == 7 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 70 deg  ");
         assertThat(words(flights(0, bearing -> bearing == 9 ? 3 : 8, bearing -> false)))
-                .contains("3 s from the east", "is 3 s before it reaches the protected zone, in 2 of 72 cases");
+                .contains("3 s from the east", "is 3 s before it reaches the protected zone, in 2 of 72 combinations");
         assertThat(words(flights(0, bearing -> bearing < 5 ? -1 : 8, bearing -> false)))
                 .contains("none from 5 bearings", "undetected; this happens in 10 of 72 combinations");
     }
