@@ -193,6 +193,8 @@ final class CoveragePanel extends JPanel {
             if (next.coverage() == coverage) {
                 shown = Optional.of(next);
                 legend.show(next.legend());
+                // A scroll pane keeps its width until the panel around it is laid out anew.
+                revalidate();
                 message.setText(LossWords.sentence(next.remaining(), off) + coverage.missing());
                 pointed.show(shown);
                 choose();

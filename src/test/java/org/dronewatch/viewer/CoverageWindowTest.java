@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.dronewatch.geometry.Position;
@@ -162,6 +163,19 @@ class CoverageWindowTest {
                 .map(part -> part.getClass().getName())
                 .toList());
         assertThat(unnamed).isEmpty();
+    }
+
+    @Test
+    void theLegendCanBeReadAsSoonAsItIsThere() throws Exception {
+        List<JLabel> meanings = onEventThread(() -> all(panel)
+                .filter(CoverageLegend.class::isInstance)
+                .flatMap(legend -> all((Container) legend))
+                .filter(JLabel.class::isInstance)
+                .map(JLabel.class::cast)
+                .toList());
+        assertThat(meanings).isNotEmpty().allSatisfy(meaning -> assertThat(meaning.getVisibleRect().width)
+                .as(meaning.getText())
+                .isGreaterThanOrEqualTo(meaning.getPreferredSize().width));
     }
 
     private boolean skinShown() throws Exception {
