@@ -23,7 +23,7 @@ final class WorstCases {
                     result -> result.warning().orElse(result.range().orElse(0.0)));
 
     private final Map<String, List<CaseResult>> worst = new LinkedHashMap<>();
-    private final Map<String, Integer> equals = new LinkedHashMap<>();
+    private final Map<String, Integer> counts = new LinkedHashMap<>();
 
     /** Adds results, in the order of the cases. */
     void add(List<CaseResult> results) {
@@ -38,10 +38,10 @@ final class WorstCases {
         int order = its.isEmpty() ? -1 : WORST_FIRST.compare(result, its.get(0));
         if (order < 0) {
             its.clear();
-            equals.put(result.variant(), 0);
+            counts.put(result.variant(), 0);
         }
         if (order <= 0) {
-            equals.merge(result.variant(), 1, Integer::sum);
+            counts.merge(result.variant(), 1, Integer::sum);
             if (its.size() < MOST_LISTED) {
                 its.add(result);
             }
@@ -60,7 +60,7 @@ final class WorstCases {
      */
     Optional<String> inWords(String variant, String subject) {
         return of(variant).map(result -> {
-            int count = equals.get(variant);
+            int count = counts.get(variant);
             return subject + " is case " + result.number() + ": " + CampaignWords.cameOf(result)
                     + (count > 1 ? String.format(Locale.ROOT, " (one of %,d such cases)", count) : "") + ".";
         });
@@ -99,7 +99,7 @@ final class WorstCases {
     private String sentence(String variant, List<CaseResult> its) {
         String came = CampaignWords.cameOf(its.get(0));
         String sentence = came.substring(0, 1).toUpperCase(Locale.ROOT) + came.substring(1) + ".";
-        int count = equals.get(variant);
+        int count = counts.get(variant);
         if (count == 1) {
             return sentence;
         }
