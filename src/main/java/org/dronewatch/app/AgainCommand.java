@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
@@ -52,11 +51,11 @@ final class AgainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        Path given = path(PlainText.value(file), file).toAbsolutePath();
+        Path given = PathWord.of("", file).toAbsolutePath();
         RecordedCommand recorded = RecordedCommand.read(given);
         Replay replay = new Replay(given, recorded);
         if (out != null) {
-            Path target = path("--out " + PlainText.value(out), out);
+            Path target = PathWord.of("--out", out);
             if (Files.exists(target)) {
                 throw new InputException("--out " + PlainText.value(out) + ": exists already: name a new directory");
             }
@@ -67,14 +66,6 @@ final class AgainCommand implements Callable<Integer> {
             return repeat(given, recorded, replay, temporary.resolve("results"));
         } finally {
             delete(temporary);
-        }
-    }
-
-    private static Path path(String asked, String name) {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException e) {
-            throw new InputException(asked + ": not a path: " + e.getReason(), e);
         }
     }
 

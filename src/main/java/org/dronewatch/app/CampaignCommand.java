@@ -1,7 +1,6 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -101,7 +100,7 @@ final class CampaignCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Path given = path("campaign file", file);
+        Path given = PathWord.of("campaign file", file);
         Shard part = shard();
         return threads.call(() -> {
             CampaignPlan plan = plan(spec.commandLine().getErr());
@@ -124,7 +123,7 @@ final class CampaignCommand implements Callable<Integer> {
 
     /** Reads the campaign and loads its models. */
     CampaignPlan plan(PrintWriter err) {
-        Path given = path("campaign file", file);
+        Path given = PathWord.of("campaign file", file);
         LoadingNotes loaded = new LoadingNotes(err);
         CampaignPlan plan = new CampaignPlan(settings(given), directory(given), loaded::note);
         loaded.done();
@@ -141,7 +140,7 @@ final class CampaignCommand implements Callable<Integer> {
      * @param command the arguments of the command line that gives them
      */
     ObjectNode provenance(CampaignPlan plan, List<String> command) {
-        Path given = path("campaign file", file);
+        Path given = PathWord.of("campaign file", file);
         List<FileHash> files = new ArrayList<>(List.of(InputFiles.hash(given)));
         plan.settings()
                 .table()
@@ -160,14 +159,6 @@ final class CampaignCommand implements Callable<Integer> {
             return new SettingsPath("runs").write(settings, Integer.toString(runs));
         } catch (InputException e) {
             throw new InputException("--" + e.getMessage(), e);
-        }
-    }
-
-    private static Path path(String option, String name) {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException e) {
-            throw new InputException(option + " " + PlainText.value(name) + ": not a path: " + e.getReason(), e);
         }
     }
 
@@ -197,7 +188,7 @@ final class CampaignCommand implements Callable<Integer> {
 
     private int runAll(CampaignPlan plan, Shard part, String name) {
         PrintWriter err = spec.commandLine().getErr();
-        Path directory = out == null ? Path.of("target", "campaigns", name) : path("--out", out);
+        Path directory = out == null ? Path.of("target", "campaigns", name) : PathWord.of("--out", out);
         WholeFile report = junit == null ? null : new WholeFile("--junit", junit);
         int code;
         Interruption interruption = main.interruption();

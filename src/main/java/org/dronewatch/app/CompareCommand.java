@@ -1,7 +1,6 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -100,7 +99,7 @@ final class CompareCommand implements Callable<Integer> {
                     "compare needs a second scene, or --with PATH=VALUE for what is different in the second one");
         }
         PrintWriter err = spec.commandLine().getErr();
-        Path file = vary == null ? Path.of("compare.yaml") : path("--vary", vary);
+        Path file = vary == null ? Path.of("compare.yaml") : PathWord.of("--vary", vary);
         CampaignSettings settings = settings(file);
         settings.vary().forEach((path, variation) -> err.println("varies: " + path));
         if (settings.vary().isEmpty() && settings.table().isEmpty()) {
@@ -181,14 +180,6 @@ final class CompareCommand implements Callable<Integer> {
         return stem.substring(0, Math.min(stem.length(), 50)) + suffix;
     }
 
-    private static Path path(String option, String name) {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException e) {
-            throw new InputException(option + " " + PlainText.value(name) + ": not a path: " + e.getReason(), e);
-        }
-    }
-
     private int run(CampaignPlan plan) {
         PrintWriter target = spec.commandLine().getOut();
         CampaignResult result;
@@ -197,7 +188,7 @@ final class CompareCommand implements Callable<Integer> {
             run(plan, kept);
             result = kept.result();
         } else {
-            try (CampaignFiles files = new CampaignFiles(plan, path("--out", out), false)) {
+            try (CampaignFiles files = new CampaignFiles(plan, PathWord.of("--out", out), false)) {
                 run(plan, files.chunks());
                 result = files.finish(Optional.empty());
             }

@@ -1,8 +1,6 @@
 package org.dronewatch.app;
 
 import java.lang.reflect.RecordComponent;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -166,12 +164,7 @@ final class FieldOptions {
 
     /** The conditions; none without a file. */
     List<SceneCondition> conditions() {
-        try {
-            return conditions == null ? List.of() : SceneCondition.read(Path.of(conditions));
-        } catch (InvalidPathException e) {
-            throw new InputException(
-                    CONDITIONS + " " + PlainText.value(conditions) + ": not a path: " + e.getReason(), e);
-        }
+        return conditions == null ? List.of() : SceneCondition.read(PathWord.of(CONDITIONS, conditions));
     }
 
     /** The name of the protected area; empty if none was given. */

@@ -1,7 +1,6 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +16,6 @@ import org.dronewatch.report.campaign.CampaignPart;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.RecordedCommand;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -52,27 +50,19 @@ final class MergeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Path first = path("", parts.get(0)).resolve(ProvenanceFile.NAME);
+        Path first = PathWord.of("", parts.get(0)).resolve(ProvenanceFile.NAME);
         Replay part = new Replay(first, RecordedCommand.read(first));
         return threads.call(
                 () -> merge(part, part.campaign().plan(spec.commandLine().getErr())));
     }
 
-    private static Path path(String option, String name) {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException e) {
-            throw new InputException(option + PlainText.value(name) + ": not a path: " + e.getReason(), e);
-        }
-    }
-
     private int merge(Replay part, CampaignPlan plan) {
         List<CampaignPart> there = parts.stream()
-                .map(name -> new CampaignPart(plan, path("", name)))
+                .map(name -> new CampaignPart(plan, PathWord.of("", name)))
                 .toList();
         checkWhole("cases", plan, there);
         plan.sensitivity().ifPresent(further -> checkWhole("further cases", further, there));
-        Path directory = path("--out ", out);
+        Path directory = PathWord.of("--out ", out);
         try (CampaignFiles files = new CampaignFiles(plan, directory, false)) {
             files.writeProvenance(part.campaign().provenance(plan, part.wordsOfAll(directory)));
             copy(plan, there, files.chunks());

@@ -1,7 +1,6 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -198,11 +197,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private Path directory(Scene scene) {
-        try {
-            return out == null ? Path.of("target", "runs", scene.name()) : Path.of(out);
-        } catch (InvalidPathException e) {
-            throw new InputException("--out " + PlainText.value(out) + ": not a path: " + e.getReason(), e);
-        }
+        return out == null ? Path.of("target", "runs", scene.name()) : PathWord.of("--out", out);
     }
 
     private static void print(SceneResult result, PrintWriter target) {

@@ -44,7 +44,7 @@ public record RouteProblem(
         return new RouteProblem(grid, other, modes, turnRadius, directions, starts, goals);
     }
 
-    /** The number of headings that a state of the search tells apart: one where any turn can be flown. */
+    /** The number of headings that the search distinguishes: one where any turn can be flown. */
     int headings() {
         return turnRadius > 0.0 ? directions.count() : 1;
     }

@@ -16,7 +16,7 @@ final class WrappedText extends JTextArea {
         setOpaque(false);
         setBorder(null);
         setFont(Scaled.font(1.0));
-        // Through a label: with a name of its own, the text would look for its window at every change.
+        // Named by its label: if the name were its own, the text would look for its window at every change.
         new JLabel(name).setLabelFor(this);
     }
 }

@@ -70,6 +70,9 @@ class CompareCommandTest {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out()).containsPattern("site-changed +20 +0 +0\\.0 \\(0\\.0 to");
         assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(41);
+        assertThat(Files.readString(out.resolve("report.html")))
+                .contains("runs.csv")
+                .doesNotContain("provenance.json");
         assertThat(JsonMapper.builder()
                         .build()
                         .readTree(out.resolve("campaign.json").toFile())

@@ -147,14 +147,19 @@ class CampaignRunTest {
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
     }
 
+    /** Writes the site with a second drone or sensor, which ends a section, as pair.yaml. */
+    private void addToPair(String second, String nextSection) throws IOException {
+        String site = Files.readString(directory.resolve("site.yaml"));
+        Files.writeString(directory.resolve("pair.yaml"), site.replace(nextSection, second + nextSection));
+    }
+
     /** The second drone comes from behind the radar. */
     @Test
     void everyAttackingDroneIsCountedApart() throws IOException {
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
-        String site = Files.readString(directory.resolve("site.yaml"));
         String second = "  second: {model: packaged:quadrotor.obj, speed: 15 m/s, radar: {droneClass: small-uav},"
                 + " flight: {kind: inbound, target: [0, 0, 20], bearing: 180 deg, height: 40 m, distance: 600 m}}\n";
-        Files.writeString(directory.resolve("pair.yaml"), site.replace("sensors:", second + "sensors:"));
+        addToPair(second, "sensors:");
         CampaignPlan pair = CampaignSite.plan(
                 directory,
                 """
@@ -180,10 +185,9 @@ class CampaignRunTest {
     @Test
     void sensorsThatLayoutsHaveInCommonDrawTheSameNumbers() throws IOException {
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
-        String site = Files.readString(directory.resolve("site.yaml"));
         String second = "  second: {use: spotterrf-c550ext, position: [50, 0, 10],"
                 + " aim: {azimuth: 10 deg, elevation: 0 deg}}\n";
-        Files.writeString(directory.resolve("pair.yaml"), site.replace("alert:", second + "alert:"));
+        addToPair(second, "alert:");
         CampaignPlan pair = CampaignSite.plan(
                 directory,
                 """

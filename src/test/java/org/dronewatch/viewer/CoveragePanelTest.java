@@ -2,16 +2,14 @@ package org.dronewatch.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.dronewatch.viewer.EventThread.onEventThread;
 
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import javax.swing.JCheckBox;
-import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
@@ -60,12 +58,6 @@ class CoveragePanelTest {
     void close() {
         panel.close();
         assertThat(failure.get()).isNull();
-    }
-
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
     }
 
     private void settle(BooleanSupplier condition) throws Exception {

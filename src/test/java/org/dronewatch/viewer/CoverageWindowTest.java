@@ -1,6 +1,8 @@
 package org.dronewatch.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.dronewatch.viewer.EventThread.await;
+import static org.dronewatch.viewer.EventThread.onEventThread;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
@@ -12,16 +14,12 @@ import java.awt.event.MouseEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
-import java.util.concurrent.FutureTask;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
-import javax.swing.SwingUtilities;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.Yard;
@@ -34,7 +32,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The coverage in the real window, on a display. Its picture is kept in target/viewer. */
 class CoverageWindowTest {
-    private static final long PATIENCE_NANOS = 60_000_000_000L;
 
     @TempDir
     private Path directory;
@@ -65,20 +62,6 @@ class CoverageWindowTest {
     void close() {
         if (viewer != null) {
             viewer.close();
-        }
-    }
-
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
-    }
-
-    private static void await(String what, BooleanSupplier condition) throws Exception {
-        long end = System.nanoTime() + PATIENCE_NANOS;
-        while (!onEventThread(condition::getAsBoolean)) {
-            assertThat(System.nanoTime()).as(what).isLessThan(end);
-            Thread.sleep(20);
         }
     }
 

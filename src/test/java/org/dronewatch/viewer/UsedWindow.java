@@ -1,5 +1,8 @@
 package org.dronewatch.viewer;
 
+import static org.dronewatch.viewer.EventThread.await;
+import static org.dronewatch.viewer.EventThread.onEventThread;
+
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Point;
@@ -12,9 +15,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.concurrent.FutureTask;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -24,7 +24,6 @@ import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JTable;
-import javax.swing.SwingUtilities;
 import org.dronewatch.app.Main;
 import org.dronewatch.geometry.Position;
 import org.jogamp.vecmath.Point2d;
@@ -34,8 +33,6 @@ import org.jogamp.vecmath.Point2d;
  * before, and closes it. For a process of its own, whose class path may have more kinds than that of the tests.
  */
 public final class UsedWindow {
-    private static final long PATIENCE_NANOS = 60_000_000_000L;
-
     private UsedWindow() {}
 
     /**
@@ -53,7 +50,7 @@ public final class UsedWindow {
                 new PrintWriter(System.err, true),
                 Arrays.copyOfRange(arguments, 3, arguments.length)));
         command.start();
-        await(() -> frame().isPresent());
+        await("the window", () -> frame().isPresent());
         ViewerPane first = settled(null, time);
         print(first, "", arguments[2], time);
         keep(pictures);
@@ -61,7 +58,7 @@ public final class UsedWindow {
             first.rayPanel().trace();
             return null;
         });
-        await(first::isIdle);
+        await("the window", first::isIdle);
         onEventThread(() -> null);
         System.out.println("rays: " + onEventThread(() -> first.rayPanel().count()));
 
@@ -81,22 +78,6 @@ public final class UsedWindow {
         });
         command.join();
         System.out.println("exit " + code[0]);
-    }
-
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
-    }
-
-    private static void await(BooleanSupplier condition) throws Exception {
-        long end = System.nanoTime() + PATIENCE_NANOS;
-        while (!onEventThread(condition::getAsBoolean)) {
-            if (System.nanoTime() > end) {
-                throw new IllegalStateException("the window is still busy");
-            }
-            Thread.sleep(20);
-        }
     }
 
     private static Optional<JFrame> frame() {
@@ -124,7 +105,7 @@ public final class UsedWindow {
 
     /** The pane that has taken the place of another, once its run is over and all of a time is drawn. */
     private static ViewerPane settled(ViewerPane other, double time) throws Exception {
-        await(() -> pane().filter(pane -> pane != other
+        await("the window", () -> pane().filter(pane -> pane != other
                         && pane.viewed().isPresent()
                         && pane.recording().isFinished())
                 .isPresent());
@@ -134,10 +115,10 @@ public final class UsedWindow {
             pane.playback().jump(time);
             return null;
         });
-        await(() -> pane.playback().time() == time && pane.isIdle());
+        await("the window", () -> pane.playback().time() == time && pane.isIdle());
         // Tables follow a little later.
         Thread.sleep(500);
-        await(pane::isIdle);
+        await("the window", pane::isIdle);
         return pane;
     }
 
@@ -169,7 +150,7 @@ public final class UsedWindow {
         });
         System.out.println(
                 prefix + "clicked: " + onEventThread(() -> pane.selected().orElse("nothing")));
-        await(pane::isIdle);
+        await("the window", pane::isIdle);
     }
 
     /** Kinds for which their column is too narrow have the whole name in their tool tip. */

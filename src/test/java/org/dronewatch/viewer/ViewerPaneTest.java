@@ -3,6 +3,7 @@ package org.dronewatch.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.dronewatch.viewer.EventThread.onEventThread;
 
 import java.awt.Color;
 import java.awt.Component;
@@ -12,14 +13,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JTable;
-import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.render.Film;
 import org.dronewatch.render.FilmMaker;
@@ -68,12 +66,6 @@ class ViewerPaneTest {
         if (pane != null) {
             pane.close();
         }
-    }
-
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
     }
 
     /** Without a window nobody else lays out what is in it. */

@@ -1,6 +1,8 @@
 package org.dronewatch.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.dronewatch.viewer.EventThread.await;
+import static org.dronewatch.viewer.EventThread.onEventThread;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
@@ -15,10 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -39,7 +38,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The real window, on a display: opened, played, stepped, clicked, closed. Its pictures are kept in target/viewer. */
 class ViewerWindowTest {
-    private static final long PATIENCE_NANOS = 60_000_000_000L;
 
     @TempDir
     private Path directory;
@@ -51,20 +49,6 @@ class ViewerWindowTest {
         assumeTrue(
                 Viewer.obstacle().isEmpty(),
                 () -> "no window: " + Viewer.obstacle().orElse(""));
-    }
-
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
-    }
-
-    private static void await(String what, BooleanSupplier condition) throws Exception {
-        long end = System.nanoTime() + PATIENCE_NANOS;
-        while (!onEventThread(condition::getAsBoolean)) {
-            assertThat(System.nanoTime()).as(what).isLessThan(end);
-            Thread.sleep(20);
-        }
     }
 
     private static void press(Component part, int id, int x, int y, int button, int modifiers, int clicks) {

@@ -11,8 +11,8 @@ import java.util.OptionalDouble;
  * @param range horizontal distance from its target when it is first detected, m; empty if it is not detected before it
  *     arrives
  * @param time time from its first detection until it arrives, s; empty if it is not detected before it arrives
- * @param isFromStart whether it is detected where its flight begins, or at the first place about which the model of the
- *     site tells anything, so that the time is a lower bound: a flight that begins farther away may be detected earlier
+ * @param isFromStart whether it is detected where its flight begins, or at the first position that the model of the
+ *     site covers, so that the time is a lower bound: a flight that begins farther away may be detected earlier
  */
 public record Warning(
         double bearing, double height, double arrival, OptionalDouble range, OptionalDouble time, boolean isFromStart) {

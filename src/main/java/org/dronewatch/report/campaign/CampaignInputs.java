@@ -18,9 +18,16 @@ import org.dronewatch.setting.PlainText;
 /** What a campaign runs: its variants, and what varies. */
 final class CampaignInputs {
     private final CampaignPlan plan;
+    private final boolean hasProvenance;
 
-    CampaignInputs(CampaignPlan plan) {
+    /**
+     * The inputs of a campaign.
+     *
+     * @param hasProvenance whether provenance.json lies beside the page
+     */
+    CampaignInputs(CampaignPlan plan, boolean hasProvenance) {
         this.plan = plan;
+        this.hasProvenance = hasProvenance;
     }
 
     /** The section. */
@@ -49,7 +56,9 @@ final class CampaignInputs {
                                 plan.observed(),
                                 ReadableNumbers.number(ShareWords.PERCENT * until.halfWidth())))
                         .orElse("")
-                + "runs.csv has all cases, campaign.json all figures, and provenance.json the origin of both.";
+                + (hasProvenance
+                        ? "runs.csv has all cases, campaign.json all figures, and provenance.json the origin of both."
+                        : "runs.csv has all cases, and campaign.json all figures.");
     }
 
     private static String changed(Map<String, String> changes) {

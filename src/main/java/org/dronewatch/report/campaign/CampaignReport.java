@@ -68,7 +68,7 @@ final class CampaignReport {
                     new SensitivityBars(result.sensitivity().get()).html());
         }
         page.section("The worst case", worst.html(plan, command));
-        page.section("What was run", new CampaignInputs(plan).html());
+        page.section("What was run", new CampaignInputs(plan, command.isPresent()).html());
         page.end();
     }
 

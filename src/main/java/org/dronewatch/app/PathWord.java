@@ -1,0 +1,26 @@
+package org.dronewatch.app;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/** A word of a command line that names a file or directory. */
+final class PathWord {
+    private PathWord() {}
+
+    /**
+     * The path that a word names.
+     *
+     * @param option what it is for, such as {@code --out}; may be empty
+     * @throws InputException when this system cannot have such a path
+     */
+    static Path of(String option, String word) {
+        try {
+            return Path.of(word);
+        } catch (InvalidPathException e) {
+            String asked = (option + " " + PlainText.value(word)).strip();
+            throw new InputException(asked + ": not a path: " + e.getReason(), e);
+        }
+    }
+}
