@@ -120,6 +120,21 @@ public final class Assessor {
                 .min(Comparator.comparing(one -> !one.isDetected()));
     }
 
+    /**
+     * An assessment with a signal that was found elsewhere, such as by interpolation; {@link Cause#UNKNOWN} likewise.
+     */
+    public Assessment assess(Signal signal, Drone drone, Optional<Pointing> pointing) {
+        if (!signal.isDetected()) {
+            return new Assessment(signal, explainMiss(drone, pointing));
+        }
+        return new Assessment(signal, isKnown(drone) ? Explanation.DETECTED : Explanation.of(Cause.UNKNOWN));
+    }
+
+    /** The sensor, if its signal may be interpolated. */
+    public Optional<InterpolableSensor> interpolable() {
+        return sensor instanceof InterpolableSensor smooth ? Optional.of(smooth) : Optional.empty();
+    }
+
     /** As {@link AssessableSensor#isSameAtAllHeadings}, in this assessor's world; false for sensors of other kinds. */
     public boolean isSameAtAllHeadings(Drone drone, Optional<Pointing> pointing) {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllHeadings(world, drone, pointing);

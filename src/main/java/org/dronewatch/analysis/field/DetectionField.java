@@ -129,7 +129,8 @@ public final class DetectionField {
         List<SensorLayer> layers = new ArrayList<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             long seed = settings.run().seed();
-            probes.put(id, new FieldProbe(world, sample, id, sensor, seed, asked.courses(), asked.terms()));
+            FieldProbe each = new FieldProbe(world, sample, id, sensor, seed, asked.courses(), asked.terms());
+            probes.put(id, each.with(store.excess(each, columns, asked.grid().toString())));
             layers.add(SensorLayer.empty(columns));
         });
         int[] all = IntStream.range(0, asked.courses().size()).toArray();
@@ -240,6 +241,21 @@ public final class DetectionField {
     /** Where a sensor, given by its number, is, m. */
     public Position position(int sensor) {
         return probe(sensor).settings().position();
+    }
+
+    /**
+     * The errors of those sensors' levels that are interpolated between cells, by name: all others are assessed in each
+     * cell.
+     */
+    public Map<String, InterpolationError> interpolated() {
+        Map<String, InterpolationError> errors = new LinkedHashMap<>();
+        probes.forEach((id, probe) -> probe.excess().ifPresent(map -> errors.put(id, map.error())));
+        return errors;
+    }
+
+    /** What is interpolated between the cells of a sensor, given by its name. */
+    Optional<ExcessMap> excess(String sensor) {
+        return Optional.ofNullable(probes.get(sensor)).flatMap(FieldProbe::excess);
     }
 
     /** Whether a drone can be in a cell: there is ground below it, and nothing solid around it. */

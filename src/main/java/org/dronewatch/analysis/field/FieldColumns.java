@@ -162,6 +162,15 @@ final class FieldColumns {
         return (int) Arrays.stream(ground).filter(Double::isFinite).count();
     }
 
+    /** The number of cells in which a drone can be. */
+    int openCount() {
+        int count = 0;
+        for (byte kind : kinds) {
+            count += kind == OPEN ? 1 : 0;
+        }
+        return count;
+    }
+
     /** The height of the ground, m; NaN where there is none. */
     double ground(int column, int row) {
         return ground[row * columns + column];

@@ -29,6 +29,7 @@ import org.dronewatch.world.World;
  * @param terms on which it counts as detected
  * @param search where the sensor points while it searches; empty if it does not matter
  * @param assessor of the sensor; threads use its siblings
+ * @param excess what is interpolated between cells; empty where each is assessed
  */
 record FieldProbe(
         World world,
@@ -39,10 +40,11 @@ record FieldProbe(
         List<Course> courses,
         FieldTerms terms,
         Optional<SearchPeriod> search,
-        Assessor assessor) {
+        Assessor assessor,
+        Optional<ExcessMap> excess) {
     private static final double EVEN_CHANCE = 0.5;
 
-    /** A probe of a sensor that searches if the terms say so. */
+    /** A probe that assesses each cell, of a sensor that searches if the terms say so. */
     FieldProbe(
             World world,
             Drone drone,
@@ -60,7 +62,13 @@ record FieldProbe(
                 courses,
                 terms,
                 terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings) : Optional.empty(),
-                new Assessor(sensor, settings, world));
+                new Assessor(sensor, settings, world),
+                Optional.empty());
+    }
+
+    /** This probe with what is interpolated between cells. */
+    FieldProbe with(Optional<ExcessMap> map) {
+        return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, map);
     }
 
     /** An assessor for one thread. */
@@ -97,9 +105,17 @@ record FieldProbe(
     }
 
     /**
-     * The assessment of a drone, except for what the steps of a {@link CellCode} do not tell apart, and faster.
+     * The assessment of a drone, except for what the steps of a {@link CellCode} do not tell apart, and faster;
+     * interpolated, if this sensor's signals are.
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        return excess.isPresent()
+                ? new InterpolatedCells(this, excess.get(), assessor).assess(there, pointing)
+                : assessCoarsely(assessor, there, pointing);
+    }
+
+    /** The same without interpolation. */
+    Assessment assessCoarsely(Assessor assessor, Drone there, Optional<Pointing> pointing) {
         return assessor.assessCoarsely(there, pointing, rays(), terms.high(settings));
     }
 
@@ -110,7 +126,17 @@ record FieldProbe(
      * @param ofALook the probability of a look, 0 to 1
      */
     int steps(double ofALook) {
-        return CellCode.steps(terms.probability(ofALook, settings));
+        return CellCode.steps(onTerms(new double[] {ofALook}, 1.0));
+    }
+
+    /**
+     * The probability on the terms of the field. Where signals are interpolated, a probability stands for what is not
+     * known, and is the same for any number of looks.
+     */
+    private double onTerms(double[] looks, double share) {
+        return excess.isPresent()
+                ? FieldTerms.ONE_LOOK.probability(looks, share, settings) * terms.probability(1.0, settings)
+                : terms.probability(looks, share, settings);
     }
 
     /** A look that is only as fine as the steps of a {@link CellCode}, and faster. */
@@ -120,7 +146,12 @@ record FieldProbe(
 
     /** A look with the assessment as it is. */
     CellLook look(Assessor assessor, Drone there, CellPointings pointings) {
-        return look(pointings, pointing -> assessor.assess(there, pointing, rays()));
+        return look(pointings, pointing -> assess(assessor, there, pointing));
+    }
+
+    /** The assessment as it is. */
+    Assessment assess(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        return assessor.assess(there, pointing, rays());
     }
 
     /**
@@ -138,7 +169,7 @@ record FieldProbe(
         boolean isMissed = best.isEmpty() || best.get().cause() == Cause.DETECTED && mean < EVEN_CHANCE;
         Assessment shown =
                 isMissed && pointings.away().isPresent() ? glance.apply(pointings.away()) : best.orElseThrow();
-        return new CellLook(terms.probability(probabilities, pointings.share(), settings), shown);
+        return new CellLook(onTerms(probabilities, pointings.share()), shown);
     }
 
     /**

@@ -81,7 +81,8 @@ public record FieldSurvey(
                         request.grid(),
                         request.terms(),
                         request.covered(),
-                        store,
+                        store.about(request.grid(), request.courses()),
+                        field::excess,
                         progress)),
                 under(conditions, summary.get(), progress),
                 conditions.size());

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -69,13 +71,14 @@ public record InboundWarnings(
             FieldTerms terms,
             double covered,
             IntConsumer progress) {
-        return of(settings, stage, drone, grid, terms, covered, LayerStore.NONE, progress);
+        return of(settings, stage, drone, grid, terms, covered, LayerStore.NONE, sensor -> Optional.empty(), progress);
     }
 
     /**
      * The same.
      *
-     * @param store of assessments that were made before
+     * @param store of assessments that were made before, of the same grid
+     * @param excess what is interpolated between cells in the area of the grid, by the name of a sensor
      */
     static InboundWarnings of(
             SceneSettings settings,
@@ -85,6 +88,7 @@ public record InboundWarnings(
             FieldTerms terms,
             double covered,
             LayerStore store,
+            Function<String, Optional<ExcessMap>> excess,
             IntConsumer progress) {
         InboundFlights flights = InboundFlights.of(settings, stage, drone, grid, terms);
         Drone sample = DetectionField.droneOf(stage, drone);
@@ -92,7 +96,7 @@ public record InboundWarnings(
         double delay = terms.within().orElse(0.0) * speed;
         int needed = CellCode.stepsToCover(covered);
         List<SensorLayer> layers =
-                layers(settings, stage, sample, flights, terms, delay, needed, store.about(grid), progress);
+                layers(settings, stage, sample, flights, terms, delay, needed, store, excess, progress);
         List<Warning> all = new ArrayList<>();
         double longest = 0.0;
         for (int height = 0; height < grid.heights().size(); height++) {
@@ -121,6 +125,7 @@ public record InboundWarnings(
             double delay,
             int needed,
             LayerStore store,
+            Function<String, Optional<ExcessMap>> excess,
             IntConsumer progress) {
         int heights = flights.heights().size();
         int[][] last = flights.lastSteps(stage.protection(), delay);
@@ -133,13 +138,14 @@ public record InboundWarnings(
             FieldColumns paths =
                     new FieldColumns(stage.world(), flights.steps(), BEARINGS, heights, flights.upTo(last));
             FieldProbe probe = new FieldProbe(
-                    stage.world(),
-                    sample,
-                    sensor.getKey(),
-                    sensor.getValue(),
-                    settings.run().seed(),
-                    List.of(Course.inbound(flights.target())),
-                    terms);
+                            stage.world(),
+                            sample,
+                            sensor.getKey(),
+                            sensor.getValue(),
+                            settings.run().seed(),
+                            List.of(Course.inbound(flights.target())),
+                            terms)
+                    .with(excess.apply(sensor.getKey()));
             SensorLayer layer = SensorLayer.empty(paths);
             for (int height = 0; height < paths.levels(); height++) {
                 store.assess(layer, probe, paths, flights.toString(), height, "inbound " + height, progress);

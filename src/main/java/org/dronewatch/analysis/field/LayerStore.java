@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.run.store.StoreKey;
 import org.dronewatch.run.store.StoreReader;
@@ -32,6 +33,7 @@ public final class LayerStore {
     private static final double WORTH = 0.05;
 
     private static final String KIND = "field";
+    private static final String EXCESS = "excess";
     private static final double NANO = 1e-9;
 
     private final Optional<SiteStore> store;
@@ -64,14 +66,42 @@ public final class LayerStore {
         return new LayerStore(Optional.of(store), text.toString());
     }
 
-    /** This store for assessments that also depend on a grid. */
-    LayerStore about(FieldGrid grid) {
-        return store.isEmpty() ? this : new LayerStore(store, world + grid);
+    /** This store for assessments that also depend on a field: on what is interpolated between its cells. */
+    LayerStore about(FieldGrid grid, List<Course> courses) {
+        return store.isEmpty() ? this : new LayerStore(store, world + grid + courses);
     }
 
     /** The store of this process, which keeps what takes more than 50 ms. */
     public static SiteStore standard(Consumer<String> notes) {
         return SiteStore.standard(WORTH, notes);
+    }
+
+    /**
+     * What is interpolated between the cells of a field, as it was kept, or made anew on the {@link Workers} of the
+     * calling thread; empty if each cell is assessed.
+     *
+     * @param plan where the columns are
+     */
+    Optional<ExcessMap> excess(FieldProbe probe, FieldColumns columns, String plan) {
+        if (!isKept(probe) || !ExcessSurvey.isWorthwhile(probe, columns)) {
+            return ExcessSurvey.of(probe, columns);
+        }
+        StoreKey key = key(EXCESS, probe, plan, "");
+        Optional<ExcessMap> former = store.orElseThrow().find(key, ExcessForm.FORM);
+        if (former.isPresent()) {
+            return former;
+        }
+        long start = System.nanoTime();
+        Optional<ExcessMap> map = ExcessSurvey.of(probe, columns);
+        double seconds = NANO * (System.nanoTime() - start);
+        map.ifPresent(its -> store.orElseThrow().keep(() -> key, ExcessForm.FORM, its, seconds));
+        return map;
+    }
+
+    private boolean isKept(FieldProbe probe) {
+        return store.isPresent()
+                && OwnCode.isAll(probe.settings())
+                && OwnCode.isAll(probe.drone().settings());
     }
 
     /**
@@ -89,24 +119,22 @@ public final class LayerStore {
             int height,
             String name,
             IntConsumer progress) {
-        if (store.isEmpty()
-                || !OwnCode.isAll(probe.settings())
-                || !OwnCode.isAll(probe.drone().settings())) {
+        if (!isKept(probe)) {
             layer.assess(probe, columns, height, Optional.empty(), progress);
             return;
         }
-        StoreKey key = key(probe, plan, name);
+        StoreKey key = key(KIND, probe, plan, name);
         SliceForm form = new SliceForm(columns, probe.courses().size());
-        Optional<LayerSlice> former = store.get().find(key, form);
+        Optional<LayerSlice> former = store.orElseThrow().find(key, form);
         long start = System.nanoTime();
         boolean isNew = layer.assess(probe, columns, height, former, progress);
         if (isNew) {
             double seconds = NANO * (System.nanoTime() - start);
-            store.get().keep(() -> key, form, layer.slice(height, columns), seconds);
+            store.orElseThrow().keep(() -> key, form, layer.slice(height, columns), seconds);
         }
     }
 
-    private StoreKey key(FieldProbe probe, String plan, String name) {
+    private StoreKey key(String kind, FieldProbe probe, String plan, String name) {
         DroneSettings drone = probe.drone().settings();
         List<Object> parts = new ArrayList<>(List.of(
                 world,
@@ -122,7 +150,7 @@ public final class LayerStore {
                 probe.terms(),
                 plan,
                 name));
-        return StoreKey.of(KIND, List.of(), parts.toArray());
+        return StoreKey.of(kind, List.of(), parts.toArray());
     }
 
     private String meshHash(FieldProbe probe) {

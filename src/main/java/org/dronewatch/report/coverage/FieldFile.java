@@ -9,6 +9,7 @@ import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.JsonFile;
@@ -74,6 +75,11 @@ final class FieldFile {
                     .skip(1)
                     .forEach(one -> add(conditions.putObject(one.name()).putArray("heights"), one));
         }
+        summary.coverage()
+                .field()
+                .interpolated()
+                .forEach((sensor, error) ->
+                        add(root.withObjectProperty("interpolated").putObject(sensor), error));
         root.put("complete", survey.isComplete());
         return root;
     }
@@ -91,6 +97,12 @@ final class FieldFile {
             ObjectNode sensors = node.putObject("sensors");
             height.bySensor().forEach((sensor, cells) -> share(sensors, sensor, cells, numbers.known()));
         }
+    }
+
+    private static void add(ObjectNode node, InterpolationError error) {
+        node.put("places", error.places());
+        node.put("held_out", error.heldOut());
+        node.put("error_95_db", Numbers.rounded(error.largely()));
     }
 
     private static void add(ObjectNode node, DetectableHeights detectable) {

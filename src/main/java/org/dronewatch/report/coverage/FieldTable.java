@@ -10,6 +10,7 @@ import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Cause;
@@ -129,6 +130,31 @@ public final class FieldTable {
             lines.add(text(HEIGHT, metres(height.height()))
                     + gap.map(FieldTable::words).orElse("  none"));
         }
+        return lines;
+    }
+
+    /**
+     * How accurate the interpolated levels of sensors are, with a warning where they are not
+     * accurate; nothing if none are interpolated.
+     */
+    public static List<String> interpolated(FieldSummary summary) {
+        List<String> lines = new ArrayList<>();
+        summary.coverage().field().interpolated().forEach((sensor, error) -> {
+            boolean isAccurate = error.largely() <= InterpolationError.ACCURATE;
+            lines.add(text(
+                    "%s'%s': levels traced at %,d positions, interpolated elsewhere; at 95 %% of %,d other positions the error is at"
+                            + " most %.2f dB%s",
+                    isAccurate ? "" : "warning: ",
+                    sensor,
+                    error.places(),
+                    error.heldOut(),
+                    error.largely(),
+                    isAccurate
+                            ? ""
+                            : text(
+                                    ", more than %s dB: larger cells or fewer heights help",
+                                    Numbers.text(InterpolationError.ACCURATE))));
+        });
         return lines;
     }
 

@@ -20,6 +20,8 @@ public final class SurveyTables {
         if (!survey.conditions().isEmpty()) {
             tables.add(ConditionTable.lines(survey.conditions()));
         }
+        tables.add(FieldTable.interpolated(survey.summary()));
+        tables.removeIf(List::isEmpty);
         List<String> lines = new ArrayList<>();
         for (List<String> table : tables) {
             if (!lines.isEmpty()) {

@@ -9,13 +9,13 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Sighting;
-import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.CurveSensor;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.InterpolableSensor;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
@@ -44,7 +44,7 @@ import org.dronewatch.world.World;
  * fraction of 32 traces that detect the drone, marked as estimated, and the look's value may differ from the
  * assessment's.
  */
-public final class AcousticSensor implements RaySensor, CurveSensor, AssessableSensor {
+public final class AcousticSensor implements RaySensor, CurveSensor, InterpolableSensor {
     private static final String UNIT = "dB";
 
     private final AcousticSettings settings;
@@ -105,6 +105,21 @@ public final class AcousticSensor implements RaySensor, CurveSensor, AssessableS
             World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
         Signal signal = tracer(world).coarseSignal(drone, rayRandom);
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainMiss(world, drone, pointing));
+    }
+
+    @Override
+    public Optional<Signal> signalInTheOpen(World world, Drone drone) {
+        return tracer(world).signalInTheOpen(drone);
+    }
+
+    @Override
+    public Signal signalOnExactPaths(World world, Drone drone) {
+        return tracer(world).signalOnExactPaths(drone);
+    }
+
+    @Override
+    public boolean isInSight(World world, Drone drone) {
+        return tracer(world).isInSight(drone);
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.thermal;
 
 import java.util.Map;
+import org.dronewatch.sensor.NormalTail;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.setting.AdvisedLimit;
 import org.dronewatch.setting.Defaults;
@@ -50,6 +51,9 @@ public record PointTargets(
     /** One false alarm per hour, three of five frames, a gate of 3 x 3 pixels, 25 frames per second. */
     @Defaults
     public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9, 25.0);
+
+    /** Nothing of interest lies farther out, in standard deviations: there the normal tail is 1e-315. */
+    private static final double FARTHEST = 38.0;
 
     /** Rounding must not make a whole number of looks one look longer. */
     private static final double ROUNDING = 1e-9;
@@ -105,7 +109,7 @@ public record PointTargets(
         double mark = confirmations(most) <= accepted
                 ? most
                 : Math.exp(Bisection.root(LOWEST, Math.log(most), x -> accepted - confirmations(Math.exp(x))));
-        return NormalTail.exceededWith(mark);
+        return exceededWith(mark);
     }
 
     /**
@@ -189,6 +193,15 @@ public record PointTargets(
     /** The probability that noise marks a pixel of the gate. */
     private double marks(double p) {
         return -Math.expm1(gate * Math.log1p(-p));
+    }
+
+    /**
+     * The t that a standard normal variable exceeds with a given probability.
+     *
+     * @param probability 1e-300 to 1 - 1e-15
+     */
+    static double exceededWith(double probability) {
+        return Bisection.root(-FARTHEST, FARTHEST, t -> NormalTail.above(t) - probability);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -26,7 +27,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Fields of real scenes against looks at random cells: where a probability is stored as 0 or 1, a look gives the same
- * answer. With {@code -Ddronewatch.field=run} all scenes and 2,000 cells of each, otherwise the fastest and fewer.
+ * answer, also where levels of sound are interpolated (the last field). With {@code -Ddronewatch.field=run} all fields
+ * and 2,000 cells of each, otherwise the fastest and fewer.
  */
 class PackagedFieldTest {
     private static final boolean ALL = "run".equals(System.getProperty("dronewatch.field"));
@@ -34,22 +36,24 @@ class PackagedFieldTest {
 
     @ParameterizedTest
     @CsvSource({
-        "scenes/hill-radar.yaml, quadrotor, 1000, 40",
-        "multi-sensor, quadrotor, 400, 8",
-        "scenes/monaco.yaml, from-the-sea, 3600, 120"
+        "scenes/hill-radar.yaml, quadrotor, 1000, 40,",
+        "multi-sensor, quadrotor, 400, 8,",
+        "scenes/monaco.yaml, from-the-sea, 3600, 120, microphone=false",
+        "scenes/monaco.yaml, from-the-sea, 500, 5, radar-sea=false radar-mountain=false radio=false camera=false thermal=false"
     })
-    void whereAFieldIsCertainALookAgrees(String name, String drone, double side, double cell) {
+    void whereAFieldIsCertainALookAgrees(String name, String drone, double side, double cell, String enabled) {
         assumeThat(ALL || name.endsWith("hill-radar.yaml")).isTrue();
         Scene scene = name.endsWith(".yaml")
                 ? new SceneFile(Path.of(name))
                 : PackagedScene.find(name).orElseThrow().factory().get();
         SceneRunner runner = new SceneRunner(scene).notes(note -> {});
-        if (name.contains("monaco")) {
-            runner.set("sensors.microphone.enabled", "false");
+        for (String one : enabled == null ? new String[0] : enabled.split(" ")) {
+            runner.set("sensors." + one.split("=")[0] + ".enabled", one.split("=")[1]);
         }
         SceneSettings settings = runner.settingsOfRuns().get(0);
         Stage stage = runner.stage(settings);
-        FieldGrid grid = new FieldGrid(0, 0, side, cell, FieldGrid.HEIGHTS);
+        Position middle = InboundTarget.sensors(settings);
+        FieldGrid grid = new FieldGrid(middle.x(), middle.y(), side, cell, FieldGrid.HEIGHTS);
         Drone sample = DetectionField.droneOf(stage, drone);
         List<Course> courses = Course.all(settings.enabledSensors(), sample);
         DetectionField field;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.dronewatch.sensor.NormalTail;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -106,7 +107,7 @@ class PointTargetsTest {
             }
             confirmed += frame < frames ? 0 : newlyConfirmed(marks, frame, hits, frames, gate);
         }
-        double t = NormalTail.exceededWith(mark);
+        double t = PointTargets.exceededWith(mark);
         double pixelFrames = (double) side * side * (count - frames);
         double expected = rule(hits, frames, gate).withFrameRate(1.0 / 3600.0).falseAlarmsPerHour(t, 1) * pixelFrames;
 

@@ -15,6 +15,7 @@ import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
+import org.dronewatch.sensor.acoustic.propagation.ArcSight;
 import org.dronewatch.sensor.acoustic.propagation.Heard;
 import org.dronewatch.sensor.acoustic.propagation.Microphone;
 import org.dronewatch.sensor.acoustic.propagation.PathBending;
@@ -46,6 +47,7 @@ public final class EnergyHearing implements SoundTracer {
     private final World world;
     private final EnergyTracer tracer;
     private final PathBending bending;
+    private final ArcSight sight;
     private Optional<BandLevels> background = Optional.empty();
 
     EnergyHearing(EnergyModel model, Microphone microphone, World world) {
@@ -53,6 +55,7 @@ public final class EnergyHearing implements SoundTracer {
         this.microphone = microphone;
         this.world = world;
         this.bending = new PathBending(world);
+        this.sight = new ArcSight(world);
         this.tracer = new EnergyTracer(model, microphone.position(), microphone.radius(), world);
     }
 
@@ -143,9 +146,34 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     @Override
-    public boolean isHeardInTheOpen(Drone drone) {
+    public Optional<Signal> signalInTheOpen(Drone drone) {
+        return Optional.of(inTheOpen(drone));
+    }
+
+    @Override
+    public Signal signalOnExactPaths(Drone drone) {
+        background();
         SoundSource sound = sound(drone);
-        return signal(tracer.inTheOpen(sound), sound.lines()).isDetected();
+        return signal(tracer.onExactPaths(sound), sound.lines());
+    }
+
+    private Signal inTheOpen(Drone drone) {
+        SoundSource sound = sound(drone);
+        return signal(tracer.inTheOpen(sound), sound.lines());
+    }
+
+    @Override
+    public boolean isInSight(Drone drone) {
+        Position from = drone.origin();
+        Position to = microphone.position();
+        Position along = to.minus(from);
+        double curvature = bending.between(from, to).along(along.x(), along.y(), along.z());
+        return sight.isFree(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), curvature);
+    }
+
+    @Override
+    public boolean isHeardInTheOpen(Drone drone) {
+        return inTheOpen(drone).isDetected();
     }
 
     /**

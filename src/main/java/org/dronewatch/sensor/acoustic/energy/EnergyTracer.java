@@ -12,9 +12,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathBending;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sensor.acoustic.tone.HeardTone;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
@@ -148,18 +150,27 @@ public final class EnergyTracer {
     public EnergyReading inTheOpen(SoundSource drone) {
         SoundSource source = drone.at(clearance.of(drone.position()));
         double[] heard = exact.inTheOpen(source, sensor);
+        return withoutRays(source, band -> heard[band]);
+    }
+
+    /**
+     * The reading of the paths that are found without any ray: straight, round edges, and by single specular
+     * reflections. Exact.
+     *
+     * @param drone the drone's sound
+     */
+    EnergyReading onExactPaths(SoundSource drone) {
+        SoundSource source = drone.at(clearance.of(drone.position()));
+        PathCurvature curvature = bending.between(source.position(), sensor);
+        exact.find(source, sensor, ImageSources.NONE, ImageSources.NONE, new int[0], curvature);
+        return withoutRays(source, exact::heard);
+    }
+
+    private EnergyReading withoutRays(SoundSource source, IntToDoubleFunction intensities) {
         List<Double> nothing = Collections.nCopies(OctaveBands.COUNT, 0.0);
         EnergyAudit unsent = new EnergyAudit(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
         return new EnergyReading(
-                energies(source, band -> heard[band]),
-                nothing,
-                nothing,
-                nothing,
-                0,
-                0.0,
-                true,
-                unsent,
-                new DecayCurve());
+                energies(source, intensities), nothing, nothing, nothing, 0, 0.0, true, unsent, new DecayCurve());
     }
 
     /** As long as no ray has contributed anything, the contribution of further rays is unknown. */

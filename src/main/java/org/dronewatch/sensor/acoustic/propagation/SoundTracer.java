@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Curve;
@@ -28,6 +29,25 @@ public interface SoundTracer {
      */
     default Signal coarseSignal(Drone drone, RandomGenerator random) {
         return signal(drone, random);
+    }
+
+    /** See {@link org.dronewatch.sensor.InterpolableSensor#signalInTheOpen}; empty unless overridden. */
+    default Optional<Signal> signalInTheOpen(Drone drone) {
+        return Optional.empty();
+    }
+
+    /**
+     * The signal on those paths that are found without tracing random rays.
+     *
+     * @throws UnsupportedOperationException unless overridden
+     */
+    default Signal signalOnExactPaths(Drone drone) {
+        throw new UnsupportedOperationException("this model of propagation is not interpolated");
+    }
+
+    /** Whether the path of the direct sound is free; false unless overridden. */
+    default boolean isInSight(Drone drone) {
+        return false;
     }
 
     /** Whether a drone would be heard without obstructions. */

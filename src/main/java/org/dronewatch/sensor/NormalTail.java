@@ -1,15 +1,12 @@
-package org.dronewatch.sensor.thermal;
+package org.dronewatch.sensor;
 
-/** The tail of the normal distribution, which noise exceeds by chance. */
-final class NormalTail {
+/** The tail of the normal distribution: by how often noise and errors exceed a limit. */
+public final class NormalTail {
     /** From here on the continued fraction of the tail converges quickly, below it the series of its complement. */
     private static final double FAR = 3.0;
 
     /** Enough levels of the fraction, and terms of the series, for 1e-14. */
     private static final int LEVELS = 120;
-
-    /** Nothing of interest lies farther out: there the tail is 1e-315. */
-    private static final double FARTHEST = 38.0;
 
     private static final double ROOT_TWO_PI = Math.sqrt(2.0 * Math.PI);
 
@@ -20,21 +17,12 @@ final class NormalTail {
      * continued fraction {@code density / (t + 1/(t + 2/(t + 3/...)))} for large t, and {@code 1/2 - density (t +
      * t^3/3 + t^5/15 + ...)} for small ones (Abramowitz and Stegun, 26.2.14 and 26.2.11).
      */
-    static double above(double t) {
+    public static double above(double t) {
         if (t < -FAR) {
             return 1.0 - above(-t);
         }
         double density = Math.exp(-0.5 * t * t) / ROOT_TWO_PI;
         return t > FAR ? density / fraction(t) : 0.5 - density * series(t);
-    }
-
-    /**
-     * The t that a standard normal variable exceeds with a given probability.
-     *
-     * @param probability 1e-300 to 1 - 1e-15
-     */
-    static double exceededWith(double probability) {
-        return Bisection.root(-FARTHEST, FARTHEST, t -> above(t) - probability);
     }
 
     private static double fraction(double t) {

@@ -1,0 +1,163 @@
+package org.dronewatch.analysis.field;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Signal;
+
+/**
+ * By how much the signal of one sensor exceeds signals that take less time, at any position: interpolated between the
+ * nearest traced ones, separately in sight and out of sight of the sensor. Immutable.
+ */
+final class ExcessMap {
+    private static final int NEIGHBOURS = 20;
+
+    /** Levels vary more with height than in the plane: a metre of height counts as this many. */
+    private static final double VERTICAL = 3.0;
+
+    /** Weights are this power of the reciprocal squared distance. */
+    private static final double POWER = 1.5;
+
+    /** Below any squared distance of two cells, m2. */
+    private static final double SAME = 1e-6;
+
+    private final Group inSight;
+    private final Group hidden;
+    private final Map<Position, Signal> traced = new HashMap<>();
+    private final double[] box = {
+        Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+    };
+    private final InterpolationError error;
+    private final List<TracedPlace> places;
+    private final List<TracedPlace> heldOut;
+
+    /**
+     * A value between the nearest traced positions.
+     *
+     * @param overExact excess over the signal on exact paths, dB
+     * @param spread half the difference between the greatest and the least of those of the neighbours, dB
+     * @param overOpen excess over the signal in the open, dB
+     * @param least the least of those of the neighbours, dB
+     * @param greatest the greatest of them, dB
+     */
+    record Estimate(double overExact, double spread, double overOpen, double least, double greatest) {}
+
+    private record Group(TracedPlace[] places, double[] positions) {
+        static Group of(List<TracedPlace> all, boolean isInSight) {
+            TracedPlace[] some =
+                    all.stream().filter(place -> place.isInSight() == isInSight).toArray(TracedPlace[]::new);
+            double[] positions = new double[3 * some.length];
+            for (int i = 0; i < some.length; i++) {
+                positions[3 * i] = some[i].at().x();
+                positions[3 * i + 1] = some[i].at().y();
+                positions[3 * i + 2] = VERTICAL * some[i].at().z();
+            }
+            return new Group(some, positions);
+        }
+    }
+
+    /**
+     * Interpolates between positions.
+     *
+     * @param places the positions
+     * @param heldOut others, at which the error is measured
+     */
+    ExcessMap(List<TracedPlace> places, List<TracedPlace> heldOut) {
+        this.places = List.copyOf(places);
+        this.heldOut = List.copyOf(heldOut);
+        this.inSight = Group.of(places, true);
+        this.hidden = Group.of(places, false);
+        places.forEach(this::keep);
+        heldOut.forEach(this::keep);
+        this.error = InterpolationError.of(this, places.size(), heldOut);
+    }
+
+    private void keep(TracedPlace place) {
+        traced.put(place.at(), place.signal());
+        box[0] = Math.min(box[0], place.at().x());
+        box[1] = Math.min(box[1], place.at().y());
+        box[2] = Math.max(box[2], place.at().x());
+        box[3] = Math.max(box[3], place.at().y());
+    }
+
+    /** The positions between which it interpolates. */
+    List<TracedPlace> places() {
+        return places;
+    }
+
+    /** Those at which the error is measured. */
+    List<TracedPlace> heldOut() {
+        return heldOut;
+    }
+
+    /** The error of the interpolation. */
+    InterpolationError error() {
+        return error;
+    }
+
+    /** The signal at a traced position. */
+    Optional<Signal> traced(Position at) {
+        return Optional.ofNullable(traced.get(at));
+    }
+
+    /**
+     * The value at a position, m; empty outside the area of the traced positions, and where only few of them are as
+     * much in sight, or hidden, as this one.
+     */
+    Optional<Estimate> at(Position at, boolean isInSight) {
+        Group group = isInSight ? inSight : hidden;
+        boolean isInside = at.x() >= box[0] && at.y() >= box[1] && at.x() <= box[2] && at.y() <= box[3];
+        return isInside && group.places.length >= NEIGHBOURS ? Optional.of(between(group, at)) : Optional.empty();
+    }
+
+    private static Estimate between(Group group, Position at) {
+        double[] squares = new double[NEIGHBOURS];
+        int[] nearest = nearest(group, at, squares);
+        double weights = 0.0;
+        double overExact = 0.0;
+        double lowest = Double.POSITIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        double overOpen = 0.0;
+        double least = Double.POSITIVE_INFINITY;
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < NEIGHBOURS; i++) {
+            TracedPlace place = group.places[nearest[i]];
+            double weight = Math.pow(squares[i] + SAME, -POWER);
+            weights += weight;
+            overExact += weight * place.overExact();
+            lowest = Math.min(lowest, place.overExact());
+            highest = Math.max(highest, place.overExact());
+            overOpen += weight * place.overOpen();
+            least = Math.min(least, place.overOpen());
+            greatest = Math.max(greatest, place.overOpen());
+        }
+        return new Estimate(overExact / weights, 0.5 * (highest - lowest), overOpen / weights, least, greatest);
+    }
+
+    /** The numbers of the nearest places, the nearest one first. */
+    private static int[] nearest(Group group, Position at, double[] squares) {
+        int[] nearest = new int[NEIGHBOURS];
+        Arrays.fill(squares, Double.POSITIVE_INFINITY);
+        double z = VERTICAL * at.z();
+        for (int i = 0; i < group.places.length; i++) {
+            double dx = group.positions[3 * i] - at.x();
+            double dy = group.positions[3 * i + 1] - at.y();
+            double dz = group.positions[3 * i + 2] - z;
+            double square = dx * dx + dy * dy + dz * dz;
+            int slot = NEIGHBOURS;
+            while (slot > 0 && square < squares[slot - 1]) {
+                slot--;
+            }
+            if (slot < NEIGHBOURS) {
+                System.arraycopy(squares, slot, squares, slot + 1, NEIGHBOURS - slot - 1);
+                System.arraycopy(nearest, slot, nearest, slot + 1, NEIGHBOURS - slot - 1);
+                squares[slot] = square;
+                nearest[slot] = i;
+            }
+        }
+        return nearest;
+    }
+}

@@ -1,0 +1,57 @@
+package org.dronewatch.analysis.field;
+
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.InterpolableSensor;
+import org.dronewatch.sensor.NormalTail;
+import org.dronewatch.sensor.Signal;
+
+/**
+ * Assesses cells by interpolation. Where the signal in the open and the excesses of the neighbours leave no doubt, they
+ * decide; elsewhere the exact paths are found, and only what comes on other paths is interpolated. The probability is
+ * 0 or 1 where the margin exceeds the error, otherwise that with which a normally distributed error leaves the margin
+ * positive.
+ */
+record InterpolatedCells(FieldProbe probe, ExcessMap excess, Assessor assessor) {
+
+    /** The assessment of a drone. */
+    Assessment assess(Drone there, Optional<Pointing> pointing) {
+        Optional<Signal> traced =
+                assessor.isSameAtAllHeadings(there, pointing) ? excess.traced(there.origin()) : Optional.empty();
+        return traced.or(() -> interpolated(there))
+                .map(signal -> assessor.assess(signal, there, pointing))
+                .orElseGet(() -> probe.assessCoarsely(assessor, there, pointing));
+    }
+
+    /** Empty where there is nothing to interpolate between. */
+    private Optional<Signal> interpolated(Drone there) {
+        boolean isInSight = sensor().isInSight(probe.world(), there);
+        return excess.at(there.origin(), isInSight).map(estimate -> signal(there, isInSight, estimate));
+    }
+
+    private InterpolableSensor sensor() {
+        return assessor.interpolable().orElseThrow();
+    }
+
+    private Signal signal(Drone there, boolean isInSight, ExcessMap.Estimate estimate) {
+        InterpolationError error = excess.error();
+        Signal open = sensor().signalInTheOpen(probe.world(), there).orElseThrow();
+        double threshold = open.threshold();
+        double beyond = error.bounds(isInSight).beyond();
+        if (open.quantity() + estimate.least() - beyond > threshold
+                || open.quantity() + estimate.greatest() + beyond < threshold) {
+            return Signal.certain(open.quantity() + estimate.overOpen(), open.unit(), threshold);
+        }
+        Signal exact = sensor().signalOnExactPaths(probe.world(), there);
+        double quantity = open.quantity() + TracedPlace.over(open, exact) + estimate.overExact();
+        double deviation = error.deviation(estimate, isInSight);
+        double margin = quantity - threshold;
+        double probability = Math.abs(margin) > InterpolationError.CERTAIN * deviation
+                ? margin > 0.0 ? 1.0 : 0.0
+                : NormalTail.above(-margin / deviation);
+        return new Signal(probability, quantity, open.unit(), threshold, deviation, 0.0);
+    }
+}

@@ -1,0 +1,89 @@
+package org.dronewatch.analysis.field;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The error of a sensor's interpolated levels, measured where they were not used.
+ *
+ * @param places number of positions at which levels were traced to interpolate between them
+ * @param heldOut number of positions at which levels were traced to measure the error
+ * @param largely what the error does not exceed at 95 % of these, dB
+ * @param inSight where nothing is in the way
+ * @param hidden where something is
+ */
+public record InterpolationError(int places, int heldOut, double largely, Bounds inSight, Bounds hidden) {
+    /** A field whose error is largely above this is not accurate, dB. */
+    public static final double ACCURATE = 0.5;
+
+    private static final double LARGE_PART = 0.95;
+
+    /** What counts as spread if all neighbours agree, dB: about the error of the traced levels. */
+    private static final double LEAST_SPREAD = 0.05;
+
+    /** How many standard deviations count as certain. */
+    static final double CERTAIN = 3.0;
+
+    /** How far errors that have not been met may exceed those that have. */
+    private static final double MARGIN = 1.25;
+
+    /** Fewer errors than this do not show how large they are. */
+    private static final int FEWEST = 20;
+
+    /**
+     * How far errors reach.
+     *
+     * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
+     *     them: the greatest error is {@value InterpolationError#CERTAIN} of these
+     * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB
+     */
+    record Bounds(double scale, double beyond) {
+        Bounds atLeast(Bounds other) {
+            return new Bounds(Math.max(scale, other.scale), Math.max(beyond, other.beyond));
+        }
+    }
+
+    /** The standard deviation of an estimate, dB. */
+    double deviation(ExcessMap.Estimate estimate, boolean isInSight) {
+        return bounds(isInSight).scale * (LEAST_SPREAD + estimate.spread());
+    }
+
+    /** How far errors reach. */
+    Bounds bounds(boolean isInSight) {
+        return isInSight ? inSight : hidden;
+    }
+
+    static InterpolationError of(ExcessMap map, int places, List<TracedPlace> heldOut) {
+        List<Double> errors = new ArrayList<>();
+        heldOut.forEach(place -> map.at(place.at(), place.isInSight())
+                .ifPresent(its -> errors.add(Math.abs(its.overExact() - place.overExact()))));
+        Collections.sort(errors);
+        double largely = errors.isEmpty() ? 0.0 : errors.get((int) Math.ceil(LARGE_PART * errors.size()) - 1);
+        Optional<Bounds> seen = bounds(map, heldOut, true);
+        Optional<Bounds> unseen = bounds(map, heldOut, false);
+        Bounds all = seen.or(() -> unseen).orElse(new Bounds(1.0, 0.0));
+        Bounds any = all.atLeast(unseen.orElse(all));
+        return new InterpolationError(places, heldOut.size(), largely, seen.orElse(any), unseen.orElse(any));
+    }
+
+    /** Empty where too few positions show how far errors reach. */
+    private static Optional<Bounds> bounds(ExcessMap map, List<TracedPlace> heldOut, boolean isInSight) {
+        double scale = 0.0;
+        double beyond = 0.0;
+        int count = 0;
+        for (TracedPlace place : heldOut) {
+            Optional<ExcessMap.Estimate> its = map.at(place.at(), isInSight);
+            if (place.isInSight() == isInSight && its.isPresent()) {
+                ExcessMap.Estimate estimate = its.get();
+                double error = Math.abs(estimate.overExact() - place.overExact());
+                scale = Math.max(scale, error / (CERTAIN * (LEAST_SPREAD + estimate.spread())));
+                beyond = Math.max(beyond, place.overOpen() - estimate.greatest());
+                beyond = Math.max(beyond, estimate.least() - place.overOpen());
+                count++;
+            }
+        }
+        return count < FEWEST ? Optional.empty() : Optional.of(new Bounds(MARGIN * scale, MARGIN * beyond));
+    }
+}

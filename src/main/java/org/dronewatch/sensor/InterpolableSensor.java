@@ -1,0 +1,26 @@
+package org.dronewatch.sensor;
+
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.world.World;
+
+/**
+ * A sensor whose signal takes long to assess, but exceeds a signal that takes less time by a number of decibels that
+ * varies slowly with the drone's position, apart from the borders of shadows: a field may assess it at some positions
+ * and interpolate this excess at the others. Quantities and thresholds are in dB.
+ */
+public interface InterpolableSensor extends AssessableSensor {
+
+    /**
+     * The signal that would arrive if nothing were there but the air, at very little cost.
+     *
+     * @return empty where the signal is to be assessed at each position
+     */
+    Optional<Signal> signalInTheOpen(World world, Drone drone);
+
+    /** The signal on those paths that are found without tracing random rays. */
+    Signal signalOnExactPaths(World world, Drone drone);
+
+    /** Whether nothing is in the way of the direct signal, on its path through the air of the site. */
+    boolean isInSight(World world, Drone drone);
+}

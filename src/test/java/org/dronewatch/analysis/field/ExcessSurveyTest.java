@@ -1,0 +1,235 @@
+package org.dronewatch.analysis.field;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.store.SiteStore;
+import org.dronewatch.run.store.StoreKey;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Interpolated levels against traced ones. */
+class ExcessSurveyTest {
+    private static final String EAR =
+            """
+              ear: {kind: acoustic, position: [0, 0, 4], propagation: {kind: energy-model, rays: 100}}
+            """;
+
+    /** Cells whose middles are on no face of a box. */
+    private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 400, 10, List.of(3.0, 20.0, 60.0));
+
+    private static final int PLACES = 240;
+
+    @TempDir
+    private static Path directory;
+
+    private static FieldProbe each;
+    private static FieldColumns columns;
+    private static ExcessMap map;
+    private static SensorLayer layer;
+
+    @BeforeAll
+    static void interpolate() throws IOException {
+        FieldSite site = FieldSite.in(directory, EAR);
+        each = new FieldProbe(
+                site.stage().world(),
+                DetectionField.droneOf(site.stage(), FieldSite.DRONE),
+                "ear",
+                site.settings().enabledSensors().get("ear"),
+                7,
+                List.of(new Course(Course.Kind.HOVER, 0.0, new Position(0, 0, 0), Optional.empty())),
+                FieldTerms.ONE_LOOK);
+        columns = FieldColumns.of(each.world(), GRID);
+        map = survey(2);
+        layer = layer(map, 2);
+    }
+
+    private static ExcessMap survey(int threads) {
+        try (Workers workers = new Workers(threads)) {
+            return workers.call(() -> ExcessSurvey.of(each, columns, PLACES)).orElseThrow();
+        }
+    }
+
+    private static SensorLayer layer(ExcessMap excess, int threads) {
+        FieldProbe probe = each.with(Optional.of(excess));
+        try (Workers workers = new Workers(threads)) {
+            return workers.call(() -> SensorLayer.of(probe, columns, cells -> {}));
+        }
+    }
+
+    /** None of some 100 cells that are certain; of the others as many are detected as their probabilities add up to. */
+    @Test
+    void whereAProbabilityIsCertainATracedLookAgrees() {
+        long seed = System.nanoTime();
+        System.out.println("ExcessSurveyTest: seed " + seed);
+        Random random = new Random(seed);
+        Assessor assessor = each.newAssessor();
+        int certain = 0;
+        int undecided = 0;
+        double difference = 0.0;
+        double variance = 0.0;
+        for (int i = 0; i < 120; i++) {
+            int height = random.nextInt(columns.levels());
+            int column = random.nextInt(columns.columns());
+            int row = random.nextInt(columns.rows());
+            if (!columns.isOpen(height, column, row)) {
+                continue;
+            }
+            Position at = columns.middle(height, column, row);
+            Assessment traced = each.assess(assessor, each.drone(at, 0), each.pointing(at));
+            int steps = layer.steps(height, column, row, 0);
+            double p = (double) steps / CellCode.STEPS;
+            if (steps == 0 || steps == CellCode.STEPS) {
+                certain++;
+                assertThat(traced.probability()).as("seed %d at %s", seed, at).isEqualTo(p);
+                assertThat(layer.cause(height, column, row, 0)).isEqualTo(traced.cause());
+            } else {
+                undecided++;
+                difference += traced.probability() - p;
+                variance += p * (1.0 - p);
+            }
+        }
+        assertThat(certain).isGreaterThan(50);
+        assertThat(undecided).isPositive();
+        assertThat(Math.abs(difference)).as("seed %d", seed).isLessThan(4.5 * Math.sqrt(variance) + 1.0);
+    }
+
+    /** Cells of traced positions have their signals. */
+    @Test
+    void tracedCellsAreExact() {
+        int exact = 0;
+        Assessor assessor = each.newAssessor();
+        for (int height = 0; height < columns.levels(); height++) {
+            for (int row = 0; row < columns.rows(); row++) {
+                for (int column = 0; column < columns.columns(); column++) {
+                    Position at = columns.middle(height, column, row);
+                    if (map.traced(at).isPresent() && exact < 10) {
+                        exact++;
+                        double p = each.assess(assessor, each.drone(at, 0), each.pointing(at))
+                                .probability();
+                        assertThat(map.traced(at).get().probability()).isEqualTo(p);
+                        assertThat(layer.steps(height, column, row, 0)).isEqualTo((int) (p * CellCode.STEPS));
+                    }
+                }
+            }
+        }
+        assertThat(exact).isEqualTo(10);
+    }
+
+    @Test
+    void theSameForAnyNumberOfThreads() {
+        ExcessMap alone = survey(1);
+        assertThat(alone.error()).isEqualTo(map.error());
+        SensorLayer other = layer(alone, 3);
+        for (int height = 0; height < columns.levels(); height++) {
+            for (int row = 0; row < columns.rows(); row++) {
+                for (int column = 0; column < columns.columns(); column++) {
+                    assertThat(other.steps(height, column, row, 0)).isEqualTo(layer.steps(height, column, row, 0));
+                }
+            }
+        }
+    }
+
+    /** What was kept interpolates the same, and a damaged file is not used. */
+    @Test
+    void aKeptMapIsTheSame(@TempDir Path place) throws IOException {
+        SiteStore kept = new SiteStore(Optional.of(place), 1 << 28, 0.0, note -> {});
+        StoreKey key = StoreKey.of("excess", List.of(), "one");
+        kept.keep(() -> key, ExcessForm.FORM, map, 1.0);
+        ExcessMap found = kept.find(key, ExcessForm.FORM).orElseThrow();
+        assertThat(found.error()).isEqualTo(map.error());
+        assertThat(found.places()).isEqualTo(map.places());
+        assertThat(found.heldOut()).isEqualTo(map.heldOut());
+        Position at = columns.middle(1, 3, 5);
+        assertThat(found.at(at, true)).isEqualTo(map.at(at, true));
+        try (Stream<Path> files = Files.list(place)) {
+            Path file = files.findFirst().orElseThrow();
+            byte[] bytes = Files.readAllBytes(file);
+            bytes[bytes.length / 2] ^= 1;
+            Files.write(file, bytes);
+        }
+        assertThat(kept.find(key, ExcessForm.FORM)).isEmpty();
+    }
+
+    /** Behind a box the level is that of its shadow, close to its border, too. */
+    @Test
+    void noLevelIsInterpolatedAcrossTheBorderOfAShadow() {
+        List<TracedPlace> places = new ArrayList<>();
+        Random random = new Random(1);
+        for (int i = 0; i < 400; i++) {
+            Position at = new Position(100 * random.nextDouble(), 100 * random.nextDouble(), 10);
+            boolean isInSight = at.x() < 50;
+            places.add(new TracedPlace(at, isInSight, null, isInSight ? 3.0 : -9.0, isInSight ? 1.0 : 2.0));
+        }
+        ExcessMap step = new ExcessMap(places.subList(0, 300), places.subList(300, 400));
+        assertThat(step.at(new Position(49.999, 50, 10), true).orElseThrow().overExact())
+                .isEqualTo(1.0);
+        ExcessMap.Estimate hidden = step.at(new Position(50.001, 50, 10), false).orElseThrow();
+        assertThat(hidden.overExact()).isEqualTo(2.0);
+        assertThat(hidden.spread()).isZero();
+        assertThat(hidden.greatest()).isEqualTo(-9.0);
+        assertThat(step.error().largely()).isZero();
+        assertThat(step.at(new Position(150, 50, 10), true)).as("outside").isEmpty();
+    }
+
+    /** The error is that of the worst of 95 in a hundred positions; the deviation accounts for the worst of all. */
+    @Test
+    void theErrorIsMeasuredWhereNothingWasTraced() {
+        List<TracedPlace> places = new ArrayList<>();
+        List<TracedPlace> heldOut = new ArrayList<>();
+        for (int i = 0; i < 400; i++) {
+            places.add(new TracedPlace(new Position(i % 20, i / 20, 0), true, null, 0.0, 0.0));
+        }
+        for (int i = 0; i < 100; i++) {
+            Position at = new Position(4.5 + 0.1 * i, 7.3, 0);
+            heldOut.add(new TracedPlace(at, true, null, -0.01 * i, 0.01 * (i + 1)));
+        }
+        InterpolationError error = new ExcessMap(places, heldOut).error();
+        assertThat(error.places()).isEqualTo(400);
+        assertThat(error.heldOut()).isEqualTo(100);
+        assertThat(error.largely()).isCloseTo(0.95, within(1e-12));
+        ExcessMap.Estimate even = new ExcessMap.Estimate(0, 0, 0, 0, 0);
+        assertThat(3.0 * error.deviation(even, true)).isBetween(1.0, 1.3);
+        assertThat(error.bounds(true).beyond()).isBetween(0.99, 1.3);
+        assertThat(error.bounds(false)).as("too few are hidden").isEqualTo(error.bounds(true));
+    }
+
+    @Test
+    void fewCellsAreAllTracedAndTheLevelModelIsNotInterpolated() throws IOException {
+        assertThat(ExcessSurvey.of(each, columns, columns.openCount())).isEmpty();
+        Map<String, InterpolationError> none = FieldSite.in(directory, FieldSite.ALL)
+                .field(new FieldGrid(0.7, 0.3, 60, 20, List.of(60.0)), 1)
+                .interpolated();
+        assertThat(none).isEmpty();
+    }
+
+    @Test
+    void indoorsIsWhereNearlyNoSkyIsSeen() {
+        World site = each.world();
+        assertThat(ExcessSurvey.isIndoors(site, new Position(0, 0, 4))).isFalse();
+        assertThat(ExcessSurvey.isIndoors(site, new Position(0, 65, 4)))
+                .as("in the building")
+                .isTrue();
+        TriangleMesh roof =
+                TriangleMesh.of(new float[] {-9, -9, 5, 9, -9, 5, 9, 9, 5, -9, 9, 5}, new int[] {0, 1, 2, 0, 2, 3});
+        assertThat(ExcessSurvey.isIndoors(World.of(roof), new Position(0, 0, 0)))
+                .as("a shelter")
+                .isFalse();
+    }
+}
