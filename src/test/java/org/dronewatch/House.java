@@ -47,7 +47,7 @@ public final class House {
             new Storey("", "mesh.polygon", "geo"),
             new Storey("the ray kernel", "bvh", "raster"),
             new Storey("", "kdtree"),
-            new Storey("the ground", "sound", "sound.surface", "geometry", "parallel", "setting.."));
+            new Storey("the ground", "sound", "sound.surface", "statistics", "geometry", "parallel", "setting.."));
 
     private House() {}
 

@@ -14,13 +14,13 @@ import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
-import org.dronewatch.campaign.Proportion;
 import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Stopping;
 import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
 import org.dronewatch.report.campaign.CampaignWords;
+import org.dronewatch.statistics.Proportion;
 
 /** What the command {@code campaign} prints. */
 final class CampaignLines {

@@ -6,6 +6,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.statistics.Proportion;
 
 /**
  * What a campaign is expected to show: that the interval of a probability lies above a limit.

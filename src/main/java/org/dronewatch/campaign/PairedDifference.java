@@ -1,6 +1,7 @@
 package org.dronewatch.campaign;
 
 import org.apache.commons.numbers.gamma.RegularizedBeta;
+import org.dronewatch.statistics.Proportion;
 
 /**
  * Two variants on the same cases, compared by an outcome that each case has or lacks. Only the cases in which the

@@ -4,6 +4,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.statistics.Proportion;
 
 /**
  * When a sequence of cases is long enough: Chen's rule (X. Chen, Sequential Analysis 31, 2012, as applied by Jegourel,

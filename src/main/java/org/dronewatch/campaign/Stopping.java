@@ -2,6 +2,7 @@ package org.dronewatch.campaign;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.statistics.Proportion;
 
 /** Where a campaign ends: after a fixed number of cases, or when its rule stops. They are added in their order. */
 public final class Stopping {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import org.dronewatch.statistics.Proportion;
 
 /** The results of all cases of one variant. Results are added one by one; for one thread. */
 public final class VariantSummary {

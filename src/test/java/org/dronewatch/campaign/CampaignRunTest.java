@@ -15,6 +15,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.LongForm;
 import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -9,9 +9,9 @@ import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
-import org.dronewatch.campaign.Proportion;
 import org.dronewatch.campaign.VariantComparison;
 import org.dronewatch.report.html.Html;
+import org.dronewatch.statistics.Proportion;
 
 /** Which of the variants is better, whether that is more than chance, and which cases decide. */
 final class PairWords {

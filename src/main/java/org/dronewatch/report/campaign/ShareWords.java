@@ -5,7 +5,7 @@ import java.util.Locale;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
-import org.dronewatch.campaign.Proportion;
+import org.dronewatch.statistics.Proportion;
 
 /** Shares of cases and outcomes in the words of a report. */
 final class ShareWords {

@@ -9,10 +9,10 @@ import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
-import org.dronewatch.campaign.Proportion;
 import org.dronewatch.campaign.VariantSummary;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Rose;
+import org.dronewatch.statistics.Proportion;
 
 /** The variants of a campaign in tables and figures. */
 final class VariantTables {

@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.statistics;
 
 import org.apache.commons.numbers.gamma.InverseErfc;
 
@@ -43,7 +43,7 @@ public record Proportion(int count, int of) {
     }
 
     /** The number of standard deviations within which a normally distributed value lies with some confidence. */
-    static double normal(double confidence) {
+    public static double normal(double confidence) {
         return Math.sqrt(2.0) * InverseErfc.value(1.0 - confidence);
     }
 

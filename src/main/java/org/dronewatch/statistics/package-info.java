@@ -1,0 +1,2 @@
+/** Statistics that campaigns and routes share. */
+package org.dronewatch.statistics;
