@@ -9,6 +9,7 @@ import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.LowApproach;
 import org.dronewatch.flight.PopUp;
 import org.dronewatch.flight.Recorded;
+import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.Steered;
 import org.dronewatch.flight.TerrainFollowing;
 import org.dronewatch.flight.mission.Mission;
@@ -61,6 +62,7 @@ public final class BuiltInKinds implements KindGroup {
                 flight("approach", FlightPathSettings.Approach.class, "flies straight from one point to another"),
                 flight("inbound", FlightPathSettings.Inbound.class, "flies level and straight towards a target"),
                 flight("waypoints", FlightPathSettings.Waypoints.class, "flies from waypoint to waypoint"),
+                flight("route", RouteFlight.class, "flies straight legs without stopping, each at its own speed"),
                 flight("glide", FlightPathSettings.Glide.class, "climbs under power, then glides without motors"),
                 flight("orbit", FlightPathSettings.Orbit.class, "flies level circles round a point"),
                 flight("terrain-following", TerrainFollowing.class, "flies low over the ground, from point to point"),
