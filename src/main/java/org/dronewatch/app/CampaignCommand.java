@@ -2,32 +2,24 @@ package org.dronewatch.app;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
-import org.dronewatch.campaign.CaseResult;
-import org.dronewatch.campaign.CaseRun;
 import org.dronewatch.campaign.Expectation;
+import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Shard;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.report.campaign.CampaignWords;
-import org.dronewatch.report.provenance.ProvenanceFile;
-import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
-import org.dronewatch.setting.file.FileHash;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -50,7 +42,7 @@ import tools.jackson.databind.node.ObjectNode;
             "Examples:",
             "  dronewatch campaign scenes/two-radars.campaign.yaml --out vendors",
             "  dronewatch campaign scenes/two-radars.campaign.yaml --out vendors --resume",
-            "  dronewatch campaign scenes/two-radars.campaign.yaml --case 10",
+            "  dronewatch campaign scenes/two-radars.campaign.yaml --case 10 --view --variant spotter",
             "  dronewatch campaign scenes/two-radars.campaign.yaml --shard 1/4 --out part-1"
         })
 final class CampaignCommand implements Callable<Integer> {
@@ -59,6 +51,15 @@ final class CampaignCommand implements Callable<Integer> {
 
     @Option(names = "--runs", paramLabel = "N", description = "Number of cases instead of that in the file.")
     private Integer runs;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers instead of that in the file.")
+    private Long seed;
+
+    @Option(
+            names = "--set",
+            paramLabel = "PATH=VALUE",
+            description = "Overrides a setting in every variant that does not set it itself.")
+    private List<String> overrides = new ArrayList<>();
 
     @Option(
             names = "--out",
@@ -70,12 +71,6 @@ final class CampaignCommand implements Callable<Integer> {
             names = "--resume",
             description = "Completes what an interrupted run of the same campaign left in the directory.")
     private boolean resume;
-
-    @Option(
-            names = "--case",
-            paramLabel = "K",
-            description = "Runs a single case, counted from 0, and prints its results; nothing is written.")
-    private Integer only;
 
     @Option(
             names = "--shard",
@@ -90,6 +85,9 @@ final class CampaignCommand implements Callable<Integer> {
     private String junit;
 
     @Mixin
+    private CaseOptions single = new CaseOptions();
+
+    @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
     @ParentCommand
@@ -102,6 +100,7 @@ final class CampaignCommand implements Callable<Integer> {
     public Integer call() {
         Path given = PathWord.of("campaign file", file);
         Shard part = shard();
+        boolean isSingle = single.isAsked();
         return threads.call(() -> {
             CampaignPlan plan = plan(spec.commandLine().getErr());
             if (!part.isAll() && plan.settings().until().isPresent()) {
@@ -109,7 +108,7 @@ final class CampaignCommand implements Callable<Integer> {
                         + ": a campaign that ends by 'until' cannot be divided, because the results of the"
                         + " cases determine how many are run");
             }
-            return only == null ? runAll(plan, part, name(given)) : runOne(plan);
+            return isSingle ? runOne(plan) : runAll(plan, part, name(given));
         });
     }
 
@@ -140,23 +139,17 @@ final class CampaignCommand implements Callable<Integer> {
      * @param command the arguments of the command line that gives them
      */
     ObjectNode provenance(CampaignPlan plan, List<String> command) {
-        Path given = PathWord.of("campaign file", file);
-        List<FileHash> files = new ArrayList<>(List.of(InputFiles.hash(given)));
-        plan.settings()
-                .table()
-                .ifPresent(name -> files.add(InputFiles.hash(directory(given).resolve(name))));
-        Map<String, InputFiles> variants = new LinkedHashMap<>();
-        plan.variants().forEach(name -> variants.put(name, plan.inputs(name)));
-        return ProvenanceFile.of(Instant.now(), command, threads.number(), files, variants);
+        return CampaignOrigin.of(plan, Optional.of(PathWord.of("campaign file", file)), command, threads.number());
     }
 
     private CampaignSettings settings(Path given) {
         CampaignSettings settings = CampaignReader.read(given);
-        if (runs == null) {
-            return settings;
+        if (!overrides.isEmpty()) {
+            settings = settings.withCommon(SetOption.parsed("--set", overrides));
         }
         try {
-            return new SettingsPath("runs").write(settings, Integer.toString(runs));
+            settings = seed == null ? settings : new SettingsPath("seed").write(settings, Long.toString(seed));
+            return runs == null ? settings : new SettingsPath("runs").write(settings, Integer.toString(runs));
         } catch (InputException e) {
             throw new InputException("--" + e.getMessage(), e);
         }
@@ -164,9 +157,9 @@ final class CampaignCommand implements Callable<Integer> {
 
     /** What runs a case of this campaign again, without {@code --case} and its number. */
     String caseCommand() {
-        String plain = PlainText.value(file);
-        String word = plain.matches("[\\w./:\\\\-]+") ? plain : '"' + plain + '"';
-        return "dronewatch campaign " + word + (runs == null ? "" : " --runs " + runs);
+        StringBuilder words = new StringBuilder("dronewatch campaign ").append(ShellWord.of(file));
+        overrides.forEach(one -> words.append(" --set ").append(ShellWord.of(one)));
+        return words + (runs == null ? "" : " --runs " + runs) + (seed == null ? "" : " --seed " + seed);
     }
 
     private static String name(Path given) {
@@ -174,16 +167,11 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     private int runOne(CampaignPlan plan) {
-        if (only < 0 || only >= plan.size()) {
-            throw new InputException("--case " + only + ": must be 0 to " + (plan.size() - 1));
-        }
-        PrintWriter target = spec.commandLine().getOut();
-        CampaignLines.printValues(plan, only, target);
-        for (String variant : plan.variants()) {
-            CaseResult result = CaseRun.of(plan, only, variant);
-            CampaignLines.print(result, target);
-        }
-        return 0;
+        return single.run(
+                plan,
+                threads.number(),
+                spec.commandLine().getOut(),
+                spec.commandLine().getErr());
     }
 
     private int runAll(CampaignPlan plan, Shard part, String name) {
@@ -196,17 +184,11 @@ final class CampaignCommand implements Callable<Integer> {
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             files.writeProvenance(
                     provenance(plan, spec.root().commandLine().getParseResult().originalArgs()));
-            boolean whole = true;
-            try {
-                run(new CampaignRun(plan, plan, part), files.chunks(), name);
-                plan.sensitivity()
-                        .ifPresent(cases ->
-                                run(new CampaignRun(plan, cases, part), files.chunks(cases), name + ": sensitivity"));
-            } catch (CancellationException e) {
-                if (!interruption.happened()) {
-                    throw e;
-                }
-                whole = false;
+            CaseRuns runner = new CaseRuns(interruption, err);
+            boolean whole = runner.run(new CampaignRun(plan, plan, part), files.chunks(), name);
+            if (whole && plan.sensitivity().isPresent()) {
+                SensitivityCases further = plan.sensitivity().get();
+                whole = runner.run(new CampaignRun(plan, further, part), files.chunks(further), name + ": sensitivity");
             }
             interruption.letFinish();
             CampaignResult result = files.finish(Optional.of(caseCommand()));
@@ -238,12 +220,5 @@ final class CampaignCommand implements Callable<Integer> {
             }
         }
         return code;
-    }
-
-    private void run(CampaignRun run, CampaignRun.Chunks chunks, String name) {
-        PrintWriter err = spec.commandLine().getErr();
-        try (CaseProgress progress = new CaseProgress(name, run.size(), err)) {
-            run.run(chunks, progress);
-        }
     }
 }

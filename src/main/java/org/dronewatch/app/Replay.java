@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.report.provenance.RecordedCommand;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scenes.PackagedScene;
@@ -24,12 +25,13 @@ import picocli.CommandLine.ParseResult;
 final class Replay {
     private static final String RUN = "run";
     private static final String CAMPAIGN = "campaign";
+    private static final String COMPARE = "compare";
 
     private static final String SHARD = "--shard";
 
     /** The options that decide the results. */
     private static final Set<String> KEPT =
-            Set.of("--set", "--seed", "--observations", "--labels", "--samples", "--runs", SHARD);
+            Set.of("--set", "--with", "--vary", "--seed", "--observations", "--labels", "--samples", "--runs", SHARD);
 
     private final Path file;
     private final ParseResult parsed;
@@ -51,8 +53,8 @@ final class Replay {
         } catch (ParameterException e) {
             throw refusal("its command cannot be read: " + WrongUsage.message(e));
         }
-        if (parsed == null || !Set.of(RUN, CAMPAIGN).contains(name())) {
-            throw refusal("only 'run' and 'campaign' can be repeated");
+        if (parsed == null || !Set.of(RUN, CAMPAIGN, COMPARE).contains(name())) {
+            throw refusal("only 'run', 'campaign' and 'compare' can be repeated");
         }
     }
 
@@ -91,6 +93,7 @@ final class Replay {
         }
         for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
             if (KEPT.contains(option.longestName())) {
+                option.originalStringValues().forEach(this::checkScene);
                 add(option, words);
             }
         }
@@ -102,13 +105,21 @@ final class Replay {
         if (value.startsWith("@") || value.startsWith("-")) {
             throw refusal("'" + PlainText.value(value) + "' is not the name of a scene");
         }
-        if (name().equals(RUN)
+        if (!name().equals(CAMPAIGN)
                 && !SceneFile.isFileName(value)
                 && PackagedScene.find(value).isEmpty()) {
             throw refusal("the scene '" + PlainText.value(value)
                     + "' is a class, which is not loaded because a file names it: run it yourself");
         }
         return value;
+    }
+
+    /** A setting may name the scene of a variant. */
+    private void checkScene(String value) {
+        int equals = value.indexOf('=');
+        if (equals > 0 && value.substring(0, equals).strip().equals(CampaignSettings.SCENE)) {
+            checked(value.substring(equals + 1).strip());
+        }
     }
 
     private static void add(OptionSpec option, List<String> words) {

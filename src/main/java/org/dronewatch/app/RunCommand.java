@@ -97,7 +97,7 @@ final class RunCommand implements Callable<Integer> {
         Path directory = directory(scene);
         Optional<String> obstacle = view ? Viewer.obstacle() : Optional.empty();
         if (obstacle.isPresent()) {
-            err.println(ViewCommand.noWindow(obstacle.get()));
+            err.println(SceneWindow.noWindow(obstacle.get()));
             return Main.NO_DISPLAY;
         }
         if (rays != null) {

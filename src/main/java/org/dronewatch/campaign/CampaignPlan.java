@@ -12,7 +12,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.GivenScene;
 import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
@@ -215,6 +217,19 @@ public final class CampaignPlan implements Cases {
      */
     public SceneSettings settings(int number, String variant) {
         return settings(this, number, variant);
+    }
+
+    /**
+     * A case as a scene.
+     *
+     * @throws InputException when its values are not valid together
+     */
+    public CaseScene scene(int number, String variant) {
+        CampaignVariant of = variants.get(variant);
+        String name = of.described().name() + ", case " + number
+                + (settings.variants().isEmpty() ? "" : " (" + variant + ")");
+        Scene scene = new GivenScene(name, of.described().directory(), settings(number, variant));
+        return new CaseScene(scene, new SceneRunner(scene).share(of.models()));
     }
 
     SceneSettings settings(Cases cases, int number, String variant) {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
@@ -110,6 +111,27 @@ public record CampaignSettings(
     /** A copy with other variants. */
     public CampaignSettings withVariants(Map<String, Map<String, String>> others) {
         return SettingsForm.with(this, "variants", others);
+    }
+
+    /**
+     * A copy with settings that all variants share, unless a variant sets them itself.
+     *
+     * @param shared values by the paths of settings
+     * @throws org.dronewatch.setting.InputException when one of them varies
+     */
+    public CampaignSettings withCommon(Map<String, String> shared) {
+        Map<String, Map<String, String>> others = new LinkedHashMap<>();
+        Map<String, Map<String, String>> named = variants.isEmpty() ? Map.of(ALONE, Map.of()) : variants;
+        named.forEach((name, changes) -> {
+            Map<String, String> all = new LinkedHashMap<>(shared);
+            all.putAll(changes);
+            others.put(name, all);
+        });
+        try {
+            return withVariants(others);
+        } catch (IllegalArgumentException e) {
+            throw new InputException("--set: " + e.getMessage(), e);
+        }
     }
 
     /** The number of cases, or, if it depends on their outcomes, the largest number. */

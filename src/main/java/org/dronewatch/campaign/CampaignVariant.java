@@ -21,11 +21,13 @@ import org.dronewatch.setting.file.LinkOut;
  *
  * @param name its name
  * @param scene name of its scene
+ * @param described that scene, without the variant's own settings
  * @param settings those that all cases share
  * @param runner of the scene
  * @param models of the scene, loaded; for all threads
  */
-record CampaignVariant(String name, String scene, SceneSettings settings, SceneRunner runner, ModelCache models) {
+record CampaignVariant(
+        String name, String scene, Scene described, SceneSettings settings, SceneRunner runner, ModelCache models) {
     /**
      * Reads a variant's scene and loads its models.
      *
@@ -44,7 +46,8 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
             Optional<CampaignVariant> first,
             Consumer<String> notes) {
         String named = changes.getOrDefault(CampaignSettings.SCENE, scene);
-        SceneRunner runner = new SceneRunner(scenes.apply(named)).notes(notes);
+        Scene described = scenes.apply(named);
+        SceneRunner runner = new SceneRunner(described).notes(notes);
         first.filter(other -> other.scene().equals(named)).ifPresent(other -> runner.share(other.models()));
         changes.forEach((path, value) -> {
             if (!path.equals(CampaignSettings.SCENE)) {
@@ -53,7 +56,7 @@ record CampaignVariant(String name, String scene, SceneSettings settings, SceneR
         });
         SceneSettings settings = runner.settings().withoutSweep();
         runner.checkPilot(settings);
-        return new CampaignVariant(name, named, settings, runner, runner.load(settings));
+        return new CampaignVariant(name, named, described, settings, runner, runner.load(settings));
     }
 
     /** Not a class by its name: no code is loaded from data. */

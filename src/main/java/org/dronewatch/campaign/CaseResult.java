@@ -23,6 +23,8 @@ import java.util.OptionalDouble;
  * @param alert when the first alert was raised for an attacking drone, s; empty if never
  * @param warning the warning time of that alert, s; empty without alert or zone
  * @param inTime whether it came in time; empty where nothing is protected or no response time is required
+ * @param closest the least distance of an attacking drone to what is protected, m: 0 if one reached it; empty where
+ *     nothing is protected
  * @param drones the outcome for each attacking drone, by name, in the order of the scene; empty in a case that failed
  */
 public record CaseResult(
@@ -38,6 +40,7 @@ public record CaseResult(
         OptionalDouble alert,
         OptionalDouble warning,
         Optional<Boolean> inTime,
+        OptionalDouble closest,
         Map<String, DroneOutcome> drones) {
     /** Copies the list and the map. */
     public CaseResult {
@@ -60,6 +63,7 @@ public record CaseResult(
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
                 Optional.empty(),
+                OptionalDouble.empty(),
                 Map.of());
     }
 

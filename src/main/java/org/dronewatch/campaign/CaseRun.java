@@ -14,6 +14,7 @@ import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.run.Stage;
+import org.dronewatch.run.ZoneApproach;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -78,7 +79,21 @@ public final class CaseRun {
                 alert.map(AlertResult::time).orElse(OptionalDouble.empty()),
                 alert.map(AlertResult::warning).orElse(OptionalDouble.empty()),
                 inTime,
+                closest(stage, run),
                 drones(run));
+    }
+
+    private static OptionalDouble closest(Stage stage, RunResult run) {
+        if (stage.protection().isEmpty()) {
+            return OptionalDouble.empty();
+        }
+        return run.attackAlerts().stream()
+                .mapToDouble(one -> one.entered().isPresent() ? 0.0 : closest(stage, one.drone(), run.simulated()))
+                .min();
+    }
+
+    private static double closest(Stage stage, String drone, double simulated) {
+        return new ZoneApproach(stage.flight(drone), stage.protection(), simulated).closest();
     }
 
     private static Map<String, DroneOutcome> drones(RunResult run) {

@@ -1,5 +1,6 @@
 package org.dronewatch.flight;
 
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -17,6 +18,20 @@ public interface FlightPath {
      * @param time seconds since the start of the run, 0 or more
      */
     FlightState at(double time);
+
+    /**
+     * The position of the state at a time, m: the same bits, but cheaper where the attitude takes long to compute.
+     *
+     * @param time seconds since the start of the run, 0 or more
+     */
+    default Position position(double time) {
+        return at(time).position();
+    }
+
+    /** A speed that the drone never exceeds on this path, m/s; empty if none is known. */
+    default OptionalDouble topSpeed() {
+        return OptionalDouble.empty();
+    }
 
     /**
      * The drone's acceleration, which determines its tilt. By default, it is the mean over the half second around a

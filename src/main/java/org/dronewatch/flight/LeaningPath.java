@@ -1,5 +1,6 @@
 package org.dronewatch.flight;
 
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -19,6 +20,17 @@ record LeaningPath(FlightPath path, Airframe airframe) implements FlightPath {
         }
         Position force = path.acceleration(time).plus(AGAINST_GRAVITY);
         return state.withAttitude(airframe.lean(state.heading(), state.velocity(), force));
+    }
+
+    /** Leaning does not move it. */
+    @Override
+    public Position position(double time) {
+        return path.position(time);
+    }
+
+    @Override
+    public OptionalDouble topSpeed() {
+        return path.topSpeed();
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.dronewatch.flight;
 
 import java.util.Arrays;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /** A path over a ground track at constant speed through space, which stays at its end. */
@@ -44,6 +45,11 @@ final class TerrainPath implements FlightPath {
         Position direction = leg.times(1.0 / length);
         return new FlightState(
                 from.plus(direction.times(travelled - flown[next - 1])), direction.times(speed), heading(next));
+    }
+
+    @Override
+    public OptionalDouble topSpeed() {
+        return OptionalDouble.of(speed);
     }
 
     /** Along the segment of the track that ends at a cut. */

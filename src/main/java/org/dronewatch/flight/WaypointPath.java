@@ -2,6 +2,7 @@ package org.dronewatch.flight;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -13,8 +14,10 @@ final class WaypointPath implements FlightPath {
     private static final double STRAIGHT = 1e-5;
 
     private final List<Straight> straights = new ArrayList<>();
+    private final double speed;
 
     WaypointPath(List<Position> points, double speed, double acceleration) {
+        this.speed = speed;
         Position start = points.get(0);
         double time = 0.0;
         for (int i = 1; i < points.size(); i++) {
@@ -43,6 +46,11 @@ final class WaypointPath implements FlightPath {
         }
         Straight last = straights.get(straights.size() - 1);
         return last.at(last.duration);
+    }
+
+    @Override
+    public OptionalDouble topSpeed() {
+        return OptionalDouble.of(speed);
     }
 
     /** One straight leg, flown from rest to rest. */

@@ -27,9 +27,6 @@ import org.dronewatch.tracking.PerfectAssociation;
  * warning time.
  */
 public final class AlertWatch {
-    /** A flight is approximated by this number of straight segments of equal duration. */
-    private static final int MOMENTS = 10_000;
-
     private final int run;
     private final SceneSettings settings;
     private final Sightline sightline;
@@ -170,7 +167,7 @@ public final class AlertWatch {
         Optional<Boolean> inTime = Optional.empty();
         Optional<String> zone = Optional.empty();
         if (wanted.isProtecting()) {
-            entered = entered(drone.id(), protection, stage, simulated);
+            entered = new ZoneApproach(stage.flight(drone.id()), protection, simulated).entered();
             zone = zone(drone.id(), entered, position, stage);
             if (position.isPresent()) {
                 distance = OptionalDouble.of(protection.distance(position.get()));
@@ -196,20 +193,5 @@ public final class AlertWatch {
         return entered.isPresent()
                 ? protection.nearest(stage.positionOf(drone, entered.getAsDouble()))
                 : atAlert.flatMap(protection::nearest);
-    }
-
-    /** Tests straight segments of its flight, so that no drone is too fast to be noticed. */
-    private static OptionalDouble entered(String drone, Protection zone, Stage stage, double simulated) {
-        Position before = stage.positionOf(drone, 0.0);
-        double step = simulated / MOMENTS;
-        for (int i = 1; i <= MOMENTS; i++) {
-            Position next = stage.positionOf(drone, i * step);
-            OptionalDouble share = zone.entry(before, next);
-            if (share.isPresent()) {
-                return OptionalDouble.of((i - 1 + share.getAsDouble()) * step);
-            }
-            before = next;
-        }
-        return OptionalDouble.empty();
     }
 }

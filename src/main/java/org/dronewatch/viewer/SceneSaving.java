@@ -27,7 +27,7 @@ final class SceneSaving {
      */
     SceneSaving(ViewerPane pane, String name, BiFunction<SceneSettings, Path, String> text) {
         this.pane = pane;
-        this.name = name;
+        this.name = name.replaceAll("[^\\w.-]+", "-").replaceFirst("-$", "");
         this.text = text;
     }
 

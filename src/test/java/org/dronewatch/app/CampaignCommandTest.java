@@ -1,6 +1,7 @@
 package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,6 +12,7 @@ import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
+import org.dronewatch.viewer.Viewer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -300,6 +302,31 @@ class CampaignCommandTest {
         assertThat(directory.resolve("none")).doesNotExist();
     }
 
+    /** Without a display: CaseWindowTest opens the window. */
+    @Test
+    void aCaseIsNotShownWithoutADisplay() {
+        assumeTrue(Viewer.obstacle().isPresent(), "there is a display");
+        Outcome shown = campaign("none", "--case=7", "--view");
+
+        assertThat(shown.code()).isEqualTo(3);
+        assertThat(shown.out()).isEmpty();
+        assertThat(shown.complaints()).hasSize(1).first().asString().startsWith("cannot open a window: ");
+    }
+
+    @Test
+    void seedAndSettingsMayBeOverridden() {
+        Outcome first = campaign("none", "--case=7", "--variant=far");
+        Outcome seeded = campaign("none", "--case=7", "--variant=far", "--seed=2");
+        Outcome blind = campaign("none", "--case=7", "--set=sensors.radar.maxRange=12 m");
+
+        assertThat(first.out()).contains("\nfar: ").doesNotContain("near: ");
+        assertThat(seeded.out()).contains("case 7, seed ").isNotEqualTo(first.out());
+        assertThat(blind.out().lines().toList())
+                .as("near sets a range of its own")
+                .anyMatch(line -> line.startsWith("near: first detected"))
+                .anyMatch(line -> line.startsWith("far: never detected"));
+    }
+
     @Test
     void whatIsThereIsNotOverwritten() throws IOException {
         assertThat(campaign("whole").code()).isEqualTo(2);
@@ -312,6 +339,12 @@ class CampaignCommandTest {
     @Test
     void wrongInputIsOneLineAndLeavesNothing() throws IOException {
         refused(campaign("new", "--case=60"), "--case 60: must be 0 to 59");
+        refused(campaign("new", "--view"), "--view: needs --case K, the case to be run");
+        refused(campaign("new", "--case=1", "--variant=none"), "--variant none: no such variant; there is near, far");
+        refused(
+                campaign("new", "--set=drones.intruder.speed=1"),
+                "'drones.intruder.speed' would override 'drones.intruder.speed', which varies");
+        refused(campaign("new", "--set=sensors.rader.maxRange=1"), "sensors.rader.maxRange");
         refused(campaign("new", "--runs=0"), "--runs=0: runs 0 must be 1 to 1e6");
         Path file = Files.writeString(
                 directory.resolve("bad.yaml"), "scene: site.yaml\nvary: {a.b: {values: [1]}}\nruns: 5\n");

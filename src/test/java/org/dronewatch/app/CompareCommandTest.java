@@ -70,9 +70,7 @@ class CompareCommandTest {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out()).containsPattern("site-changed +20 +0 +0\\.0 \\(0\\.0 to");
         assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(41);
-        assertThat(Files.readString(out.resolve("report.html")))
-                .contains("runs.csv")
-                .doesNotContain("provenance.json");
+        assertThat(Files.readString(out.resolve("report.html"))).contains("runs.csv", "provenance.json");
         assertThat(JsonMapper.builder()
                         .build()
                         .readTree(out.resolve("campaign.json").toFile())
@@ -81,8 +79,75 @@ class CompareCommandTest {
                 .isEqualTo(7);
     }
 
+    private static List<String> bytes(Path results) throws IOException {
+        return List.of(
+                Files.readString(results.resolve("runs.csv")),
+                Files.readString(results.resolve("campaign.json")),
+                Files.readString(results.resolve("report.html")),
+                Files.readString(results.resolve("plan.json")));
+    }
+
+    /** As Ctrl-C leaves it, with whole chunks and no report. */
+    @Test
+    void anInterruptedComparisonIsCompletedWithTheSameBytesAndCanBeRepeated() throws IOException {
+        Path out = directory.resolve("interrupted");
+        String[] command = {site, "--with=sensors.radar.maxRange=350m", "--runs=70", "--out=" + out};
+        Outcome whole = compare(command);
+        assertThat(whole.code()).as(whole.err()).isZero();
+        List<String> before = bytes(out);
+        Outcome again = Program.run("again", out.resolve("provenance.json").toString());
+        assertThat(again.code()).as(again.out() + again.err()).isZero();
+        assertThat(again.out()).contains("the results have the same bytes");
+
+        Files.delete(out.resolve("chunks/000000.csv"));
+        Files.delete(out.resolve("report.html"));
+        Files.delete(out.resolve("campaign.json"));
+        refused(compare(command), "holds this campaign already: add --resume");
+        Outcome resumed =
+                compare(Stream.concat(Stream.of(command), Stream.of("--resume")).toArray(String[]::new));
+        assertThat(resumed.code()).as(resumed.err()).isZero();
+        assertThat(bytes(out)).isEqualTo(before);
+        assertThat(resumed.out()).isEqualTo(whole.out());
+        refused(
+                compare(site, "--with=sensors.radar.maxRange=340m", "--runs=70", "--out=" + out, "--resume"),
+                "holds another campaign");
+    }
+
+    @Test
+    void aSingleCaseIsThatOfTheComparison() throws IOException {
+        Path out = directory.resolve("single");
+        String[] command = {site, "--with=sensors.radar.maxRange=350m", "--runs=9", "--seed=5"};
+        assertThat(compare(Stream.concat(Stream.of(command), Stream.of("--out=" + out))
+                                .toArray(String[]::new))
+                        .code())
+                .isZero();
+        Outcome single =
+                compare(Stream.concat(Stream.of(command), Stream.of("--case=8")).toArray(String[]::new));
+        List<String> row =
+                List.of(Files.readAllLines(out.resolve("runs.csv")).get(17).split(","));
+
+        assertThat(single.code()).as(single.err()).isZero();
+        assertThat(single.out()).contains("case 8, seed " + row.get(2), "bearing=" + row.get(3), "site-changed: ");
+    }
+
+    /** The range of all, and then that of the second alone. */
+    @Test
+    void aSettingMayBeOverriddenInBoth() {
+        Outcome neither = compare(site, site, "--set=sensors.radar.maxRange=12m", "--runs=3");
+        Outcome second =
+                compare(site, "--set=sensors.radar.maxRange=12m", "--with=sensors.radar.maxRange=400m", "--runs=3");
+
+        assertThat(neither.out()).containsPattern("site +3 +0 +0\\.0 .*").containsPattern("site-changed +3 +0 +0\\.0 ");
+        assertThat(second.out())
+                .containsPattern("site +3 +0 +0\\.0 .*")
+                .doesNotContainPattern("site-changed +3 +0 +0\\.0 ");
+    }
+
     @Test
     void wrongInputIsOneLine() {
+        refused(compare(site, site, "--resume"), "--resume: needs --out DIR");
+        refused(compare(site, site, "--view"), "--view: needs --case K");
+        refused(compare(site, "--set=sensors.radar.maxRange=1m"), "needs a second scene, or --with PATH=VALUE");
         refused(compare(site), "needs a second scene, or --with PATH=VALUE");
         refused(compare(site, "--with=sensors.radar"), "--with sensors.radar: must be PATH=VALUE");
         refused(compare(site, "--with=sensors.rader.maxRange=1"), "sensors.rader.maxRange");

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.RunResult;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.InputException;
@@ -74,6 +75,21 @@ class CampaignRunTest {
     void aCaseAloneIsThatOfTheCampaignForAnyNumberOfThreads() {
         assertThat(results(plan, 1)).isEqualTo(results);
         assertThat(CaseRun.of(plan, 57, "near")).isEqualTo(results.get(114));
+    }
+
+    /** What the window shows of a case is what the case gave: DSOL drives one, and a plain loop the other. */
+    @Test
+    void aCaseAsASceneGivesTheResultsOfTheCase() {
+        for (String variant : plan.variants()) {
+            CaseScene one = plan.scene(57, variant);
+            RunResult run = one.runner().threads(2).run().runs().get(0);
+            CaseResult kept = CaseRun.of(plan, 57, variant);
+
+            assertThat(one.scene().name()).isEqualTo("site, case 57 (" + variant + ")");
+            assertThat(run.alerts().get(0).time()).isEqualTo(kept.alert());
+            assertThat(run.alerts().get(0).warning()).isEqualTo(kept.warning());
+            assertThat(run.pairs().get(0).firstDetected()).isEqualTo(kept.firstDetected());
+        }
     }
 
     @Test

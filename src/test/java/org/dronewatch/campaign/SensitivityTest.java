@@ -61,6 +61,7 @@ class SensitivityTest {
                     OptionalDouble.empty(),
                     OptionalDouble.of(warning(cases, number)),
                     Optional.empty(),
+                    OptionalDouble.empty(),
                     Map.of()));
         }
         sensitivity.add(results);

@@ -35,7 +35,8 @@ final class CaseTable {
             "warning_s",
             "in_time",
             "bearing_deg",
-            "drones");
+            "drones",
+            "closest_m");
     private static final String DONE = "done";
     private static final String FAILED = "failed";
 
@@ -97,6 +98,7 @@ final class CaseTable {
         row.add(result.drones().entrySet().stream()
                 .map(drone -> drone.getKey() + "=" + word(drone.getValue()))
                 .collect(Collectors.joining(" ")));
+        row.add(text(result.closest()));
         return row;
     }
 
@@ -143,6 +145,7 @@ final class CaseTable {
                 number(row.get(after + 5)),
                 number(row.get(after + 6)),
                 word(row.get(after + 7)).map(Boolean::valueOf),
+                number(row.get(after + 10)),
                 drones(row.get(after + 9)));
     }
 

@@ -1,0 +1,140 @@
+package org.dronewatch.app;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.campaign.CampaignReader;
+import org.dronewatch.campaign.CampaignSettings;
+import org.dronewatch.campaign.Uniform;
+import org.dronewatch.campaign.Variation;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsPath;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** What {@code compare} compares, as a campaign of two variants. */
+final class ComparedScenes {
+    @Parameters(index = "0", paramLabel = "A", description = "A packaged scene, a scene file, or a class.")
+    private String first;
+
+    @Parameters(
+            index = "1",
+            arity = "0..1",
+            paramLabel = "B",
+            description = "The scene to compare it with; without it, scene A with the changes of --with.")
+    private String second;
+
+    @Option(
+            names = "--with",
+            paramLabel = "PATH=VALUE",
+            description = "What is different in the second scene, as for --set.")
+    private List<String> changes = new ArrayList<>();
+
+    @Option(
+            names = "--set",
+            paramLabel = "PATH=VALUE",
+            description = "Overrides a setting in both scenes; --with overrides one in the second only.")
+    private List<String> common = new ArrayList<>();
+
+    @Option(
+            names = "--vary",
+            paramLabel = "FILE.yaml",
+            description = "Campaign file that states what varies (vary, table), runs and seed.")
+    private String vary;
+
+    @Option(names = "--runs", paramLabel = "N", description = "Number of cases; 1,000 by default.")
+    private Integer runs;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
+    private Long seed;
+
+    /** The campaign file that states what varies, if one does. */
+    Optional<Path> file() {
+        return Optional.ofNullable(vary).map(name -> PathWord.of("--vary", name));
+    }
+
+    /**
+     * The campaign.
+     *
+     * @throws InputException in one line when anything is wrong
+     */
+    CampaignSettings settings() {
+        if (second == null && changes.isEmpty()) {
+            throw new InputException(
+                    "compare needs a second scene, or --with PATH=VALUE for what is different in the second one");
+        }
+        CampaignSettings settings = file().map(path -> CampaignReader.read(path).withScene(first))
+                .orElseGet(() -> CampaignSettings.of(first).withVary(allBearings()));
+        Map<String, String> both = SetOption.parsed("--set", common);
+        Map<String, String> other = new LinkedHashMap<>(both);
+        if (second != null) {
+            other.put(CampaignSettings.SCENE, second);
+        }
+        other.putAll(SetOption.parsed("--with", changes));
+        Map<String, Map<String, String>> variants = new LinkedHashMap<>();
+        variants.put(name(first, ""), both);
+        String name = name(second == null ? first : second, "");
+        variants.put(variants.containsKey(name) ? name(name, "-changed") : name, other);
+        try {
+            settings = settings.withVariants(variants);
+            settings = runs == null ? settings : new SettingsPath("runs").write(settings, Integer.toString(runs));
+            return seed == null ? settings : new SettingsPath("seed").write(settings, Long.toString(seed));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(e.getMessage(), e);
+        } catch (InputException e) {
+            throw new InputException("--" + e.getMessage(), e);
+        }
+    }
+
+    /** All bearings are equally likely for every drone, birds apart, whose flight has one. */
+    private Map<String, Variation> allBearings() {
+        SceneSettings scene = new SceneRunner(SceneChoice.named(first)).settings();
+        Variation any = Variation.of(new Uniform("0 deg", "360 deg"));
+        Map<String, Variation> bearings = new LinkedHashMap<>();
+        for (String drone : scene.drones().keySet()) {
+            String path = "drones." + drone + ".flight.bearing";
+            if (!scene.birds().contains(drone) && isThere(scene, path)) {
+                bearings.put(path, any);
+            }
+        }
+        return bearings;
+    }
+
+    private static boolean isThere(SceneSettings scene, String path) {
+        try {
+            new SettingsPath(path).read(scene);
+            return true;
+        } catch (InputException e) {
+            // A flight of another kind, which has no bearing.
+            return false;
+        }
+    }
+
+    private static String name(String scene, String suffix) {
+        String plain = scene.replaceFirst("(?i)\\.ya?ml$", "")
+                .replaceFirst(".*[/\\\\]", "")
+                .replaceAll("[^\\w.-]", "-")
+                .replaceFirst("^[^A-Za-z0-9]+", "");
+        String stem = plain.isEmpty() ? CampaignSettings.SCENE : plain;
+        return stem.substring(0, Math.min(stem.length(), 50)) + suffix;
+    }
+
+    /** What runs a case of the comparison again, without {@code --case} and its number. */
+    String caseCommand() {
+        StringBuilder words = new StringBuilder("dronewatch compare ").append(ShellWord.of(first));
+        if (second != null) {
+            words.append(' ').append(ShellWord.of(second));
+        }
+        changes.forEach(change -> words.append(" --with ").append(ShellWord.of(change)));
+        common.forEach(change -> words.append(" --set ").append(ShellWord.of(change)));
+        if (vary != null) {
+            words.append(" --vary ").append(ShellWord.of(vary));
+        }
+        return words + (runs == null ? "" : " --runs " + runs) + (seed == null ? "" : " --seed " + seed);
+    }
+}

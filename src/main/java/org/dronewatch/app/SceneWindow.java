@@ -1,0 +1,87 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.Viewer;
+
+/** A window in which a scene runs, then others that the user opens in it, until it is closed. */
+final class SceneWindow {
+    private final int threads;
+    private final PrintWriter err;
+
+    /**
+     * A window to come.
+     *
+     * @param threads that run scenes and draw
+     * @param err receives the notes of all runs
+     */
+    SceneWindow(int threads, PrintWriter err) {
+        this.threads = threads;
+        this.err = err;
+    }
+
+    /** Whether a window can be opened; if not, says why. */
+    boolean canOpen() {
+        Optional<String> obstacle = Viewer.obstacle();
+        obstacle.ifPresent(reason -> err.println(noWindow(reason)));
+        return obstacle.isEmpty();
+    }
+
+    /** One line for a person. */
+    static String noWindow(String obstacle) {
+        return "cannot open a window: " + obstacle + "; 'render' draws pictures without one";
+    }
+
+    /**
+     * Opens the window and returns when it is closed.
+     *
+     * @param first what is shown first
+     * @param begun is called when the window is open
+     * @throws RuntimeException the error with which the last run ended, unless the window was closed meanwhile
+     */
+    void show(Viewer.Subject first, Consumer<Viewer> begun) {
+        Optional<RuntimeException> failure = Optional.empty();
+        try (Viewer viewer = Viewer.open(first, threads, this::read)) {
+            begun.accept(viewer);
+            for (Optional<Viewer.Subject> shown = Optional.of(first); shown.isPresent(); shown = viewer.awaitNext()) {
+                failure = run(viewer, shown.get().runner());
+            }
+        }
+        if (failure.isPresent()) {
+            throw failure.get();
+        }
+    }
+
+    /** Another scene that the user opens in the window: as it is described, without the overrides of the first. */
+    private Viewer.Subject read(Path file) {
+        Scene scene = new SceneFile(file);
+        SceneRunner runner = new SceneRunner(scene).threads(threads);
+        runner.settings();
+        return new Viewer.Subject(scene, runner, Optional.of(file));
+    }
+
+    /** Runs a scene for a window; returns the error, unless the window is closed. */
+    private Optional<RuntimeException> run(Viewer viewer, SceneRunner runner) {
+        runner.notes(line -> {
+                    err.println(line);
+                    viewer.note(line);
+                })
+                .listener(viewer.listener())
+                .cancelWhen(viewer::isLeft);
+        try {
+            viewer.finished(runner.run().complete());
+            return Optional.empty();
+        } catch (RuntimeException e) {
+            if (viewer.isLeft()) {
+                return Optional.empty();
+            }
+            viewer.failed(e);
+            return Optional.of(e);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronewatch.app;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/** Settings as they are given on a command line. */
+final class SetOption {
+    private SetOption() {}
+
+    /**
+     * Values by their paths.
+     *
+     * @param option for messages
+     * @param words each {@code PATH=VALUE}
+     * @throws InputException in one line when one is not
+     */
+    static Map<String, String> parsed(String option, List<String> words) {
+        Map<String, String> values = new LinkedHashMap<>();
+        for (String word : words) {
+            int equals = word.indexOf('=');
+            if (equals < 1) {
+                throw new InputException(option + " " + PlainText.value(word) + ": must be PATH=VALUE");
+            }
+            values.put(
+                    word.substring(0, equals).strip(),
+                    word.substring(equals + 1).strip());
+        }
+        return values;
+    }
+}
