@@ -80,8 +80,7 @@ final class FieldOptions {
     @Option(
             names = AREA,
             paramLabel = "NAME",
-            description =
-                    "A protected zone of the scene, in place of --side: only cells with their middle in it count.")
+            description = "A protected zone of the scene, in place of --side: only cells whose centre is in it count.")
     private String area;
 
     @Option(
@@ -145,7 +144,7 @@ final class FieldOptions {
         boolean isEmpty = IntStream.range(0, grid.cells())
                 .allMatch(at -> grid.isOutside(at % grid.columns(), at / grid.columns()));
         if (isEmpty) {
-            throw new InputException(CELL + " " + grid.cell() + " m: must be smaller, since no cell has its middle in '"
+            throw new InputException(CELL + " " + grid.cell() + " m: must be smaller, since no cell has its centre in '"
                     + zone.name() + "'");
         }
         return grid;

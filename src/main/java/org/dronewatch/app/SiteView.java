@@ -95,10 +95,10 @@ final class SiteView {
                 return new int[] {width, height};
             }
         } catch (NumberFormatException e) {
-            throw new InputException("--size " + PlainText.value(size) + ": must be like 1280x800", e);
+            throw new InputException("--size " + PlainText.value(size) + ": must be WIDTHxHEIGHT, as in 1280x800", e);
         }
-        throw new InputException(
-                "--size " + PlainText.value(size) + ": must be like 1280x800, each from 64 to " + LARGEST);
+        throw new InputException("--size " + PlainText.value(size)
+                + ": must be WIDTHxHEIGHT, as in 1280x800, each from 64 to " + LARGEST);
     }
 
     /** Checks what a film does not show. */

@@ -39,7 +39,7 @@ public final class RayFile {
                     .getInt();
             long expected = Integer.BYTES + (long) count * RAY_BYTES;
             if (count < 1 || count > MAX_RAYS || Files.size(file) != expected) {
-                throw new InputException(file + ": says " + count + " rays and has " + Files.size(file)
+                throw new InputException(file + ": states a count of " + count + " rays and has " + Files.size(file)
                         + " bytes; needs 1 to " + MAX_RAYS + " rays and 4 + 24 bytes for each");
             }
             float[] rays = new float[count * RaySet.FLOATS];

@@ -55,8 +55,8 @@ final class BuildingSite {
     /** A warning if the scene's system is used instead of the file's. */
     Optional<String> overruled(MapFeatures map) {
         return given.flatMap(map.system()::overruled)
-                .map(stated -> file() + ": states " + stated + "; world.buildings.crs takes " + given.orElseThrow()
-                        + " instead");
+                .map(stated -> file() + ": states " + stated + ", but is read as " + given.orElseThrow()
+                        + " (world.buildings.crs)");
     }
 
     MapTransform transform(MapFeatures map) {

@@ -141,8 +141,9 @@ public record CampaignSettings(
 
     private static void checkNamed(String setting, String name, Map<String, ?> variants) {
         if (!variants.containsKey(name) && !(variants.isEmpty() && name.equals(ALONE))) {
-            throw new IllegalArgumentException(setting + " " + PlainText.value(name) + ": no such variant; there is "
-                    + (variants.isEmpty() ? ALONE : String.join(", ", variants.keySet())));
+            throw new IllegalArgumentException(
+                    setting + " " + PlainText.value(name) + ": no such variant; the campaign has "
+                            + (variants.isEmpty() ? ALONE : String.join(", ", variants.keySet())));
         }
     }
 

@@ -73,7 +73,7 @@ public final class VariantSummary {
         return cases;
     }
 
-    /** The cases that could not be run: they count in nothing else. */
+    /** The cases that could not be run: they are not included in anything else. */
     public int failed() {
         return failed;
     }

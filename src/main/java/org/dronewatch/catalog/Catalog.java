@@ -187,7 +187,7 @@ public final class Catalog implements Kinds.NamedSettings {
      * The sensors of a system, as if a scene file contained it.
      *
      * @param id the name of the system in the scene; its part {@code radar} is then {@code ID-radar}
-     * @param name of the system, one of which {@link #partsOf} knows the parts
+     * @param name of the system, one whose parts {@link #partsOf} knows
      * @param position of all of them, m
      * @throws InputException when one of its entries is wrong
      */

@@ -62,7 +62,7 @@ public enum Airframe {
     /**
      * The attitude for an acceleration.
      *
-     * @param yaw where the nose points, which stays, rad
+     * @param yaw where the nose points, which does not change, rad
      * @param velocity m/s
      * @param force that carries and accelerates the drone, per unit of mass: acceleration minus gravity, m/s2
      */

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * Several drones of one kind that fly in formation: each flies the leader's path, displaced by a constant vector. The
- * formation is set up by the leader's heading at time 0 and does not turn with it. A leader that follows the terrain
+ * formation is oriented by the leader's heading at time 0 and does not turn with it. A leader that follows the terrain
  * follows the ground below itself, not below the others.
  *
  * @param count number of drones, including the leader, 1 to 1000

@@ -47,7 +47,7 @@ public final class FilmMaker {
             FilmEncoder encoder = new FilmEncoder(channel, film.fps());
             for (int frame = 0; frame < film.frames(); frame++) {
                 if (cancelled.getAsBoolean()) {
-                    throw new CancellationException("the film was cancelled");
+                    throw new CancellationException("the video was cancelled");
                 }
                 encoder.add(pictures.apply(film.time(frame)));
                 progress.accept(frame + 1);
@@ -55,7 +55,7 @@ public final class FilmMaker {
             encoder.finish();
         } catch (ClosedByInterruptException e) {
             // Whoever asks a command to end interrupts what it waits for, too.
-            throw new CancellationException("the film was cancelled");
+            throw new CancellationException("the video was cancelled");
         }
     }
 }

@@ -79,7 +79,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     public RunReport(Scene scene, Path target, boolean withObservations) {
         if (Files.isRegularFile(target.resolve(COVERAGE))) {
             throw new InputException("output directory " + PlainText.value(target)
-                    + " holds the results of a coverage, whose report.html would be replaced: name another directory");
+                    + " holds the results of 'coverage', whose report.html would be replaced: name another directory");
         }
         this.scene = scene;
         this.directory = new OutputDirectory(target);

@@ -8,7 +8,8 @@ import org.dronewatch.geometry.Position;
 /**
  * How exposed a drone is at a position: the rate at which it is detected, given that it has not been yet. Its integral
  * along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A sensor
- * whose independent looks, f times a second, detect with the probability p each, has the rate {@code -f ln(1 - p)}.
+ * that looks f times a second, and in each look detects with the probability p independently of the others, has the
+ * rate {@code -f ln(1 - p)}.
  *
  * <p>Implementations are immutable and thread-safe.
  */
@@ -41,7 +42,7 @@ public interface ExposureField {
 
     /**
      * The field of independent sensors: their rates add. They are added in the order of their names, so that the order
-     * in which they are given does not change a bit of the sum.
+     * in which they are given does not change a single bit of the sum.
      */
     static ExposureField ofSensors(Map<String, ExposureField> sensors) {
         return new SummedExposure(List.copyOf(new TreeMap<>(sensors).values()), 0.0);

@@ -23,7 +23,7 @@ import org.dronewatch.scenario.SceneSettings;
  * when it is within one cell's length of the zone or, in plan view, of the middle. Immutable and thread-safe.
  */
 public final class SiteRoutes {
-    /** The sectors from which routes come: the first about north, then clockwise. */
+    /** The sectors from which routes come: the first centred on north, then clockwise. */
     public static final int SECTORS = 8;
 
     private final DetectionField field;
@@ -48,7 +48,7 @@ public final class SiteRoutes {
      * @param settings of its scene; the time of the response is that of the alerts
      * @param stage its world and drones
      * @param drone name of the drone
-     * @throws IllegalArgumentException if the drone cannot be anywhere on the rim, or not anywhere in the zone
+     * @throws IllegalArgumentException if there is nowhere on the rim, or nowhere in the zone, where the drone can be
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static SiteRoutes of(DetectionField field, SceneSettings settings, Stage stage, String drone) {

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Whether an intruder is detected early enough to be stopped: the model EASI (estimate of adversary sequence
+ * Whether an intruder is detected early enough to be stopped: the EASI model (estimate of adversary sequence
  * interruption; H. A. Bennett, SAND77-1082, Sandia Laboratories 1977; M. L. Garcia, The Design and Evaluation of
  * Physical Protection Systems, 2nd edition 2008, chapter 13). Durations are independent and normally distributed. The
  * misses of different tasks count as independent, which they are not where sensors look past the same obstacle.

@@ -79,7 +79,7 @@ public final class ModelCache {
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 
-    /** Gives a memory to all worlds of runs that are set up from now on. */
+    /** Lets all worlds of runs that are set up from now on share a memory. */
     public synchronized void share(SiteMemory shared) {
         memory = Optional.of(shared);
     }

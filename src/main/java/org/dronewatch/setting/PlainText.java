@@ -4,7 +4,7 @@ import java.util.Locale;
 
 /**
  * Makes text from files and users safe for messages. The result cannot control a terminal or reorder the line: control
- * characters, line separators and marks that change the direction of writing are escaped as {@code \u001b}. A value
+ * characters, line separators and marks that change the direction of writing are escaped, as in {@code \u001b}. A value
  * longer than {@value #LONGEST} characters is shortened in its middle.
  */
 public final class PlainText {

@@ -86,8 +86,8 @@ final class Mosaic {
             if (!(Math.abs(offset) <= SAME)) {
                 throw new InputException(String.format(
                         Locale.ROOT,
-                        "%s: its posts, %s apart, are not those of the grid of %s, %s apart: gdalwarp -tr and -tap bring"
-                                + " them onto one",
+                        "%s: its posts, %s apart, are not those of the grid of %s, %s apart: gdalwarp -tr and -tap"
+                                + " resample them to one grid",
                         file.name(),
                         steps(own),
                         files.get(0).name(),

@@ -114,8 +114,8 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
         settings.crs()
                 .ifPresent(given -> files.forEach(file -> file.statedCrs()
                         .filter(own -> !own.equals(mosaic.crs().name()))
-                        .ifPresent(own -> warnings.add(file.name() + ": states " + own + "; world.terrain.crs takes "
-                                + mosaic.crs() + " instead"))));
+                        .ifPresent(own -> warnings.add(file.name() + ": states " + own + ", but is read as "
+                                + mosaic.crs() + " (world.terrain.crs)"))));
         doubtUnit(warnings);
         for (ElevationFile file : files) {
             if (file.isSurfaceModel() && settings.surface() == ElevationSurface.DTM) {

@@ -104,7 +104,7 @@ class CampaignCommandTest {
         assertThat(json("whole/campaign.json").get("pairs").get(2).get("p").asDouble())
                 .isEqualTo(1.0);
         assertThat(Files.readString(directory.resolve("whole/report.html")))
-                .contains("Which is better is open: the difference between far and near,")
+                .contains("It remains open which is better: the difference between far and near,")
                 .contains("is no more than chance can explain (p = 1.000).");
     }
 

@@ -138,7 +138,7 @@ class CoverageCommandTest {
                 "%.1f", 100 * json.get("heights").get(0).get("covered_share").asDouble());
         assertThat(outcome.out().lines()).anyMatch(line -> line.matches(" +2 m +2\\d\\d +" + covered + " .*"));
         assertThat(outcome.out())
-                .contains("free line of sight at a height or below")
+                .contains("clear line of sight at a height or below")
                 .contains("any of them")
                 .contains("largest gap:")
                 .contains("no longer covered without a sensor");
@@ -239,7 +239,7 @@ class CoverageCommandTest {
                 "--within=soon | --within soon: 'soon'",
                 "--area=yard | --area yard: no such zone; the scene protects hook, protected",
                 "--area=protected --side=100 | --area protected: cannot be combined with --side",
-                "--area=hook --cell=90 | --cell 90.0 m: must be smaller, since no cell has its middle in 'hook'",
+                "--area=hook --cell=90 | --cell 90.0 m: must be smaller, since no cell has its centre in 'hook'",
                 "--within=5 --out=plan.png | --within: has no effect on a plan",
                 "--area=protected --out=plan.png | --area: has no effect on a plan",
             })
@@ -389,7 +389,7 @@ class CoverageCommandTest {
         Files.writeString(field.resolve("coverage.json"), "{}");
         Outcome outcome = Program.run("run", directory.resolve("site.yaml").toString(), "--out=" + field);
         assertThat(outcome.code()).isEqualTo(2);
-        assertThat(outcome.err()).contains("a-field holds the results of a coverage", "name another directory");
+        assertThat(outcome.err()).contains("a-field holds the results of 'coverage'", "name another directory");
         assertThat(names(field)).containsExactly("coverage.json");
     }
 

@@ -153,7 +153,7 @@ class MapCoordinatesTest {
         assertAtOrigin(loaded);
         assertThat(loaded.warnings())
                 .containsExactly(
-                        "map: states urn:ogc:def:crs:EPSG::32631; world.buildings.crs takes EPSG:28992 instead");
+                        "map: states urn:ogc:def:crs:EPSG::32631, but is read as EPSG:28992 (world.buildings.crs)");
     }
 
     /** The remedy in the message works. */

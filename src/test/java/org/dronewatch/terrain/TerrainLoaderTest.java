@@ -362,7 +362,7 @@ class TerrainLoaderTest {
         write("own.tif", own);
         assertThat(load(TerrainSettings.of("own.tif").withCrs("EPSG:25833"), at(5, 5, 1))
                         .warnings())
-                .contains("own.tif: states EPSG:32633; world.terrain.crs takes EPSG:25833 instead");
+                .contains("own.tif: states EPSG:32633, but is read as EPSG:25833 (world.terrain.crs)");
         // A code that is not known is replaced likewise, as the message without crs says.
         own.keys.put(3072, 9999);
         write("odd.tif", own);
@@ -372,7 +372,7 @@ class TerrainLoaderTest {
                 .hasMessageEndingWith("; world.terrain.crs can name another");
         assertThat(load(TerrainSettings.of("odd.tif").withCrs("EPSG:32633"), at(5, 5, 1))
                         .warnings())
-                .contains("odd.tif: states EPSG:9999; world.terrain.crs takes EPSG:32633 instead");
+                .contains("odd.tif: states EPSG:9999, but is read as EPSG:32633 (world.terrain.crs)");
     }
 
     /** Long Island's grid is in US survey feet; its heights may be in metres all the same. */

@@ -15,7 +15,7 @@ import org.dronewatch.setting.Quantity;
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 1 to 50 of them
- * @param area only cells with their middle in this area count, in plan view; empty if all do
+ * @param area only cells whose centre is in this area count, in plan view; empty if all do
  */
 public record FieldGrid(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
@@ -65,7 +65,7 @@ public record FieldGrid(
         this(east, north, side, cell, heights, Optional.empty());
     }
 
-    /** The smallest square grid that holds all cells with their middle in an area; limits as above. */
+    /** The smallest square grid that holds all cells whose centre is in an area; limits as above. */
     public static FieldGrid over(AreaZone area, double cell, List<Double> heights) {
         PlanBounds bounds = PlanBounds.of(area.outline());
         return new FieldGrid(bounds.east(), bounds.north(), bounds.side(), cell, heights, Optional.of(area));

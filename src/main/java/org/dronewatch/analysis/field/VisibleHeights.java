@@ -10,7 +10,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The least height above the ground from which each sensor has a free line of sight, column by column. Only the site
+ * The least height above the ground from which each sensor has a clear line of sight, column by column. Only the site
  * matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
  */
 public final class VisibleHeights {
@@ -68,14 +68,14 @@ public final class VisibleHeights {
     }
 
     /**
-     * The least height above the ground from which a sensor, given by its number, has a free line of sight, m: too high
-     * by at most 1 mm; NaN where it has none up to the highest height of the grid, and where there is no ground.
+     * The least height above the ground from which a sensor, given by its number, has a clear line of sight, m: too
+     * high by at most 1 mm; NaN where it has none up to the highest height of the grid, and where there is no ground.
      */
     public double height(int sensor, int column, int row) {
         return heights[sensor][row * grid.columns() + column];
     }
 
-    /** The least of the heights of all sensors, m; NaN where none of them has a free line of sight. */
+    /** The least of the heights of all sensors, m; NaN where none of them has a clear line of sight. */
     public double height(int column, int row) {
         double least = Double.NaN;
         for (int sensor = 0; sensor < heights.length; sensor++) {
@@ -90,7 +90,7 @@ public final class VisibleHeights {
         return columns;
     }
 
-    /** In how many columns a sensor, given by its number, has a free line of sight from a height, m, or lower. */
+    /** In how many columns a sensor, given by its number, has a clear line of sight from a height, m, or lower. */
     public int count(int sensor, double height) {
         int count = 0;
         for (float its : heights[sensor]) {
@@ -99,7 +99,7 @@ public final class VisibleHeights {
         return count;
     }
 
-    /** The number of columns in which any sensor has a free line of sight from a height, m, or lower. */
+    /** The number of columns in which any sensor has a clear line of sight from a height, m, or lower. */
     public int count(double height) {
         int count = 0;
         for (int cell = 0; cell < grid.cells(); cell++) {

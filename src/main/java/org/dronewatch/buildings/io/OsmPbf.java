@@ -55,8 +55,8 @@ final class OsmPbf {
             if (reader.field() == 4) {
                 String feature = reader.text();
                 if (!KNOWN.contains(feature)) {
-                    throw new InputException(file + ": needs the feature '" + PlainText.value(feature)
-                            + "' of a reader, which this one does not have; 'osmium cat' writes a file without it");
+                    throw new InputException(file + ": requires a reader with the feature '" + PlainText.value(feature)
+                            + "', which is not supported; 'osmium cat' writes a file without it");
                 }
             } else {
                 reader.skip();

@@ -151,7 +151,9 @@ final class GpxFile {
         List<String> names = tracks.keySet().stream().map(PlainText::value).toList();
         if (tracks.isEmpty()) {
             throw new InputException(name + ": has no track with points"
-                    + (waypoints == 0 ? "" : ", only " + waypoints + " single waypoints, which do not make a flight"));
+                    + (waypoints == 0
+                            ? ""
+                            : ", only " + waypoints + " individual waypoints, which do not make a flight"));
         }
         if (wanted.isPresent() && !tracks.containsKey(wanted.get())) {
             throw new InputException(name + ": has no track '" + PlainText.value(wanted.get()) + "'; "

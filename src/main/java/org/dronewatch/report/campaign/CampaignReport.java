@@ -84,7 +84,7 @@ final class CampaignReport {
                 .sum();
         if (failed > 0) {
             sentences.add(String.format(
-                    Locale.ROOT, "%,d runs failed and count in none of these figures; runs.csv says why.", failed));
+                    Locale.ROOT, "%,d runs failed and are not included in these figures; runs.csv says why.", failed));
         }
         return String.join(" ", sentences);
     }

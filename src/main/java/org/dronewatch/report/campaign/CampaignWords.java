@@ -60,7 +60,7 @@ public final class CampaignWords {
                 .toList();
     }
 
-    /** What came of one case that did not fail. */
+    /** The outcome of one case that did not fail, in words. */
     public static String cameOf(CaseResult result) {
         String detected = result.firstSensor().isEmpty()
                 ? "never detected"

@@ -65,8 +65,8 @@ final class PairWords {
         String of = " difference between " + first + " and " + second + ", "
                 + ShareWords.difference(difference, !pair.a().equals(first)) + ", is ";
         return isChance(difference)
-                ? "Which is better is open: the" + of + "no more than chance can explain (" + ShareWords.p(difference)
-                        + ")."
+                ? "It remains open which is better: the" + of + "no more than chance can explain ("
+                        + ShareWords.p(difference) + ")."
                 : "The better variant is " + first + ": the" + of + "more than chance (" + ShareWords.p(difference)
                         + ").";
     }
@@ -98,8 +98,8 @@ final class PairWords {
                         " With %,d pairs, p must be below %.2g to count as more than chance.",
                         pairs.size(),
                         SIGNIFICANT / pairs.size());
-        return "All variants face the same attacks. Only attacks in which one of a pair is better say anything about"
-                + " it: p is the probability that chance alone divides them so unevenly." + limit
+        return "All variants face the same attacks. Only attacks in which one of a pair is better say which one"
+                + " is better: p is the probability that chance alone divides them so unevenly." + limit
                 + (pairs.size() > MOST_PAIRS ? " These are " + MOST_PAIRS + " of them; campaign.json has all." : "");
     }
 

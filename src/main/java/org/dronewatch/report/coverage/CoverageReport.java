@@ -153,7 +153,7 @@ final class CoverageReport {
                                 + (inputs.within().isEmpty() ? "in one look " : time())
                                 + "with a probability of " + number(inputs.covered())
                                 + " or more, and the causes of all sensors' misses "
-                                + (inputs.within().isEmpty() ? "elsewhere." : "of single looks."))
+                                + (inputs.within().isEmpty() ? "elsewhere." : "in single looks."))
                 + Html.table(head, rows);
     }
 

@@ -71,12 +71,12 @@ final class FieldPictures {
         return sheet;
     }
 
-    /** The least height at which any sensor has a free line of sight. */
+    /** The least height at which any sensor has a clear line of sight. */
     MapSheet visibleHeights(VisibleHeights visible) {
         return heights(
                 visible.grid(),
                 visible::height,
-                "The least height above the ground from which there is a free line of sight to a sensor.",
+                "The least height above the ground from which there is a clear line of sight to a sensor.",
                 List.of(
                         "least height above the ground that",
                         "any sensor sees, by the line of sight alone,",

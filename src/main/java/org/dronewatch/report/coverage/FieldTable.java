@@ -78,11 +78,11 @@ public final class FieldTable {
         return (lost < 0 ? "-" : "") + percent(Math.abs(lost), height);
     }
 
-    /** In how many columns each sensor has a free line of sight from each height or lower, in percent. */
+    /** In how many columns each sensor has a clear line of sight from each height or lower, in percent. */
     public static List<String> visible(VisibleHeights visible) {
         List<Double> heights = visible.grid().heights();
         List<String> lines = new ArrayList<>();
-        lines.add("free line of sight at a height or below, in % of the area with ground:");
+        lines.add("clear line of sight at a height or below, in % of the area with ground:");
         StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
         heights.forEach(height -> header.append(text(HEIGHT, metres(height))));
         lines.add(header.toString());
@@ -159,7 +159,7 @@ public final class FieldTable {
     }
 
     private static String words(Gap gap) {
-        String rim = gap.touchesRim() ? ", reaches the rim of the area" : "";
+        String rim = gap.touchesRim() ? ", reaches the edge of the area" : "";
         return text(
                 "  %.2f ha, innermost at x %.1f m, y %.1f m, mainly %s%s",
                 1e-4 * gap.area(), gap.x() + 0.0, gap.y() + 0.0, cause(gap), rim);

@@ -73,7 +73,7 @@ public final class WarningTable {
             lines.add(AT_LEAST + "... : detected where the flight begins, or where the known ground does");
         }
         if (warnings.undecided() > 0) {
-            lines.add("unknown whether the required " + Numbers.text(warnings.response()) + " s are met: "
+            lines.add("unknown whether a warning of " + Numbers.text(warnings.response()) + " s is given: "
                     + warnings.undecided() + " of " + warnings.all().size() + " flights, which begin too near");
         }
         return lines;

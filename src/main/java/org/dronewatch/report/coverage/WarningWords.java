@@ -123,16 +123,16 @@ final class WarningWords {
     }
 
     private String required() {
-        String required = " The required " + number(warnings.response()) + " s are ";
+        String required = " The required warning of " + number(warnings.response()) + " s is ";
         long late = warnings.late();
         long undecided = warnings.undecided();
         if (late == 0 && undecided == 0) {
-            return required + "met from every bearing at every height.";
+            return required + "given from every bearing at every height.";
         }
-        String isLate = late > 0 ? required + "not met in " + share(late, warnings.all()) + " cases." : "";
+        String isLate = late > 0 ? required + "not given in " + share(late, warnings.all()) + " cases." : "";
         return undecided == 0
                 ? isLate
-                : isLate + " In " + share(undecided, warnings.all()) + " cases, it is unknown whether they are met:"
+                : isLate + " In " + share(undecided, warnings.all()) + " cases, it is unknown whether it is given:"
                         + " the drone is detected as soon as its flight or the known ground begins.";
     }
 }

@@ -69,7 +69,7 @@ public final class CoverageMap {
         @Override
         public String description() {
             return "Where no sensor detects the drone, at several heights above the ground, with the main reason. Gaps that"
-                    + " touch the rim of the assessed area may continue beyond it.";
+                    + " touch the edge of the assessed area may continue beyond it.";
         }
 
         @Override

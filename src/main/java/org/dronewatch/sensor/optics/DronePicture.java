@@ -31,7 +31,7 @@ public final class DronePicture {
     private Position boundPlace;
     private boolean isBound;
 
-    /** The pictures of a camera in a passing pose. */
+    /** The pictures of a camera in a temporary pose. */
     public DronePicture(CameraObject camera) {
         this(camera, new SiteImages(camera, false), false);
     }

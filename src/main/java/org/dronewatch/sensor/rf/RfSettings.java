@@ -125,7 +125,7 @@ public record RfSettings(
     }
 
     /**
-     * A receiver of 400 MHz to 6 GHz, one look per second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
+     * A receiver for 400 MHz to 6 GHz, one look per second, antenna gain 0 dBi, bandwidth 10 MHz, noise figure 6 dB, no
      * clutter, threshold 6 dB, vertical polarisation, thermal noise alone; it distinguishes the emissions of drones
      * from those of phones.
      */

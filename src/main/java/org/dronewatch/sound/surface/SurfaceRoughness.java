@@ -15,7 +15,7 @@ public final class SurfaceRoughness {
      * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g whose mean over all directions is the
      * given fraction, {@code 1 - (1 - exp(-g)) / g}; never more than that fraction.
      *
-     * @param randomIncidence fraction in the mean over all directions, 0 to 1
+     * @param randomIncidence mean fraction over all directions, 0 to 1
      * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public static double scattered(double randomIncidence, double cosine) {

@@ -269,7 +269,7 @@ class MapFilesTest {
                 .hasMessage("map: cannot be read: a block unpacks to more than the 10 bytes that it states");
         assertThatThrownBy(() -> read(PbfWriter.blob("OSMHeader", PbfWriter.text(4, "LocationsOnWays"), -1)))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("needs the feature 'LocationsOnWays'");
+                .hasMessageContaining("requires a reader with the feature 'LocationsOnWays'");
     }
 
     @Test

@@ -167,7 +167,7 @@ class CoverageReportTest {
         }
         String words = new WarningWords(asked).html() + new WarningWords(asked).worstInWords();
         long late = all.all().stream().filter(one -> !one.isInTime(8.0)).count();
-        assertThat(words).contains("bearings with less than 8 s", "are not met in " + late + " of 72 cases");
+        assertThat(words).contains("bearings with less than 8 s", "is not given in " + late + " of 72 cases");
         assertThat(ReportPage.parsed("<r>" + words + "</r>")).isNotNull();
     }
 

@@ -67,11 +67,11 @@ class WarningWordsTest {
                 .contains("That is less than the required response")
                 .contains("at least 15 s from every bearing")
                 .contains("shortest warning of a straight inbound flight is at least 15 s before")
-                .contains("In 72 of 72 cases, it is unknown whether they are met")
+                .contains("In 72 of 72 cases, it is unknown whether it is given")
                 .doesNotContain("not met");
         assertThat(table(all))
                 .contains(">= 15.0 s from all bearings")
-                .contains("unknown whether the required 30 s are met: 72 of 72 flights")
+                .contains("unknown whether a warning of 30 s is given: 72 of 72 flights")
                 .doesNotContain("36 of 36 bearings");
     }
 
@@ -81,7 +81,7 @@ class WarningWordsTest {
         assertThat(words(some))
                 .contains("a warning of more than 15 s cannot be found.")
                 .contains("The shortest warning of a straight inbound flight is 9 s before")
-                .contains("The required 12 s are not met in 4 of 72 cases.")
+                .contains("The required warning of 12 s is not given in 4 of 72 cases.")
                 .doesNotContain("unknown", "less than the required response");
         assertThat(table(some))
                 .contains("  9.0 s from 0 to 10 deg   >= 15.0 s")

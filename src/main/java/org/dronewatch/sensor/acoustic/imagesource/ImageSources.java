@@ -62,7 +62,7 @@ public final class ImageSources {
     /**
      * A subset of these images, with all their parents.
      *
-     * @param isKept for each image whether it is
+     * @param isKept for each image, whether it is kept
      */
     public ImageSources kept(boolean[] isKept) {
         boolean[] needed = isKept.clone();
