@@ -49,7 +49,7 @@ final class CaseOptions {
         }
         List<String> variants = plan.variants();
         if (variant != null && !variants.contains(variant)) {
-            throw new InputException("--variant " + PlainText.value(variant) + ": no such variant; there is "
+            throw new InputException("--variant " + PlainText.value(variant) + ": no such variant; the campaign has "
                     + String.join(", ", variants));
         }
         SceneWindow window = new SceneWindow(threads, err);

@@ -340,7 +340,9 @@ class CampaignCommandTest {
     void wrongInputIsOneLineAndLeavesNothing() throws IOException {
         refused(campaign("new", "--case=60"), "--case 60: must be 0 to 59");
         refused(campaign("new", "--view"), "--view: needs --case K, the case to be run");
-        refused(campaign("new", "--case=1", "--variant=none"), "--variant none: no such variant; there is near, far");
+        refused(
+                campaign("new", "--case=1", "--variant=none"),
+                "--variant none: no such variant; the campaign has near, far");
         refused(
                 campaign("new", "--set=drones.intruder.speed=1"),
                 "'drones.intruder.speed' would override 'drones.intruder.speed', which varies");
