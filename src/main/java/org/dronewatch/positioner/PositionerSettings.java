@@ -125,6 +125,11 @@ public record PositionerSettings(
         return SettingsForm.with(this, Map.of("panSpeed", pan, "tiltSpeed", tilt));
     }
 
+    /** These settings with another time for which it waits for a drone that is no longer seen, s. */
+    public PositionerSettings withHold(double seconds) {
+        return SettingsForm.with(this, "hold", seconds);
+    }
+
     /** These settings with another search pattern. */
     public PositionerSettings withSearch(SearchPattern pattern) {
         return SettingsForm.with(this, "search", pattern);

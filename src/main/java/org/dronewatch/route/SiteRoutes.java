@@ -12,6 +12,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.FlightLimits;
+import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
@@ -153,6 +154,11 @@ public final class SiteRoutes {
     private int sector(Position at) {
         double bearing = StrictMath.atan2(at.x() - middle.x(), at.y() - middle.y());
         return Math.floorMod((int) Math.rint(bearing / (2.0 * Math.PI) * SECTORS), SECTORS);
+    }
+
+    /** A route as a flight, for a {@link RouteScene}; empty if it is shorter than a leg can be. */
+    public Optional<RouteFlight> flight(WeakestRoute route) {
+        return RouteScene.flight(route.path(), problem.modes());
     }
 
     /** By sensor, the exposure along the whole of a route, even where a detection comes too late. */

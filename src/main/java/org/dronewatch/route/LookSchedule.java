@@ -1,0 +1,141 @@
+package org.dronewatch.route;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightPath;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.positioner.Positioner;
+import org.dronewatch.run.EmissionTime;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.RaySensor;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * All looks that a run takes at its only drone, each assessed exactly where it is taken: at the time, the position, the
+ * heading and the speed of the run, and with the pointing of a positioner that only searches. Immutable.
+ */
+final class LookSchedule {
+    /** A probability that is estimated from random rays is the mean of so many estimates. */
+    private static final int ESTIMATES = 16;
+
+    private final List<SensorSettings<?>> sensors;
+    private final List<ScheduledLook> looks;
+
+    private LookSchedule(List<SensorSettings<?>> sensors, List<ScheduledLook> looks) {
+        this.sensors = List.copyOf(sensors);
+        this.looks = List.copyOf(looks);
+    }
+
+    /**
+     * Assesses all looks, on the {@link Workers} of the calling thread.
+     *
+     * @param settings of a scene with one drone, {@linkplain RouteScene#withoutCues without cues}
+     * @param stage of the same scene
+     */
+    static LookSchedule of(SceneSettings settings, Stage stage) {
+        Drone drone = stage.dronesAt(0.0).get(0);
+        FlightPath path = stage.flight(drone.id());
+        List<String> names = List.copyOf(settings.enabledSensors().keySet());
+        List<SensorSettings<?>> sensors = List.copyOf(settings.enabledSensors().values());
+        List<ScheduledLook> taken = new ArrayList<>();
+        for (int sensor = 0; sensor < sensors.size(); sensor++) {
+            SensorSettings<?> one = sensors.get(sensor);
+            Optional<Positioner> positioner = one.as(Mounted.class).flatMap(Mounted::createPositioner);
+            double speed = one.signalSpeed(stage.world());
+            for (long index = 0; index / one.rate() <= settings.run().duration(); index++) {
+                double time = index / one.rate();
+                Optional<Pointing> pointing = positioner.map(its -> its.moveTo(time));
+                Look look = Look.of(settings.run().seed(), names.get(sensor), index, time)
+                        .withPointing(pointing);
+                OptionalDouble left = Double.isFinite(speed)
+                        ? EmissionTime.of(path, one.position(), speed, time)
+                        : OptionalDouble.of(time);
+                if (left.isPresent()) {
+                    taken.add(new ScheduledLook(sensor, look, drone.at(path.at(left.getAsDouble())), 0.0));
+                }
+            }
+        }
+        return new LookSchedule(sensors, assessed(taken, names, sensors, stage));
+    }
+
+    private static List<ScheduledLook> assessed(
+            List<ScheduledLook> taken, List<String> names, List<SensorSettings<?>> sensors, Stage stage) {
+        ScheduledLook[] assessed = new ScheduledLook[taken.size()];
+        Workers.forEach(taken.size(), () -> new Assessor[sensors.size()], (assessors, i) -> {
+            ScheduledLook look = taken.get(i);
+            int sensor = look.number();
+            if (assessors[sensor] == null) {
+                assessors[sensor] = new Assessor(names.get(sensor), sensors.get(sensor), stage.world());
+            }
+            double probability = probability(assessors[sensor], look);
+            assessed[i] = new ScheduledLook(sensor, look.look(), look.drone(), probability);
+        });
+        return Arrays.stream(assessed)
+                .sorted(Comparator.comparingDouble(ScheduledLook::time))
+                .toList();
+    }
+
+    private static double probability(Assessor assessor, ScheduledLook look) {
+        Assessment first = assess(assessor, look, 0);
+        if (first.probabilityError() == 0.0) {
+            return first.probability();
+        }
+        double sum = first.probability();
+        for (int estimate = 1; estimate < ESTIMATES; estimate++) {
+            sum += assess(assessor, look, estimate).probability();
+        }
+        return sum / ESTIMATES;
+    }
+
+    /** The first with the rays of the look itself, the others with those of other seeds. */
+    private static Assessment assess(Assessor assessor, ScheduledLook look, int estimate) {
+        Look its = look.look();
+        long seed = Draws.derivedSeed(its.seed(), "estimate", estimate);
+        String drone = look.drone().id();
+        return assessor.assess(
+                look.drone(), its.pointing(), Draws.stream(seed, its.sensor(), drone, its.index(), RaySensor.RAYS));
+    }
+
+    /** The looks in order of time. */
+    List<ScheduledLook> looks() {
+        return looks;
+    }
+
+    /** The settings of the sensors, in the order of the scene. */
+    List<SensorSettings<?>> sensors() {
+        return sensors;
+    }
+
+    /**
+     * The probability that no sensor has detected the drone by a time: of looks whose chances are independent
+     * {@code prod(1 - p)}, and of each encounter with an observer the mean over all draws.
+     *
+     * @param until s, inclusive
+     */
+    double missed(double until) {
+        return IntStream.range(0, sensors.size())
+                .mapToDouble(sensor -> missed(sensor, until))
+                .reduce(1.0, (one, other) -> one * other);
+    }
+
+    /** The same of one sensor. */
+    double missed(int sensor, double until) {
+        List<ScheduledLook> own = looks.stream()
+                .filter(look -> look.number() == sensor && look.time() <= until)
+                .toList();
+        return MissedLooks.probability(own, sensors.get(sensor));
+    }
+}

@@ -1,0 +1,153 @@
+package org.dronewatch.route;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.statistics.Proportion;
+
+/**
+ * The proof of a route: how often runs of its scene detect the drone, and how often they should. The prediction is
+ * {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance is drawn once
+ * per encounter, the mean over all draws. Positioners only search in these runs, since what they follow depends on
+ * chance. The looks of programs that find spots in the images of thermal cameras share frames, so that they are not
+ * independent: for these, the prediction is too high.
+ *
+ * @param predicted probability that a run detects the drone, 0 to 1
+ * @param bySensor the same by sensor, as if it were the only one
+ * @param detections runs that detected it, of all runs
+ * @param plain of how many of them, the first, a plain run gave the same
+ */
+public record RouteProof(double predicted, Map<String, Double> bySensor, Proportion detections, int plain) {
+    /** The confidence of the interval. */
+    public static final double CONFIDENCE = 0.99;
+
+    /** Every so many runs, one is repeated as a plain run. */
+    private static final int PLAIN = 20;
+
+    /** A prediction of exactly 0 or 1 may be off by rounding. */
+    private static final double ROUNDING = 1e-12;
+
+    /** Keeps the order of the sensors. */
+    public RouteProof {
+        bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
+    }
+
+    /**
+     * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the same for any number of them. Run
+     * {@code i} has the seed {@link #seed}. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
+     *
+     * @param scene with one drone, such as a {@link RouteScene}; its cues count for nothing
+     * @param models of the scene
+     * @param runs number of runs, at least 1
+     * @param progress receives the number of runs since the last call; from any thread
+     * @throws IllegalArgumentException if the scene has not exactly one drone, or there is no run
+     * @throws IllegalStateException if a plain run gives something else, which would be an error of this library
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static RouteProof of(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
+        if (scene.individualDrones().size() != 1 || runs < 1) {
+            throw new IllegalArgumentException(
+                    runs + " runs with " + scene.individualDrones().size() + " drones: must be 1 or more with 1");
+        }
+        SceneSettings settings = RouteScene.withoutCues(scene);
+        Stage stage = new Stage(settings, models, settings.run().seed());
+        LookSchedule schedule = LookSchedule.of(settings, stage);
+        double[] first = new double[runs];
+        Workers.forEach(runs, () -> new SeededFlights(schedule, stage.world()), (flights, run) -> {
+            long seed = seed(settings, run);
+            OptionalDouble detected = flights.firstDetection(seed);
+            if (run % PLAIN == 0) {
+                check(detected, settings, seed, models);
+            }
+            first[run] = detected.orElse(Double.NaN);
+            progress.accept(1);
+        });
+        int count = (int) IntStream.range(0, runs)
+                .filter(run -> !Double.isNaN(first[run]))
+                .count();
+        return new RouteProof(
+                1.0 - schedule.missed(settings.run().duration()),
+                bySensor(settings, schedule),
+                new Proportion(count, runs),
+                (runs + PLAIN - 1) / PLAIN);
+    }
+
+    private static void check(OptionalDouble detected, SceneSettings settings, long seed, ModelCache models) {
+        OptionalDouble plain = plain(settings, seed, models);
+        if (!plain.equals(detected)) {
+            throw new IllegalStateException("the run with seed " + seed + " first detects the drone at " + plain
+                    + ", but its looks alone at " + detected);
+        }
+    }
+
+    /** On this thread alone: the runs are shared among the threads. */
+    private static OptionalDouble plain(SceneSettings settings, long seed, ModelCache models) {
+        try (Workers alone = new Workers(1)) {
+            return alone.call(() -> SeededFlights.firstDetectionOfRun(settings, seed, models));
+        }
+    }
+
+    private static Map<String, Double> bySensor(SceneSettings settings, LookSchedule schedule) {
+        List<String> names = List.copyOf(settings.enabledSensors().keySet());
+        Map<String, Double> bySensor = new LinkedHashMap<>();
+        for (int sensor = 0; sensor < names.size(); sensor++) {
+            bySensor.put(
+                    names.get(sensor),
+                    1.0 - schedule.missed(sensor, settings.run().duration()));
+        }
+        return bySensor;
+    }
+
+    /**
+     * How many runs with the same seeds detect the drone with all cues: positioners follow what their own sensors see,
+     * and other sensors, or false alarms, cue them. Each is a plain run.
+     *
+     * @param scene parameters as above
+     */
+    public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
+        boolean[] isDetected = new boolean[runs];
+        Workers.forEach(runs, run -> {
+            isDetected[run] = plain(scene, seed(scene, run), models).isPresent();
+            progress.accept(1);
+        });
+        int count =
+                (int) IntStream.range(0, runs).filter(run -> isDetected[run]).count();
+        return new Proportion(count, runs);
+    }
+
+    /** Whether cues can make a difference at all: whether a sensor is on a positioner. */
+    public static boolean hasCues(SceneSettings scene) {
+        return scene.enabledSensors().values().stream()
+                .anyMatch(sensor -> Mounted.positioner(sensor).isPresent());
+    }
+
+    /**
+     * The seed of a run, with which {@code run} repeats it.
+     *
+     * @param run its number, from 0
+     */
+    public static long seed(SceneSettings scene, int run) {
+        return Draws.derivedSeed(scene.run().seed(), "run", run);
+    }
+
+    /** Wilson's interval of the probability, with a confidence of 99 %. */
+    public Proportion.Interval interval() {
+        return detections.wilson(CONFIDENCE);
+    }
+
+    /** Whether the prediction lies in the interval. */
+    public boolean agrees() {
+        return predicted >= interval().low() - ROUNDING
+                && predicted <= interval().high() + ROUNDING;
+    }
+}

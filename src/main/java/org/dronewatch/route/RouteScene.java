@@ -1,0 +1,90 @@
+package org.dronewatch.route;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.flight.RouteFlight;
+import org.dronewatch.flight.RouteLeg;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.SettingsForm;
+
+/** A route as a scene that runs: the drone flies it, alone, and the run ends when it arrives. */
+public final class RouteScene {
+    private RouteScene() {}
+
+    /**
+     * The flight along a path: each leg in the time that the search assumes.
+     *
+     * @param modes in which the drone may fly, as in the search
+     * @return empty for a path that is shorter than a leg can be
+     */
+    public static Optional<RouteFlight> flight(RoutePath path, List<RouteMode> modes) {
+        List<RouteLeg> legs = new ArrayList<>();
+        Position at = path.points().get(0);
+        for (int i = 0; i < path.modes().size(); i++) {
+            Position to = path.points().get(i + 1);
+            double length = at.distance(to);
+            if (length >= FlightPathSettings.SHORTEST) {
+                RouteMode mode = modes.get(path.modes().get(i));
+                double time = mode.time(Math.hypot(to.x() - at.x(), to.y() - at.y()), to.z() - at.z());
+                legs.add(new RouteLeg(to, Optional.of(length / time), !mode.isGlide()));
+                at = to;
+            }
+        }
+        return legs.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new RouteFlight(path.points().get(0), legs));
+    }
+
+    /**
+     * A scene in which only this drone flies, on this flight, until it arrives. It is the same drone with the same
+     * name, so that sensors draw the same random numbers; of a swarm, only this member flies.
+     *
+     * @param drone its name in {@link SceneSettings#individualDrones()}
+     * @throws IllegalArgumentException if there is no such drone
+     */
+    public static SceneSettings of(SceneSettings scene, String drone, RouteFlight flight) {
+        DroneSettings flown = scene.individualDrones().get(drone);
+        if (flown == null) {
+            throw new IllegalArgumentException("no drone '" + drone + "'; the scene has "
+                    + String.join(", ", scene.individualDrones().keySet()));
+        }
+        return new SceneSettings(
+                scene.world(),
+                Map.of(drone, flown.withFlight(flight)),
+                scene.sensors(),
+                scene.disabled(),
+                scene.alert(),
+                scene.prices(),
+                scene.run().withDuration(flight.duration(flown.speed())),
+                Optional.empty());
+    }
+
+    /**
+     * The same scene without cues: positioners only search. No sensor cues them, and they do not follow what their own
+     * sensors see, so that where they point does not depend on chance.
+     */
+    public static SceneSettings withoutCues(SceneSettings scene) {
+        SceneSettings changed = scene;
+        for (Map.Entry<String, SensorSettings<?>> sensor : scene.sensors().entrySet()) {
+            Optional<PositionerSettings> positioner = Mounted.positioner(sensor.getValue());
+            if (positioner.isPresent()) {
+                changed = changed.withSensor(sensor.getKey(), searching(sensor.getValue(), positioner.get()));
+            }
+        }
+        return changed;
+    }
+
+    private static SensorSettings<?> searching(SensorSettings<?> sensor, PositionerSettings positioner) {
+        // A positioner loses a contact that has not been seen for longer than it holds it: at once.
+        PositionerSettings alone = positioner.withCues().withHold(0.0);
+        return (SensorSettings<?>) SettingsForm.with((Record) sensor, "positioner", Optional.of(alone));
+    }
+}

@@ -1,0 +1,78 @@
+package org.dronewatch.route;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.RunSession;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.Encounters;
+import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
+
+/**
+ * Runs of a schedule of looks with other seeds, only up to the first detection, and only those looks that can detect
+ * the drone. Each of these is the look of a run with the same seed. Scratch memory of one thread.
+ */
+final class SeededFlights {
+    private final LookSchedule schedule;
+    private final World world;
+    private final Sensor[] sensors;
+    private final Encounters[] encounters;
+
+    SeededFlights(LookSchedule schedule, World world) {
+        this.schedule = schedule;
+        this.world = world;
+        this.sensors = schedule.sensors().stream().map(one -> one.create()).toArray(Sensor[]::new);
+        this.encounters = new Encounters[sensors.length];
+    }
+
+    /** When a run with this seed first detects the drone, s; empty if it does not. */
+    OptionalDouble firstDetection(long seed) {
+        Arrays.fill(encounters, Encounters.NONE);
+        for (ScheduledLook scheduled : schedule.looks()) {
+            if (scheduled.probability() > 0.0 && isDetecting(scheduled, seed)) {
+                return OptionalDouble.of(scheduled.time());
+            }
+        }
+        return OptionalDouble.empty();
+    }
+
+    private boolean isDetecting(ScheduledLook scheduled, long seed) {
+        int number = scheduled.number();
+        SensorSettings<?> settings = schedule.sensors().get(number);
+        Look own = scheduled.look();
+        Look look = Look.of(seed, own.sensor(), own.index(), own.time())
+                .withPointing(own.pointing())
+                .withEncounters(encounters[number]);
+        if (settings.chance() == Chance.PER_LOOK) {
+            return isDetected(sensors[number].observe(world, List.of(scheduled.drone()), look));
+        }
+        double threshold = look.observerThreshold(scheduled.drone().id(), settings.rate(), scheduled.probability());
+        Observation seen = MissedLooks.observation(scheduled, threshold, settings);
+        encounters[number] = Encounters.after(look, settings.rate(), List.of(seen));
+        return seen.isDetected();
+    }
+
+    private static boolean isDetected(List<Observation> observations) {
+        return observations.stream().anyMatch(one -> one.isDetected() && !one.isFalse());
+    }
+
+    /** The same by a plain run. */
+    static OptionalDouble firstDetectionOfRun(SceneSettings settings, long seed, ModelCache models) {
+        try (RunSession session = new RunSession(settings, seed, models)) {
+            while (session.nextTime().isPresent()) {
+                Frame frame = session.advance();
+                if (isDetected(frame.observations())) {
+                    return OptionalDouble.of(frame.time());
+                }
+            }
+            return OptionalDouble.empty();
+        }
+    }
+}

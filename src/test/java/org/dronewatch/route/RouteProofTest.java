@@ -1,0 +1,148 @@
+package org.dronewatch.route;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.dronewatch.LongForm;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.flight.RouteFlight;
+import org.dronewatch.flight.RouteLeg;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Random flights among four boxes, past sensors whose looks are left to chance in every way that the library has:
+ * fluctuating echoes, rays, observers on fixed and on searching mounts. Over many runs, the
+ * predictions lie in the 99 % intervals.
+ */
+class RouteProofTest {
+    private static final String SENSORS =
+            """
+              fluctuating: {kind: radar, position: [-60, 40, 6], minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 1,
+                budget: {range: 60, crossSection: 0.01}, minSpeed: 3 m/s, detection: {kind: chance, pulses: 8}}
+              notched: {kind: radar, position: [60, -40, 6], minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.7,
+                budget: {range: 85, crossSection: 0.01}, notch: {kind: high-pass, halfPowerSpeed: 4 m/s},
+                detection: {kind: chance, pulses: 8}}
+              watched: {kind: camera, position: [0, 0, 4], fov: 60 deg, width: 1280, height: 960, rate: 2,
+                aim: {azimuth: 20 deg, elevation: 10 deg}, detection: {kind: target-task, task: detection, byChance: true}}
+              searching: {kind: camera, position: [30, 30, 4], fov: 20 deg, width: 1280, height: 960, rate: 4,
+                detection: {kind: target-task, task: detection, byChance: true}, aim: {azimuth: 60 deg, elevation: 12 deg},
+                positioner: {cues: [fluctuating], search: {kind: sweep, width: 200 deg, speed: 60 deg/s}}}
+              heat: {kind: thermal, position: [-30, -30, 4], fov: 40 deg, rate: 2, aim: {azimuth: 90 deg, elevation: 10 deg}, byChance: true}
+              ear: {kind: acoustic, position: [0, 56, 2], rate: 0.5, propagation: {kind: level-model, initialRays: 12, reflectionsPerHit: 2, maxOrder: 2}}
+            """;
+
+    private static final int FLIGHTS = LongForm.count(7, 210);
+    private static final int RUNS = LongForm.count(100, 1000);
+
+    @TempDir
+    private Path directory;
+
+    private FieldSite site;
+    private ModelCache models;
+
+    @BeforeEach
+    void load() throws IOException {
+        site = FieldSite.in(directory, SENSORS);
+        models = new SceneRunner(new SceneFile(directory.resolve("site.yaml"))).load(site.settings());
+    }
+
+    private static Position anywhere(SplittableRandom random) {
+        return new Position(
+                300 * (random.nextDouble() - 0.5), 300 * (random.nextDouble() - 0.5), 35 + 40 * random.nextDouble());
+    }
+
+    private SceneSettings randomFlight(SplittableRandom random) {
+        List<RouteLeg> legs = new ArrayList<>();
+        for (int leg = 0; leg < 3; leg++) {
+            legs.add(new RouteLeg(anywhere(random), Optional.of(6.0 + 10.0 * random.nextDouble()), true));
+        }
+        return RouteScene.of(site.settings(), FieldSite.DRONE, new RouteFlight(anywhere(random), legs));
+    }
+
+    private RouteProof proof(SceneSettings scene, int runs) {
+        try (Workers workers = new Workers(2)) {
+            return workers.call(() -> RouteProof.of(scene, models, runs, done -> {}));
+        }
+    }
+
+    /** On every flight, one of the sensors is alone, in turn, or none. */
+    @Test
+    void runsDetectAsOftenAsPredicted() {
+        // The short form has a fixed seed: by chance, one in a hundred lies outside.
+        long seed = LongForm.IS_ON ? System.nanoTime() : 11;
+        System.out.println("RouteProofTest: seed " + seed);
+        SplittableRandom random = new SplittableRandom(seed);
+        List<String> sensors = List.copyOf(site.settings().sensors().keySet());
+        int outside = 0;
+        int undecided = 0;
+        for (int flight = 0; flight < FLIGHTS; flight++) {
+            SceneSettings scene = randomFlight(random);
+            int alone = flight % (sensors.size() + 1);
+            for (int other = 0; alone < sensors.size() && other < sensors.size(); other++) {
+                scene = scene.withEnabled(sensors.get(other), other == alone);
+            }
+            RouteProof proof = proof(scene, RUNS);
+            outside += proof.agrees() ? 0 : 1;
+            undecided += proof.predicted() > 0.02 && proof.predicted() < 0.98 ? 1 : 0;
+        }
+        assertThat(undecided).isGreaterThanOrEqualTo(FLIGHTS / 7);
+        assertThat(outside).as("outside, seed %d", seed).isLessThanOrEqualTo(FLIGHTS * 3 / 100);
+    }
+
+    @Test
+    void theSameForAnyNumberOfThreads() {
+        SceneSettings scene = randomFlight(new SplittableRandom(3));
+        RouteProof two = proof(scene, 60);
+        RouteProof alone = RouteProof.of(scene, models, 60, done -> {});
+
+        assertThat(alone).isEqualTo(two);
+        assertThat(two.plain()).isEqualTo(3);
+    }
+
+    /** What a fixed radar does is not changed by cues, and a camera that is cued to the drone sees it longer. */
+    @Test
+    void cuesMakeADifferenceToWhatIsOnAPositioner() {
+        SceneSettings all = randomFlight(new SplittableRandom(5));
+        SceneSettings fixed = all.withEnabled("searching", false);
+
+        assertThat(RouteProof.hasCues(fixed)).isFalse();
+        assertThat(RouteProof.hasCues(all)).isTrue();
+        assertThat(RouteProof.withCues(fixed, models, 20, done -> {}))
+                .isEqualTo(proof(fixed, 20).detections());
+    }
+
+    @Test
+    void aFlightIsThatOfTheSearch() {
+        RouteMode powered = new RouteMode("powered", 12.0, 3.0, 1.5, Double.POSITIVE_INFINITY);
+        RouteMode glide = new RouteMode("glide", 10.0, 99.0, 99.0, -0.1);
+        RoutePath path = new RoutePath(
+                List.of(
+                        new Position(0, 0, 50),
+                        new Position(0, 120, 50),
+                        new Position(0, 120, 80),
+                        new Position(0, 420, 20)),
+                List.of(0, 0, 1));
+        RouteFlight flight = RouteScene.flight(path, List.of(powered, glide)).orElseThrow();
+
+        double gliding = Math.hypot(300, 60) / 10.0;
+        assertThat(flight.duration(99.0)).isCloseTo(10.0 + 30.0 / 3.0 + gliding, within(1e-9));
+        assertThat(flight.legs().get(1).speed().orElseThrow()).isCloseTo(3.0, within(1e-12));
+        assertThat(flight.legs().get(2).powered()).isFalse();
+        assertThat(RouteScene.flight(new RoutePath(List.of(new Position(0, 0, 0)), List.of()), List.of(powered)))
+                .isEmpty();
+    }
+}
