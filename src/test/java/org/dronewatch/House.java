@@ -13,7 +13,7 @@ public final class House {
             new Storey("for people", "app.."),
             new Storey("", "viewer.."),
             new Storey("results", "report.."),
-            new Storey("", "bench..", "models..", "render..", "campaign..", "route"),
+            new Storey("", "bench..", "models..", "render..", "campaign..", "route.."),
             new Storey("questions", "analysis..", "scenes.."),
             new Storey("a run", "scene"),
             new Storey("", "run"),

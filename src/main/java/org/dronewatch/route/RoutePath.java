@@ -2,6 +2,10 @@ package org.dronewatch.route;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.flight.RouteFlight;
+import org.dronewatch.flight.RouteLeg;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -32,6 +36,28 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
             length += points.get(i).distance(points.get(i + 1));
         }
         return length;
+    }
+
+    /**
+     * The flight along this path, each leg in the time that the search assumes.
+     *
+     * @param of the modes in which the drone may fly, as in the search
+     * @return empty for a path that is shorter than a leg can be
+     */
+    public Optional<RouteFlight> flight(List<RouteMode> of) {
+        List<RouteLeg> legs = new ArrayList<>();
+        Position at = points.get(0);
+        for (int i = 0; i < modes.size(); i++) {
+            Position to = points.get(i + 1);
+            double length = at.distance(to);
+            if (length >= FlightPathSettings.SHORTEST) {
+                RouteMode mode = of.get(modes.get(i));
+                double time = mode.time(Math.hypot(to.x() - at.x(), to.y() - at.y()), to.z() - at.z());
+                legs.add(new RouteLeg(to, Optional.of(length / time), !mode.isGlide()));
+                at = to;
+            }
+        }
+        return legs.isEmpty() ? Optional.empty() : Optional.of(new RouteFlight(points.get(0), legs));
     }
 
     /** This path, continued by another that begins where it ends. */

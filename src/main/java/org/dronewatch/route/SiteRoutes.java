@@ -156,9 +156,9 @@ public final class SiteRoutes {
         return Math.floorMod((int) Math.rint(bearing / (2.0 * Math.PI) * SECTORS), SECTORS);
     }
 
-    /** A route as a flight, for a {@link RouteScene}; empty if it is shorter than a leg can be. */
+    /** A route as a flight, for a scene that runs; empty if it is shorter than a leg can be. */
     public Optional<RouteFlight> flight(WeakestRoute route) {
-        return RouteScene.flight(route.path(), problem.modes());
+        return route.path().flight(problem.modes());
     }
 
     /** By sensor, the exposure along the whole of a route, even where a detection comes too late. */

@@ -1,4 +1,4 @@
-package org.dronewatch.route;
+package org.dronewatch.route.proof;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -15,6 +15,8 @@ import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.RouteLeg;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.RouteMode;
+import org.dronewatch.route.RoutePath;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
@@ -136,13 +138,13 @@ class RouteProofTest {
                         new Position(0, 120, 80),
                         new Position(0, 420, 20)),
                 List.of(0, 0, 1));
-        RouteFlight flight = RouteScene.flight(path, List.of(powered, glide)).orElseThrow();
+        RouteFlight flight = path.flight(List.of(powered, glide)).orElseThrow();
 
         double gliding = Math.hypot(300, 60) / 10.0;
         assertThat(flight.duration(99.0)).isCloseTo(10.0 + 30.0 / 3.0 + gliding, within(1e-9));
         assertThat(flight.legs().get(1).speed().orElseThrow()).isCloseTo(3.0, within(1e-12));
         assertThat(flight.legs().get(2).powered()).isFalse();
-        assertThat(RouteScene.flight(new RoutePath(List.of(new Position(0, 0, 0)), List.of()), List.of(powered)))
+        assertThat(new RoutePath(List.of(new Position(0, 0, 0)), List.of()).flight(List.of(powered)))
                 .isEmpty();
     }
 }

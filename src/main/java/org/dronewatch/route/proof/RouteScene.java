@@ -1,14 +1,9 @@
-package org.dronewatch.route;
+package org.dronewatch.route.proof;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.DroneSettings;
-import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.flight.RouteFlight;
-import org.dronewatch.flight.RouteLeg;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Mounted;
@@ -18,30 +13,6 @@ import org.dronewatch.setting.SettingsForm;
 /** A route as a scene that runs: the drone flies it, alone, and the run ends when it arrives. */
 public final class RouteScene {
     private RouteScene() {}
-
-    /**
-     * The flight along a path: each leg in the time that the search assumes.
-     *
-     * @param modes in which the drone may fly, as in the search
-     * @return empty for a path that is shorter than a leg can be
-     */
-    public static Optional<RouteFlight> flight(RoutePath path, List<RouteMode> modes) {
-        List<RouteLeg> legs = new ArrayList<>();
-        Position at = path.points().get(0);
-        for (int i = 0; i < path.modes().size(); i++) {
-            Position to = path.points().get(i + 1);
-            double length = at.distance(to);
-            if (length >= FlightPathSettings.SHORTEST) {
-                RouteMode mode = modes.get(path.modes().get(i));
-                double time = mode.time(Math.hypot(to.x() - at.x(), to.y() - at.y()), to.z() - at.z());
-                legs.add(new RouteLeg(to, Optional.of(length / time), !mode.isGlide()));
-                at = to;
-            }
-        }
-        return legs.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new RouteFlight(path.points().get(0), legs));
-    }
 
     /**
      * A scene in which only this drone flies, on this flight, until it arrives. It is the same drone with the same

@@ -1,4 +1,4 @@
-package org.dronewatch.route;
+package org.dronewatch.route.proof;
 
 import java.util.ArrayList;
 import java.util.Arrays;

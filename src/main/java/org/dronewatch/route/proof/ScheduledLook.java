@@ -1,4 +1,4 @@
-package org.dronewatch.route;
+package org.dronewatch.route.proof;
 
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Look;
