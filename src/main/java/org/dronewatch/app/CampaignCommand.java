@@ -184,7 +184,8 @@ final class CampaignCommand implements Callable<Integer> {
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             files.writeProvenance(
                     provenance(plan, spec.root().commandLine().getParseResult().originalArgs()));
-            CaseRuns runner = new CaseRuns(interruption, err);
+            CaseRuns runner =
+                    new CaseRuns(interruption, err, main.cluster().forCampaign(PathWord.of("campaign file", file)));
             boolean whole = runner.run(new CampaignRun(plan, plan, part), files.chunks(), name);
             if (whole && plan.sensitivity().isPresent()) {
                 SensitivityCases further = plan.sensitivity().get();

@@ -3,14 +3,16 @@ package org.dronewatch.app;
 import java.io.PrintWriter;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CaseExecution;
 
 /**
  * Runs cases and shows their progress until all are done or the user wants to stop.
  *
  * @param interruption knows what the user wants
  * @param err receives the progress
+ * @param execution where they are run
  */
-record CaseRuns(Interruption interruption, PrintWriter err) {
+record CaseRuns(Interruption interruption, PrintWriter err, CaseExecution execution) {
     /**
      * Runs the cases that are missing.
      *
@@ -19,7 +21,7 @@ record CaseRuns(Interruption interruption, PrintWriter err) {
      */
     boolean run(CampaignRun run, CampaignRun.Chunks kept, String name) {
         try (CaseProgress progress = new CaseProgress(name, run.size(), err)) {
-            run.run(kept, progress);
+            execution.run(run, kept, progress);
             return true;
         } catch (CancellationException e) {
             if (!interruption.happened()) {

@@ -8,6 +8,7 @@ import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
+import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.campaign.KeptCases;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.setting.InputException;
@@ -137,7 +138,8 @@ final class CompareCommand implements Callable<Integer> {
     /** Returns whether all cases were run. */
     private boolean run(CampaignPlan plan, CampaignRun.Chunks kept) {
         Interruption interruption = main.interruption();
-        boolean whole = new CaseRuns(interruption, spec.commandLine().getErr()).run(new CampaignRun(plan), kept, NAME);
+        boolean whole = new CaseRuns(interruption, spec.commandLine().getErr(), CaseExecution.HERE)
+                .run(new CampaignRun(plan), kept, NAME);
         interruption.letFinish();
         return whole;
     }

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
+import org.dronewatch.campaign.CampaignCluster;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.parallel.LongTask;
 import org.dronewatch.report.provenance.ProgramVersion;
@@ -83,10 +84,30 @@ public final class Main implements Runnable {
     @Spec
     private CommandSpec spec;
 
+    private final CampaignCluster cluster;
+
     private Interruption interruption;
+
+    /** The commands, which run campaigns in this process. */
+    public Main() {
+        this(CampaignCluster.NONE);
+    }
+
+    private Main(CampaignCluster cluster) {
+        this.cluster = cluster;
+    }
 
     /** Runs a command and ends the process with its exit code unless that is 0. */
     public static void main(String[] arguments) {
+        main(CampaignCluster.NONE, arguments);
+    }
+
+    /**
+     * The same for a process that runs the cases of campaigns on other machines.
+     *
+     * @param cluster runs the cases of {@code campaign}; it is closed
+     */
+    public static void main(CampaignCluster cluster, String... arguments) {
         if (Arrays.stream(arguments).noneMatch(WINDOWED::contains) && System.getProperty(HEADLESS) == null) {
             // Pictures and plots need no display; one that cannot be reached must not stop them.
             System.setProperty(HEADLESS, "true");
@@ -94,7 +115,10 @@ public final class Main implements Runnable {
         // The console's own character set, so that names and paths come out as they were typed.
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
-        int code = execute(out, err, arguments);
+        int code;
+        try (cluster) {
+            code = execute(out, err, cluster, arguments);
+        }
         if (out.checkError()) {
             err.println("standard output could not be written completely");
             code = code == 0 ? BAD_INPUT : code;
@@ -112,11 +136,15 @@ public final class Main implements Runnable {
      * @return 0 done, 2 wrong usage or bad input, 3 no display, 1 anything else
      */
     public static int execute(PrintWriter out, PrintWriter err, String... arguments) {
+        return execute(out, err, CampaignCluster.NONE, arguments);
+    }
+
+    private static int execute(PrintWriter out, PrintWriter err, CampaignCluster cluster, String... arguments) {
         Logging.silence();
         // The library's files for unfinished images would need room in the temporary directory, and a hook at
         // shutdown.
         ImageIO.setUseCache(false);
-        Main main = new Main();
+        Main main = new Main(cluster);
         PrintWriter plainErr = new PlainPrinter(err);
         CommandLine commands = new CommandLine(main);
         commands.setOut(out);
@@ -175,6 +203,11 @@ public final class Main implements Runnable {
     /** What the command that runs asks whether the user wants it to stop. */
     Interruption interruption() {
         return interruption;
+    }
+
+    /** Runs the cases of campaigns. */
+    CampaignCluster cluster() {
+        return cluster;
     }
 
     private int failed(Throwable problem, PrintWriter err) {

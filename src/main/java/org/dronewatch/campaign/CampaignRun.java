@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.PrimitiveIterator;
+import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
 
 /**
@@ -61,16 +63,38 @@ public final class CampaignRun {
         this.shard = shard;
     }
 
-    /** The number of cases that are run; the largest number if the outcomes decide how many there are. */
-    public int size() {
-        int size = 0;
-        for (int chunk = 0; chunk < chunks(cases); chunk++) {
-            size += shard.has(chunk) ? size(chunk) : 0;
-        }
-        return size;
+    /** The campaign. */
+    public CampaignPlan plan() {
+        return plan;
     }
 
-    private int size(int chunk) {
+    /** What is run: the campaign itself, or other cases of its variants. */
+    public Cases cases() {
+        return cases;
+    }
+
+    /** Whether the outcomes decide how many cases there are. */
+    public boolean endsByOutcomes() {
+        return cases == plan && plan.settings().until().isPresent();
+    }
+
+    /** Where it ends, before the first case. */
+    public Stopping stopping() {
+        return cases == plan ? new Stopping(plan) : new Stopping(cases);
+    }
+
+    /** The number of cases that are run; the largest number if the outcomes decide how many there are. */
+    public int size() {
+        return chunks().map(this::size).sum();
+    }
+
+    /** The numbers of the chunks that are run, in their order. */
+    public IntStream chunks() {
+        return IntStream.range(0, chunks(cases)).filter(shard::has);
+    }
+
+    /** The number of cases of a chunk. */
+    public int size(int chunk) {
         return Math.min(CHUNK, cases.size() - chunk * CHUNK);
     }
 
@@ -86,26 +110,31 @@ public final class CampaignRun {
      *     kept
      */
     public void run(Chunks kept, Progress progress) {
-        Stopping stopping = cases == plan ? new Stopping(plan) : new Stopping(cases);
-        for (int chunk = 0; chunk < chunks(cases) && !stopping.isReached(); chunk++) {
-            if (!shard.has(chunk)) {
-                continue;
-            }
-            int first = chunk * CHUNK;
-            int count = size(chunk);
+        Stopping stopping = stopping();
+        PrimitiveIterator.OfInt chunks = chunks().iterator();
+        while (chunks.hasNext() && !stopping.isReached()) {
+            int chunk = chunks.nextInt();
             Optional<List<CaseResult>> there = kept.find(chunk);
             if (there.isPresent()) {
-                progress.kept(count);
+                progress.kept(size(chunk));
                 stopping.add(there.get());
             } else {
-                List<CaseResult> results = results(first, count, progress);
+                List<CaseResult> results = results(chunk, progress);
                 kept.put(chunk, results);
                 stopping.add(results);
             }
         }
     }
 
-    private List<CaseResult> results(int first, int count, Progress progress) {
+    /**
+     * Runs a chunk, on the {@link Workers} of the calling thread; the same results for any number of them.
+     *
+     * @return by case, then variant
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted
+     */
+    public List<CaseResult> results(int chunk, Progress progress) {
+        int first = chunk * CHUNK;
+        int count = size(chunk);
         List<String> variants = cases.variants();
         CaseResult[] results = new CaseResult[count * variants.size()];
         Workers.forEach(count, i -> {

@@ -71,4 +71,23 @@ public record CaseResult(
     public boolean isFailed() {
         return error.isPresent();
     }
+
+    /** A copy with another reason why there is no result. */
+    public CaseResult withError(Optional<String> other) {
+        return new CaseResult(
+                number,
+                variant,
+                seed,
+                values,
+                other,
+                bearing,
+                firstDetected,
+                firstSensor,
+                range,
+                alert,
+                warning,
+                inTime,
+                closest,
+                drones);
+    }
 }

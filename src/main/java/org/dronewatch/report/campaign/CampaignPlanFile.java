@@ -46,7 +46,7 @@ final class CampaignPlanFile {
     }
 
     /** SHA-256 of the campaign, of the settings of all variants, of their model files, and of the program's version. */
-    private String hash() {
+    String hash() {
         StringBuilder all = new StringBuilder(ProgramVersion.text()).append('\n');
         all.append(CanonicalSettings.of(plan.settings()));
         plan.tableHash().ifPresent(hash -> all.append(hash).append('\n'));

@@ -35,13 +35,14 @@ final class CaseChunks implements CampaignRun.Chunks {
         }
         try {
             List<CaseResult> results = table.read(file(number));
-            return isWhole(number, results) ? Optional.of(results) : Optional.empty();
+            return isWhole(cases, number, results) ? Optional.of(results) : Optional.empty();
         } catch (IOException e) {
             return Optional.empty();
         }
     }
 
-    private boolean isWhole(int number, List<CaseResult> results) {
+    /** Whether these are the results of a chunk, all of them and no others. */
+    static boolean isWhole(Cases cases, int number, List<CaseResult> results) {
         int first = number * CampaignRun.CHUNK;
         int count = Math.min(CampaignRun.CHUNK, cases.size() - first);
         List<String> variants = cases.variants();

@@ -6,9 +6,11 @@ import de.siegmar.fastcsv.reader.CsvRecord;
 import de.siegmar.fastcsv.writer.CsvWriter;
 import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -112,8 +114,15 @@ final class CaseTable {
      * @throws IOException when the file cannot be read, or is not such a table
      */
     List<CaseResult> read(Path file) throws IOException {
+        try (InputStream stream = Files.newInputStream(file)) {
+            return read(stream);
+        }
+    }
+
+    /** Reads such rows to the end of a stream. */
+    List<CaseResult> read(InputStream stream) throws IOException {
         List<CaseResult> results = new ArrayList<>();
-        try (CsvReader<CsvRecord> records = CsvReader.builder().ofCsvRecord(file)) {
+        try (CsvReader<CsvRecord> records = CsvReader.builder().ofCsvRecord(stream)) {
             boolean isHeader = true;
             for (CsvRecord row : records) {
                 if (isHeader && !row.getFields().equals(header()) || row.getFieldCount() != header().size()) {

@@ -1,0 +1,2 @@
+/** Campaigns on the machines of an Apache Spark cluster. */
+package org.dronewatch.spark;
