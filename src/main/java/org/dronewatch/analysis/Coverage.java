@@ -26,20 +26,24 @@ import org.dronewatch.sensor.SensorSettings;
 public final class Coverage {
     private final CoverageGrid grid;
     private final SurfaceHeights heights;
-    private final boolean isKnownEverywhere;
     private final Map<String, SensorSettings<?>> sensors;
-    private final Map<String, Prober.Findings> findings = new LinkedHashMap<>();
-    private final Map<String, Prober> probers = new LinkedHashMap<>();
+    private final Map<String, Prober> probers;
+    private final Map<String, Prober.Findings> findings;
+    private final CellTotals totals;
 
     private Coverage(
             CoverageGrid grid,
-            Map<String, SensorSettings<?>> sensors,
             SurfaceHeights heights,
-            boolean isKnownEverywhere) {
+            Map<String, SensorSettings<?>> sensors,
+            Map<String, Prober> probers,
+            Map<String, Prober.Findings> findings,
+            CellTotals totals) {
         this.grid = grid;
         this.heights = heights;
-        this.isKnownEverywhere = isKnownEverywhere;
         this.sensors = sensors;
+        this.probers = probers;
+        this.findings = findings;
+        this.totals = totals;
     }
 
     /**
@@ -61,8 +65,8 @@ public final class Coverage {
                 .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
                         + String.join(", ", settings.individualDrones().keySet())));
         SurfaceHeights heights = new SurfaceHeights(stage.world(), grid);
-        Coverage coverage = new Coverage(
-                grid, settings.enabledSensors(), heights, stage.world().isKnownEverywhere());
+        Map<String, Prober> probers = new LinkedHashMap<>();
+        Map<String, Prober.Findings> findings = new LinkedHashMap<>();
         settings.enabledSensors().forEach((id, sensor) -> {
             Prober prober = new Prober(
                     grid,
@@ -73,10 +77,13 @@ public final class Coverage {
                     id,
                     settings.run().seed(),
                     new Assessor(id, sensor, stage.world()));
-            coverage.probers.put(id, prober);
-            coverage.findings.put(id, prober.probe(progress));
+            probers.put(id, prober);
+            findings.put(id, prober.probe(progress));
         });
-        return coverage;
+        Map<String, SensorSettings<?>> sensors = settings.enabledSensors();
+        boolean isKnownEverywhere = stage.world().isKnownEverywhere();
+        CellTotals totals = CellTotals.of(sensors, findings, heights.height, isKnownEverywhere);
+        return new Coverage(grid, heights, sensors, probers, findings, totals);
     }
 
     /** The grid. */
@@ -95,11 +102,12 @@ public final class Coverage {
      * traces random rays, a single look decides.
      */
     public boolean isReached(String sensor, int column, int row) {
-        return answer(sensor, column, row) == Prober.Answer.DETECTED;
+        return findings.get(sensor).answers()[row * grid.cells() + column] == Prober.Answer.DETECTED;
     }
 
-    private Prober.Answer answer(String sensor, int column, int row) {
-        return findings.get(sensor).answers()[row * grid.cells() + column];
+    /** Whether any sensor detects the drone in a cell. */
+    public boolean isReached(int column, int row) {
+        return totals.reached()[row * grid.cells() + column];
     }
 
     /**
@@ -108,13 +116,7 @@ public final class Coverage {
      * ground are not unknown, but empty.
      */
     public boolean isUnknown(int column, int row) {
-        if (sensors.keySet().stream().anyMatch(sensor -> isReached(sensor, column, row))) {
-            return false;
-        }
-        boolean hasGround = !Double.isNaN(heights.height[row * grid.cells() + column]);
-        return hasGround
-                ? sensors.keySet().stream().anyMatch(sensor -> answer(sensor, column, row) == Prober.Answer.UNKNOWN)
-                : !isKnownEverywhere;
+        return totals.unknown()[row * grid.cells() + column];
     }
 
     /** The area of the cells that are {@link #isUnknown unknown}, m2. */
@@ -189,12 +191,7 @@ public final class Coverage {
 
     /** Number of sensors of a kind that detect the drone in a cell. */
     public int count(String kind, int column, int row) {
-        int count = 0;
-        for (Map.Entry<String, SensorSettings<?>> sensor : sensors.entrySet()) {
-            boolean counts = sensor.getValue().kind().equals(kind) && isReached(sensor.getKey(), column, row);
-            count += counts ? 1 : 0;
-        }
-        return count;
+        return totals.count(kind, row * grid.cells() + column);
     }
 
     /** The area in which a sensor detects the drone, m2. */

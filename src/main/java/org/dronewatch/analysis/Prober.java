@@ -3,6 +3,7 @@ package org.dronewatch.analysis;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -12,6 +13,7 @@ import org.dronewatch.sensor.AssessableSensor;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.AssessmentBounds;
 import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.BoundingSensor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Explanation;
@@ -71,32 +73,28 @@ record Prober(
     private void probe(Eye eye, int column, int row, Findings found) {
         int cell = row * grid.cells() + column;
         found.answers[cell] = Answer.MISSED;
-        Optional<FlightState> there = comingFrom(column, row);
-        if (there.isEmpty()) {
+        if (Double.isNaN(heights.height[cell])) {
             return;
         }
-        FlightState state = there.get();
-        if (!world.isKnown(settings.position(), state.position())) {
+        Position at = position(column, row);
+        if (!world.isKnown(settings.position(), at)) {
             found.answers[cell] = Answer.UNKNOWN;
             return;
         }
-        Optional<AssessmentBounds> bounds = bound(eye.assessor, state);
+        Optional<Pointing> pointing = Mounted.turnedTo(settings, at);
+        Optional<AssessmentBounds> bounds =
+                eye.assessor.boundAtAllHeadings(drone, at, pointing).filter(Prober::isDecisive);
+        FlightState state = bounds.isEmpty() ? comingFrom(at) : null;
+        if (bounds.isEmpty()) {
+            bounds = eye.assessor.bound(drone, state, pointing, Prober::step).filter(Prober::isDecisive);
+        }
         if (bounds.isPresent()) {
             found.answers[cell] = bounds.get().least() >= EVEN_CHANCE ? Answer.DETECTED : Answer.MISSED;
             found.causes[cell] = bounds.get().cause();
             return;
         }
         Drone drawn = drone.at(state);
-        found.answers[cell] = isDetected(eye.sensor, look(cell, drawn), drawn) ? Answer.DETECTED : Answer.MISSED;
-    }
-
-    /** Empty where bounds leave it open whether the sensor detects the drone. */
-    private Optional<AssessmentBounds> bound(Assessor one, FlightState state) {
-        Optional<Pointing> pointing = Mounted.turnedTo(settings, state.position());
-        return one.boundAtAllHeadings(drone, state.position(), pointing)
-                .filter(Prober::isDecisive)
-                .or(() -> one.bound(drone, state, pointing, Prober::step))
-                .filter(Prober::isDecisive);
+        found.answers[cell] = isDetected(eye, look(cell, drawn), drawn) ? Answer.DETECTED : Answer.MISSED;
     }
 
     private static boolean isDecisive(AssessmentBounds bounds) {
@@ -108,12 +106,21 @@ record Prober(
     }
 
     /** By its probability: a draw for each cell would show speckle. Rays are traced once, as in a run. */
-    private boolean isDetected(Sensor sensor, Look look, Drone there) {
-        if (sensor instanceof AssessableSensor assessable && !(sensor instanceof RaySensor)) {
-            return assessable
-                            .signal(world, there, look.pointing(), look.random(there.id(), RaySensor.RAYS))
+    private boolean isDetected(Eye eye, Look look, Drone there) {
+        Sensor sensor = eye.sensor;
+        RandomGenerator random = look.random(there.id(), RaySensor.RAYS);
+        if (sensor instanceof BoundingSensor) {
+            // What has traced the site for bounds knows it already.
+            return eye.assessor
+                            .assessCoarsely(there, look.pointing(), random, EVEN_CHANCE)
                             .probability()
                     >= EVEN_CHANCE;
+        }
+        if (sensor instanceof AssessableSensor assessable && !(sensor instanceof RaySensor)) {
+            return assessable.signal(world, there, look.pointing(), random).probability() >= EVEN_CHANCE;
+        }
+        if (sensor instanceof RaySensor rays && settings.chance() == Chance.PER_LOOK) {
+            return rays.detects(world, there, look);
         }
         return sensor.observe(world, List.of(there), look).stream()
                 .filter(seen -> seen.drone().equals(drone.id()))
@@ -146,14 +153,20 @@ record Prober(
 
     /** The state of the drone in a cell; empty where there is no ground. */
     private Optional<FlightState> comingFrom(int column, int row) {
+        return Double.isNaN(heights.height[row * grid.cells() + column])
+                ? Optional.empty()
+                : Optional.of(comingFrom(position(column, row)));
+    }
+
+    private Position position(int column, int row) {
         double ground = heights.height[row * grid.cells() + column];
-        if (Double.isNaN(ground)) {
-            return Optional.empty();
-        }
-        Position position = new Position(grid.x(column), grid.y(row), ground + grid.height());
+        return new Position(grid.x(column), grid.y(row), ground + grid.height());
+    }
+
+    private FlightState comingFrom(Position position) {
         Position vector = settings.position().minus(position);
         double length = Math.max(vector.length(), Double.MIN_NORMAL);
         Position velocity = vector.times(drone.settings().speed() / length);
-        return Optional.of(new FlightState(position, velocity, Math.atan2(vector.x(), vector.y())));
+        return new FlightState(position, velocity, Math.atan2(vector.x(), vector.y()));
     }
 }

@@ -1,7 +1,6 @@
 package org.dronewatch.analysis;
 
 import java.util.Arrays;
-import java.util.OptionalDouble;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
@@ -11,13 +10,12 @@ final class SurfaceHeights {
 
     SurfaceHeights(World world, CoverageGrid grid) {
         height = new double[grid.cells() * grid.cells()];
-        for (int row = 0; row < grid.cells(); row++) {
-            Workers.checkInterrupted();
+        Workers.forEach(grid.cells(), world::newGround, (ground, row) -> {
             for (int column = 0; column < grid.cells(); column++) {
-                OptionalDouble surface = world.surfaceHeight(grid.x(column), grid.y(row));
-                height[row * grid.cells() + column] = surface.orElse(Double.NaN);
+                height[row * grid.cells() + column] =
+                        ground.height(grid.x(column), grid.y(row)).orElse(Double.NaN);
             }
-        }
+        });
     }
 
     /** In how many cells there is a surface. */

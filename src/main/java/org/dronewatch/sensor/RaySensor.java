@@ -1,5 +1,6 @@
 package org.dronewatch.sensor;
 
+import java.util.List;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
@@ -18,4 +19,16 @@ public interface RaySensor extends Sensor {
      * @param recorder receives every segment of every ray
      */
     void traceRays(World world, Drone drone, RandomGenerator random, RayRecorder recorder);
+
+    /**
+     * Whether a look at a drone alone detects it, as {@link #observe} does with the same random numbers, perhaps at
+     * less cost.
+     *
+     * @param world the site
+     * @param drone as it appears at the sensor
+     */
+    default boolean detects(World world, Drone drone, Look look) {
+        return observe(world, List.of(drone), look).stream()
+                .anyMatch(seen -> seen.drone().equals(drone.id()) && seen.isDetected());
+    }
 }

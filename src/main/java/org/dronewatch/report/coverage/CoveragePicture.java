@@ -20,6 +20,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.Credits;
 import org.dronewatch.render.KindColours;
 import org.dronewatch.world.World;
@@ -85,11 +86,22 @@ public final class CoveragePicture {
 
     private void drawMap(World world) {
         int[] ground = ReliefShade.of(world, grid.east(), grid.north(), grid.side(), MAP);
-        for (int v = 0; v < MAP; v++) {
+        Workers.forEach(MAP, v -> {
             for (int u = 0; u < MAP; u++) {
-                image.setRGB(u, v, covered(new Color(ground[v * MAP + u]), u, v).getRGB());
+                if (isMarked(u, v)) {
+                    ground[v * MAP + u] =
+                            covered(new Color(ground[v * MAP + u]), u, v).getRGB();
+                }
             }
-        }
+        });
+        image.getRaster().setDataElements(0, 0, MAP, MAP, ground);
+    }
+
+    /** Whether a pixel shows more than ground. */
+    private boolean isMarked(int u, int v) {
+        int column = u * grid.cells() / MAP;
+        int row = v * grid.cells() / MAP;
+        return coverage.isReached(column, row) || coverage.isUnknown(column, row);
     }
 
     /** The ground's colour under that of each kind that reaches the cell, stronger at the edge of what it reaches. */

@@ -25,6 +25,9 @@ final class ReliefShade {
     private final TriangleMesh mesh;
     private final RayTracer traversal;
     private final double above;
+    private final double lowest;
+    private final double extent;
+    private final double[] normal = new double[3];
 
     /**
      * The ground of a square area, on the {@link Workers} of the calling thread: red, green and blue of each pixel, row
@@ -53,6 +56,8 @@ final class ReliefShade {
         this.mesh = world.mesh();
         this.traversal = world.newRayTracer();
         this.above = world.bounds().maxZ() + 1.0;
+        this.lowest = world.bounds().minZ();
+        this.extent = Math.max(1e-9, world.bounds().maxZ() - lowest);
     }
 
     /** The colour at a point: pale where the surface faces the light, lighter the higher it is. */
@@ -60,11 +65,10 @@ final class ReliefShade {
         if (!traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)) {
             return NOTHING;
         }
-        double[] normal = normal(traversal.triangle());
+        setNormal(traversal.triangle());
         double facing = normal[0] * LIGHT[0] + normal[1] * LIGHT[1] + normal[2] * LIGHT[2];
         double height = above - traversal.distance();
-        double rise = (height - world.bounds().minZ())
-                / Math.max(1e-9, world.bounds().maxZ() - world.bounds().minZ());
+        double rise = (height - lowest) / extent;
         double light = Math.max(0.0, Math.min(1.0, 0.25 + 0.55 * Math.max(0.0, facing) + 0.2 * rise));
         String material = world.materialNames().get(world.material(traversal.triangle(), x, y));
         if (material.equals(LandClass.WATER.material())) {
@@ -81,11 +85,13 @@ final class ReliefShade {
     }
 
     /** Unit normal, to the upper side. */
-    private double[] normal(int triangle) {
-        double[] n = new double[3];
+    private void setNormal(int triangle) {
+        double[] n = normal;
         mesh.normal(triangle, n);
         double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         double scale = 1.0 / Math.copySign(Math.max(Double.MIN_NORMAL, length), n[2]);
-        return new double[] {n[0] * scale, n[1] * scale, n[2] * scale};
+        n[0] *= scale;
+        n[1] *= scale;
+        n[2] *= scale;
     }
 }

@@ -84,6 +84,11 @@ public final class AcousticSensor implements RaySensor, CurveSensor, Interpolabl
                 look.id(settings.kind()), new GroundTruth(drone.id(), distance, emission), reading, figures, sighting);
     }
 
+    @Override
+    public boolean detects(World world, Drone drone, Look look) {
+        return tracer(world).hears(drone, look.random(drone.id(), RAYS));
+    }
+
     /** The direction in which an array hears a drone: where it was when the sound left it. */
     private Optional<DirectionFinder.Found> find(World world, Drone drone, Heard sound, Look look) {
         if (settings.array().isEmpty() || sound.ratios().isEmpty()) {

@@ -33,12 +33,26 @@ final class DecisiveRays {
 
     /** Whether a ray from a surface, or one that comes of it, can be loud enough at the sensor. */
     boolean include(AcousticRay ray) {
+        ScatteredRays.Wanted wanted = of(ray);
+        return wanted == ScatteredRays.Wanted.ALL || wanted == ScatteredRays.Wanted.DIRECTED && isDirectedAtSensor(ray);
+    }
+
+    /** Which of the rays with the origin, level and order of one from a surface can be loud enough at the sensor. */
+    ScatteredRays.Wanted of(AcousticRay ray) {
         double x = sensor.x() - ray.originX;
         double y = sensor.y() - ray.originY;
         double z = sensor.z() - ray.originZ;
         double highest = ray.level - model.attenuation() * Math.sqrt(x * x + y * y + z * z) + ROUNDING;
+        if (highest < detectionLevel) {
+            return ScatteredRays.Wanted.NONE;
+        }
         boolean canBeReflected = ray.order < model.maxOrder() && highest - leastLoss >= detectionLevel;
-        return highest >= detectionLevel && (canBeReflected || isDirectedAtSensor(ray));
+        return canBeReflected ? ScatteredRays.Wanted.ALL : ScatteredRays.Wanted.DIRECTED;
+    }
+
+    /** A radius within which all rays count as directed at the sensor, m. */
+    double radius() {
+        return radius;
     }
 
     private boolean isDirectedAtSensor(AcousticRay ray) {

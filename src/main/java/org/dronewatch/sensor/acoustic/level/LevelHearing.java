@@ -21,6 +21,9 @@ public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
     static final String CUMULATED_ENERGY = "cumulated_energy";
 
+    /** Above the rounding of the levels along a path, dB. */
+    private static final double ROUNDING = 1e-6;
+
     private final LevelModel model;
     private final Position microphone;
     private final double threshold;
@@ -58,20 +61,31 @@ public final class LevelHearing implements SoundTracer {
         return new Heard(reading.bestLevel(), threshold, figures);
     }
 
+    /** {@inheritDoc} Traces only the rays that decide. */
+    @Override
+    public boolean hears(Drone drone, RandomGenerator random) {
+        return straightLevel(drone) >= threshold - ROUNDING
+                && decide(drone, random).detected();
+    }
+
+    private LevelReading decide(Drone drone, RandomGenerator random) {
+        return tracer.trace(drone.origin(), drone.soundLevel(), random, TracedRays.DECISIVE_OF_LOOK, RayRecorder.NONE);
+    }
+
     @Override
     public Signal signal(Drone drone, RandomGenerator random) {
         LevelAssessment.Look look = rays -> listen(drone, rays);
         return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look);
     }
 
-    /** {@inheritDoc} Its looks after the first do not trace rays that cannot be detected. */
+    /** {@inheritDoc} It does not trace rays that cannot be detected. */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random) {
         return LevelAssessment.signal(
                 straightLevel(drone),
                 threshold,
                 random,
-                rays -> listen(drone, rays),
+                rays -> decide(drone, rays),
                 rays -> tracer.trace(drone.origin(), drone.soundLevel(), rays, TracedRays.DECISIVE, RayRecorder.NONE));
     }
 

@@ -3,7 +3,6 @@ package org.dronewatch.sensor.acoustic.level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
@@ -44,6 +43,10 @@ public final class LevelTracer {
     private long traced;
     private long cutByOrder;
     private long cutByBudget;
+
+    /** Maximum number of rays of the last order, kept or not. */
+    private long mostOfLastOrder;
+
     private int cutOrder;
 
     /**
@@ -77,10 +80,36 @@ public final class LevelTracer {
     LevelReading trace(
             Position source, double sourceLevel, RandomGenerator random, TracedRays extent, RayRecorder recorder) {
         reset();
+        queue.clear();
         emit(source, sourceLevel, random);
         long seed = random.nextLong();
-        // A recorder takes one segment at a time.
-        int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
+        int emitted = queue.added();
+        if (extent != TracedRays.DECISIVE_OF_LOOK) {
+            trace(seed, extent, recorder);
+        } else if (cutByBudget > 0 || !traceWithinBudget(seed)) {
+            queue.shorten(emitted);
+            trace(seed, TracedRays.UNTIL_DETECTED, recorder);
+        }
+        OptionalInt cutAt = cutByBudget > 0 ? OptionalInt.of(cutOrder) : OptionalInt.empty();
+        return new LevelReading(
+                bestLevel, bestLevel >= detectionLevel, energy, received, traced, cutByOrder, cutByBudget, cutAt);
+    }
+
+    /** Traces the decisive rays of a look; false where the budget may have ended rays that were left out. */
+    private boolean traceWithinBudget(long seed) {
+        trace(seed, TracedRays.DECISIVE_OF_LOOK, RayRecorder.NONE);
+        boolean isWithin = queue.added() + mostOfLastOrder <= model.rayBudget();
+        if (!isWithin) {
+            reset();
+        }
+        return isWithin;
+    }
+
+    private void trace(long seed, TracedRays extent, RayRecorder recorder) {
+        // A recorder takes one segment at a time; looks at many places are shared out among the threads as a whole.
+        boolean isShared =
+                recorder == RayRecorder.NONE && (extent == TracedRays.ALL || extent == TracedRays.UNTIL_DETECTED);
+        int threads = isShared ? Workers.available() : 1;
         int atOnce = threads == 1 ? 1 : CHUNKS_PER_THREAD * threads;
         while (team.size() < atOnce) {
             team.add(chunks.get());
@@ -94,7 +123,7 @@ public final class LevelTracer {
             Workers.forEach(wave, i -> {
                 int from = first + i * CHUNK;
                 int to = Math.min(from + CHUNK, queue.added());
-                team.get(i).trace(queue, from, to, new SplittableRandom(Draws.mix(seed, from)), extent, recorder);
+                team.get(i).trace(queue, from, to, new SkippableRandom(Draws.mix(seed, from)), extent, recorder);
             });
             int waiting = queue.added();
             for (int i = 0; i < wave && !enough; i++) {
@@ -103,19 +132,16 @@ public final class LevelTracer {
                 enough = extent != TracedRays.ALL && bestLevel >= detectionLevel;
             }
         }
-        OptionalInt cutAt = cutByBudget > 0 ? OptionalInt.of(cutOrder) : OptionalInt.empty();
-        return new LevelReading(
-                bestLevel, bestLevel >= detectionLevel, energy, received, traced, cutByOrder, cutByBudget, cutAt);
     }
 
     private void reset() {
-        queue.clear();
         bestLevel = Double.NEGATIVE_INFINITY;
         energy = 0.0;
         received = 0;
         traced = 0;
         cutByOrder = 0;
         cutByBudget = 0;
+        mostOfLastOrder = 0;
         cutOrder = Integer.MAX_VALUE;
     }
 
@@ -156,6 +182,7 @@ public final class LevelTracer {
         received += chunk.received();
         traced += chunk.traced();
         cutByOrder += chunk.cutByOrder();
+        mostOfLastOrder += chunk.mostOfLastOrder();
         RayQueue branches = chunk.branches();
         int kept = Math.min(branches.added(), model.rayBudget() - queue.added());
         queue.addAll(branches, kept);

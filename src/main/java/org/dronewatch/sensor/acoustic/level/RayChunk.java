@@ -31,6 +31,7 @@ final class RayChunk {
     private long received;
     private long traced;
     private long cutByOrder;
+    private long mostOfLastOrder;
 
     RayChunk(
             LevelModel model,
@@ -45,7 +46,7 @@ final class RayChunk {
         this.detectionLevel = detectionLevel;
         this.traversal = world.newRayTracer();
         this.decisive = new DecisiveRays(model, sensor, radius, detectionLevel, surfaces);
-        this.reflections = new ReflectionGenerator(model, world, surfaces, sensor);
+        this.reflections = new ReflectionGenerator(model, world, surfaces, sensor, decisive.radius());
     }
 
     /**
@@ -63,8 +64,20 @@ final class RayChunk {
         received = 0;
         traced = 0;
         cutByOrder = 0;
+        mostOfLastOrder = 0;
+        ReflectionGenerator.Draw draw = new ReflectionGenerator.Draw(random, this::keep, this::wanted);
         for (int i = from; i < to; i++) {
             queue.get(i, ray);
+            if (isOfUseOnlyAtSensor()) {
+                traced++;
+                if (isFreeToSensor()) {
+                    receive(recorder);
+                    if (bestLevel >= detectionLevel) {
+                        return;
+                    }
+                }
+                continue;
+            }
             boolean hit = ray.meets(traversal);
             traced++;
             double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
@@ -77,10 +90,21 @@ final class RayChunk {
                 double arriving = ray.level - model.attenuation() * Math.min(distance, DRAWN);
                 record(recorder, Math.min(distance, DRAWN), arriving, false);
                 if (hit) {
-                    reflect(distance, traversal.triangle(), random);
+                    reflect(distance, traversal.triangle(), draw);
                 }
             }
         }
+    }
+
+    /** Whether the ray comes from a surface, ends at the next one, and needs no figures. */
+    private boolean isOfUseOnlyAtSensor() {
+        boolean isQuick = extent == TracedRays.DECISIVE || extent == TracedRays.DECISIVE_OF_LOOK;
+        return isQuick && ray.order > 0 && ray.order == model.maxOrder();
+    }
+
+    private boolean isFreeToSensor() {
+        double entry = ray.entry(sensor, radius);
+        return entry < Double.POSITIVE_INFINITY && !ray.meets(traversal, entry);
     }
 
     private boolean reachesSensor(double surface) {
@@ -100,7 +124,7 @@ final class RayChunk {
         record(recorder, toCentre, level, true);
     }
 
-    private void reflect(double distance, int triangle, RandomGenerator random) {
+    private void reflect(double distance, int triangle, ReflectionGenerator.Draw draw) {
         double arriving = ray.level - model.attenuation() * distance;
         if (arriving < detectionLevel) {
             return;
@@ -109,14 +133,31 @@ final class RayChunk {
             cutByOrder += model.reflectionsPerHit();
             return;
         }
-        reflections.acousticDistribution(ray, distance, triangle, arriving, random, this::keep);
+        if (ray.order + 1 == model.maxOrder()) {
+            mostOfLastOrder += model.reflectionsPerHit() + model.transmittedRays();
+        }
+        reflections.acousticDistribution(ray, distance, triangle, arriving, draw);
     }
 
     /** Too quiet a ray is not worth tracing: nothing that comes of it can be detected. */
     private void keep(AcousticRay branch) {
-        if (branch.level >= detectionLevel && (extent != TracedRays.DECISIVE || decisive.include(branch))) {
+        if (branch.level >= detectionLevel && (!areOnlyDecisiveWanted(branch) || decisive.include(branch))) {
             branches.add(branch);
         }
+    }
+
+    /** Which scattered rays would be kept. */
+    private ScatteredRays.Wanted wanted(AcousticRay branch) {
+        if (branch.level < detectionLevel) {
+            return ScatteredRays.Wanted.NONE;
+        }
+        return areOnlyDecisiveWanted(branch) ? decisive.of(branch) : ScatteredRays.Wanted.ALL;
+    }
+
+    /** In the decisive rays of a given look, those before the last order are needed for their random numbers. */
+    private boolean areOnlyDecisiveWanted(AcousticRay branch) {
+        return extent == TracedRays.DECISIVE
+                || extent == TracedRays.DECISIVE_OF_LOOK && branch.order == model.maxOrder();
     }
 
     private void record(RayRecorder recorder, double length, double level, boolean atSensor) {
@@ -155,6 +196,11 @@ final class RayChunk {
     /** How many rays were not created because of the maximum order. */
     long cutByOrder() {
         return cutByOrder;
+    }
+
+    /** At most this many rays of the last order left the surfaces, kept or not. */
+    long mostOfLastOrder() {
+        return mostOfLastOrder;
     }
 
     /** The rays that leave the surfaces, in the order of those that hit them. */

@@ -18,6 +18,11 @@ final class RayQueue {
         added = 0;
     }
 
+    /** Forgets all but the first rays. */
+    void shorten(int count) {
+        added = count;
+    }
+
     /** How many rays were added since the queue was cleared. */
     int added() {
         return added;

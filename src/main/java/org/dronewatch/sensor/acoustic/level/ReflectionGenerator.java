@@ -3,7 +3,6 @@ package org.dronewatch.sensor.acoustic.level;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
-import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.world.World;
 
@@ -24,6 +23,7 @@ public final class ReflectionGenerator {
     private final Normals normals;
     private final SurfaceLevels surfaces;
     private final Position sensor;
+    private final ScatteredRays scattered;
     private final AcousticRay branch = new AcousticRay();
 
     private final double[] normal = new double[3];
@@ -44,15 +44,17 @@ public final class ReflectionGenerator {
      * @param sensor position at which the second ray is aimed, m
      */
     public ReflectionGenerator(LevelModel model, World world, Position sensor) {
-        this(model, world, new SurfaceLevels(world), sensor);
+        this(model, world, new SurfaceLevels(world), sensor, 0.0);
     }
 
-    ReflectionGenerator(LevelModel model, World world, SurfaceLevels surfaces, Position sensor) {
+    /** A generator for a sensor at which rays within a radius are directed, m. */
+    ReflectionGenerator(LevelModel model, World world, SurfaceLevels surfaces, Position sensor, double radius) {
         this.model = model;
         this.world = world;
         this.normals = new Normals(world.mesh());
         this.surfaces = surfaces;
         this.sensor = sensor;
+        this.scattered = new ScatteredRays(sensor, radius);
     }
 
     /** Receives each ray from a hit. */
@@ -80,17 +82,32 @@ public final class ReflectionGenerator {
      */
     public void acousticDistribution(
             AcousticRay ray, double distance, int triangle, double arriving, RandomGenerator random, Branches target) {
+        Draw draw = new Draw(random, target, branch -> ScatteredRays.Wanted.ALL);
+        acousticDistribution(ray, distance, triangle, arriving, draw);
+    }
+
+    /**
+     * How rays are drawn.
+     *
+     * @param random draws the directions of scattered rays
+     * @param target receives the rays
+     * @param wanted which scattered rays it receives; the random numbers of the others are skipped
+     */
+    record Draw(RandomGenerator random, Branches target, ScatteredRays.Choice wanted) {}
+
+    /** The same, but only for those scattered rays that are wanted. */
+    void acousticDistribution(AcousticRay ray, double distance, int triangle, double arriving, Draw draw) {
         setHit(ray, distance, triangle);
         int material = world.material(triangle, hitX, hitY);
         branch.order = ray.order + 1;
         branch.travelled = ray.travelled + distance;
-        reflect(ray, material, arriving, random, target);
+        reflect(ray, material, arriving, draw);
         if (surfaces.transmits(material) && refract(ray, material)) {
-            transmit(ray, material, arriving, random, target);
+            transmit(ray, material, arriving, draw);
         }
     }
 
-    private void reflect(AcousticRay ray, int material, double arriving, RandomGenerator random, Branches target) {
+    private void reflect(AcousticRay ray, int material, double arriving, Draw draw) {
         int count = model.reflectionsPerHit();
         double cosine = -(ray.directionX * normalX + ray.directionY * normalY + ray.directionZ * normalZ);
         double reflected = ray.energy * surfaces.reflectedFraction(material, cosine);
@@ -99,21 +116,18 @@ public final class ReflectionGenerator {
         standOff(1.0);
         reflectSpecular(ray);
         branch.energy = ofStraightRay(reflected, count);
-        target.accept(branch);
+        draw.target.accept(branch);
         branch.energy = ofScatteredRay(reflected, count);
         int made = 1;
         if (made < count && aimAtSensor()) {
-            target.accept(branch);
+            draw.target.accept(branch);
             made++;
         }
-        for (; made < count; made++) {
-            drawOverHemisphere(random, 1.0);
-            target.accept(branch);
-        }
+        scatter(count - made, 1.0, draw);
     }
 
     /** The rays on the far side; the branch already is the first of them, the refracted one. */
-    private void transmit(AcousticRay ray, int material, double arriving, RandomGenerator random, Branches target) {
+    private void transmit(AcousticRay ray, int material, double arriving, Draw draw) {
         int count = model.transmittedRays();
         double transmitted = ray.energy * surfaces.transmittedFraction(material);
         boolean entering = ray.medium == AcousticRay.AIR;
@@ -121,12 +135,13 @@ public final class ReflectionGenerator {
         branch.level = arriving - (entering ? surfaces.transmissionLoss(material) : 0.0);
         branch.medium = entering && !surfaces.isSheet(material) ? material : AcousticRay.AIR;
         branch.energy = ofStraightRay(transmitted, count);
-        target.accept(branch);
+        draw.target.accept(branch);
         branch.energy = ofScatteredRay(transmitted, count);
-        for (int made = 1; made < count; made++) {
-            drawOverHemisphere(random, -1.0);
-            target.accept(branch);
-        }
+        scatter(count - 1, -1.0, draw);
+    }
+
+    private void scatter(int count, double side, Draw draw) {
+        scattered.draw(branch, count, normal, side, draw.random, draw.wanted.of(branch), draw.target);
     }
 
     /**
@@ -186,17 +201,6 @@ public final class ReflectionGenerator {
         branch.directionY = y * scale;
         branch.directionZ = z * scale;
         return true;
-    }
-
-    /** Uniform over the sphere, turned over to the near (1) or the far side (-1) of the surface. */
-    private void drawOverHemisphere(RandomGenerator random, double side) {
-        Directions.draw(random, branch);
-        double along = branch.directionX * normalX + branch.directionY * normalY + branch.directionZ * normalZ;
-        if (side * along < 0.0) {
-            branch.directionX = -branch.directionX;
-            branch.directionY = -branch.directionY;
-            branch.directionZ = -branch.directionZ;
-        }
     }
 
     /**

@@ -49,8 +49,12 @@ public final class AcousticRay {
 
     /** Whether it hits a surface; the tracer then has the triangle and the distance. */
     public boolean meets(RayTracer tracer) {
-        return tracer.closestHit(
-                originX, originY, originZ, directionX, directionY, directionZ, 0.0, Double.POSITIVE_INFINITY);
+        return meets(tracer, Double.POSITIVE_INFINITY);
+    }
+
+    /** The same up to a distance from its origin, m. */
+    public boolean meets(RayTracer tracer, double limit) {
+        return tracer.closestHit(originX, originY, originZ, directionX, directionY, directionZ, 0.0, limit);
     }
 
     /** Moves its origin along its direction, m. */

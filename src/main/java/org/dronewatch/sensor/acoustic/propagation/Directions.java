@@ -19,8 +19,17 @@ public final class Directions {
 
     /** Draws a ray's direction uniformly from the sphere (Archimedes: the height is uniform). */
     public static void draw(RandomGenerator random, AcousticRay ray) {
-        double z = 2.0 * random.nextDouble() - 1.0;
-        double angle = 2.0 * Math.PI * random.nextDouble();
+        set(ray, 2.0 * random.nextDouble() - 1.0, random.nextDouble());
+    }
+
+    /**
+     * Sets a ray's direction.
+     *
+     * @param z its vertical component, -1 to 1
+     * @param turn its bearing as a fraction of a turn from the x axis to the y axis, 0 to 1
+     */
+    public static void set(AcousticRay ray, double z, double turn) {
+        double angle = 2.0 * Math.PI * turn;
         double radius = Math.sqrt(Math.max(0.0, 1.0 - z * z));
         ray.directionX = radius * Math.cos(angle);
         ray.directionY = radius * Math.sin(angle);

@@ -19,6 +19,12 @@ public interface SoundTracer {
      */
     Heard hear(Drone drone, RandomGenerator random);
 
+    /** Whether a look hears the drone, as {@link #hear} with the same random numbers, perhaps at less cost. */
+    default boolean hears(Drone drone, RandomGenerator random) {
+        Heard heard = hear(drone, random);
+        return heard.value() >= heard.threshold();
+    }
+
     /** The signal received from a drone, before any random decision; draws from the same random numbers as a look. */
     Signal signal(Drone drone, RandomGenerator random);
 
