@@ -11,15 +11,17 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * How a drone flies through a cell: level, at its cruise speed, nose first; or it hovers.
+ * How a drone flies through a cell: level, at its cruise speed, nose first; or it hovers, or glides down.
  *
  * @param kind what determines the heading
  * @param angle added to the heading, or for {@link Kind#COMPASS} and {@link Kind#HOVER} the heading itself, clockwise,
  *     rad
  * @param reference the place from or to which the heading is measured, m; of no effect for a fixed heading
  * @param sensor the sensor whose line of sight is crossed; empty for other kinds
+ * @param glide how it glides; empty under power
  */
-public record Course(Kind kind, double angle, Position reference, Optional<String> sensor) {
+public record Course(
+        Kind kind, double angle, Position reference, Optional<String> sensor, Optional<GlideDescent> glide) {
     private static final int COMPASS_POINTS = 8;
     private static final Position NOWHERE = new Position(0, 0, 0);
 
@@ -56,6 +58,27 @@ public record Course(Kind kind, double angle, Position reference, Optional<Strin
             courses.add(new Course(Kind.HOVER, 0.0, NOWHERE, Optional.empty()));
         }
         return courses;
+    }
+
+    /** A course under power. */
+    public Course(Kind kind, double angle, Position reference, Optional<String> sensor) {
+        this(kind, angle, reference, sensor, Optional.empty());
+    }
+
+    /**
+     * The same courses, without hovering, with the motors off and long since cold: the drone descends at its best glide
+     * ratio.
+     *
+     * @param sensors by name
+     * @throws IllegalArgumentException if the drone cannot glide
+     */
+    public static List<Course> gliding(Map<String, SensorSettings<?>> sensors, Drone drone) {
+        GlideDescent glide = GlideDescent.of(drone.settings());
+        return all(sensors, drone).stream()
+                .filter(course -> course.kind() != Kind.HOVER)
+                .map(course -> new Course(
+                        course.kind(), course.angle(), course.reference(), course.sensor(), Optional.of(glide)))
+                .toList();
     }
 
     /** The course towards a place, m. */
@@ -103,6 +126,9 @@ public record Course(Kind kind, double angle, Position reference, Optional<Strin
      */
     public FlightState at(Position at, double cruise) {
         double heading = heading(at);
+        if (glide.isPresent()) {
+            return glide.get().at(at, heading);
+        }
         double speed = kind == Kind.HOVER ? 0.0 : cruise;
         Position velocity = new Position(speed * StrictMath.sin(heading), speed * StrictMath.cos(heading), 0.0);
         return new FlightState(at, velocity, heading);

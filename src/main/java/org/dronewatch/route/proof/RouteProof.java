@@ -2,14 +2,12 @@ package org.dronewatch.route.proof;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.ModelCache;
-import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
@@ -25,14 +23,14 @@ import org.dronewatch.statistics.Proportion;
  * @param predicted probability that a run detects the drone, 0 to 1
  * @param bySensor the same by sensor, as if it were the only one
  * @param detections runs that detected it, of all runs
- * @param plain of how many of them, the first, a plain run gave the same
+ * @param plain how many of these, evenly spread, a plain run repeated
  */
 public record RouteProof(double predicted, Map<String, Double> bySensor, Proportion detections, int plain) {
     /** The confidence of the interval. */
     public static final double CONFIDENCE = 0.99;
 
     /** Every so many runs, one is repeated as a plain run. */
-    private static final int PLAIN = 20;
+    static final int PLAIN = 20;
 
     /** A prediction of exactly 0 or 1 may be off by rounding. */
     private static final double ROUNDING = 1e-12;
@@ -55,57 +53,14 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static RouteProof of(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
-        if (scene.individualDrones().size() != 1 || runs < 1) {
-            throw new IllegalArgumentException(
-                    runs + " runs with " + scene.individualDrones().size() + " drones: must be 1 or more with 1");
-        }
-        SceneSettings settings = RouteScene.withoutCues(scene);
-        Stage stage = new Stage(settings, models, settings.run().seed());
-        LookSchedule schedule = LookSchedule.of(settings, stage);
-        double[] first = new double[runs];
-        Workers.forEach(runs, () -> new SeededFlights(schedule, stage.world()), (flights, run) -> {
-            long seed = seed(settings, run);
-            OptionalDouble detected = flights.firstDetection(seed);
-            if (run % PLAIN == 0) {
-                check(detected, settings, seed, models);
-            }
-            first[run] = detected.orElse(Double.NaN);
-            progress.accept(1);
-        });
-        int count = (int) IntStream.range(0, runs)
-                .filter(run -> !Double.isNaN(first[run]))
-                .count();
-        return new RouteProof(
-                1.0 - schedule.missed(settings.run().duration()),
-                bySensor(settings, schedule),
-                new Proportion(count, runs),
-                (runs + PLAIN - 1) / PLAIN);
-    }
-
-    private static void check(OptionalDouble detected, SceneSettings settings, long seed, ModelCache models) {
-        OptionalDouble plain = plain(settings, seed, models);
-        if (!plain.equals(detected)) {
-            throw new IllegalStateException("the run with seed " + seed + " first detects the drone at " + plain
-                    + ", but its looks alone at " + detected);
-        }
+        return FlownRoute.of(scene, models).prove(runs, progress);
     }
 
     /** On this thread alone: the runs are shared among the threads. */
-    private static OptionalDouble plain(SceneSettings settings, long seed, ModelCache models) {
+    static OptionalDouble plain(SceneSettings settings, long seed, ModelCache models) {
         try (Workers alone = new Workers(1)) {
             return alone.call(() -> SeededFlights.firstDetectionOfRun(settings, seed, models));
         }
-    }
-
-    private static Map<String, Double> bySensor(SceneSettings settings, LookSchedule schedule) {
-        List<String> names = List.copyOf(settings.enabledSensors().keySet());
-        Map<String, Double> bySensor = new LinkedHashMap<>();
-        for (int sensor = 0; sensor < names.size(); sensor++) {
-            bySensor.put(
-                    names.get(sensor),
-                    1.0 - schedule.missed(sensor, settings.run().duration()));
-        }
-        return bySensor;
     }
 
     /**

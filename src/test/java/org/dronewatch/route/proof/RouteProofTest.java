@@ -8,19 +8,24 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import org.apache.commons.numbers.gamma.Erfc;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.RouteLeg;
+import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RoutePath;
 import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,7 +49,7 @@ class RouteProofTest {
                 detection: {kind: target-task, task: detection, byChance: true}, aim: {azimuth: 60 deg, elevation: 12 deg},
                 positioner: {cues: [fluctuating], search: {kind: sweep, width: 200 deg, speed: 60 deg/s}}}
               heat: {kind: thermal, position: [-30, -30, 4], fov: 40 deg, rate: 2, aim: {azimuth: 90 deg, elevation: 10 deg}, byChance: true}
-              ear: {kind: acoustic, position: [0, 56, 2], rate: 0.5, propagation: {kind: level-model, initialRays: 12, reflectionsPerHit: 2, maxOrder: 2}}
+              ear: {kind: acoustic, position: [0, 56, 2], rate: 0.3, propagation: {kind: level-model, initialRays: 6, reflectionsPerHit: 1, maxOrder: 1}}
             """;
 
     private static final int FLIGHTS = LongForm.count(7, 210);
@@ -125,6 +130,58 @@ class RouteProofTest {
         assertThat(RouteProof.hasCues(all)).isTrue();
         assertThat(RouteProof.withCues(fixed, models, 20, done -> {}))
                 .isEqualTo(proof(fixed, 20).detections());
+    }
+
+    /** Two radars, of which each must detect the drone in two of three looks: alerts of plain runs, and their time. */
+    @Test
+    void alertsAreRaisedAndInTimeAsOftenAsPredicted() {
+        double response = 6.0;
+        SplittableRandom random = new SplittableRandom(4);
+        int runs = LongForm.count(60, 2000);
+        int undecided = 0;
+        while (undecided < 2) {
+            SceneSettings scene = randomFlight(random);
+            for (String other : List.of("watched", "searching", "heat", "ear")) {
+                scene = scene.withEnabled(other, false);
+            }
+            scene = SettingsForm.with(scene, "alert", scene.alert().withConfirmation(2, 3));
+            double predicted =
+                    FlownRoute.of(scene, models).interruption(response).orElseThrow();
+            if (predicted < 0.1 || predicted > 0.9) {
+                continue;
+            }
+            undecided++;
+            double sum = 0.0;
+            double squares = 0.0;
+            for (int run = 0; run < runs; run++) {
+                OptionalDouble alert = RunSession.run(scene, RouteProof.seed(scene, run), models)
+                        .alerts()
+                        .get(0)
+                        .time();
+                double left = alert.isPresent() ? scene.run().duration() - alert.getAsDouble() : 0.0;
+                double spread = FlownRoute.SPREAD * Math.hypot(left, response);
+                double inTime =
+                        alert.isPresent() ? 1.0 - 0.5 * Erfc.value((left - response) / spread / Math.sqrt(2)) : 0.0;
+                sum += inTime;
+                squares += inTime * inTime;
+            }
+            double mean = sum / runs;
+            double error = Math.sqrt((squares / runs - mean * mean) / runs);
+            assertThat(predicted).isCloseTo(mean, within(4.0 * error));
+        }
+    }
+
+    @Test
+    void saysWhereAnAlertCannotBeComputed() {
+        SceneSettings observers = randomFlight(new SplittableRandom(6));
+        SceneSettings twice =
+                SettingsForm.with(observers, "alert", observers.alert().withConfirmation(2, 3));
+        SceneSettings two =
+                SettingsForm.with(observers, "alert", observers.alert().withRule(AlertRule.SeveralSensors.of(2)));
+
+        assertThat(FlownRoute.of(observers, models).interruption(5.0)).isPresent();
+        assertThat(FlownRoute.of(twice, models).interruption(5.0)).isEmpty();
+        assertThat(FlownRoute.of(two, models).interruption(5.0)).isEmpty();
     }
 
     @Test

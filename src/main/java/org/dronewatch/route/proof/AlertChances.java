@@ -1,0 +1,66 @@
+package org.dronewatch.route.proof;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.fusion.AlertRule;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.sensor.Chance;
+
+/**
+ * The times at which a flight may raise its alert, and the probability of each.
+ *
+ * @param times of looks, ascending, s
+ * @param probabilities that the alert is raised at each of them
+ */
+record AlertChances(List<Double> times, List<Double> probabilities) {
+    AlertChances {
+        times = List.copyOf(times);
+        probabilities = List.copyOf(probabilities);
+    }
+
+    /**
+     * By the rule of a scene, where it can be computed: if any sensor alone raises an alert, by its first detection or,
+     * where its looks are independent, by detections in several of up to twelve looks. Empty for other rules.
+     */
+    static Optional<AlertChances> of(LookSchedule schedule, AlertSettings alert) {
+        int looks = alert.confirm().looks();
+        boolean isIndependent = schedule.sensors().stream().allMatch(sensor -> sensor.chance() == Chance.PER_LOOK);
+        boolean isKnown = alert.rule() instanceof AlertRule.AnySensor
+                && (looks == 1 || isIndependent && looks <= ConfirmedMisses.MOST_LOOKS);
+        return isKnown ? Optional.of(ofAnySensor(schedule, alert)) : Optional.empty();
+    }
+
+    private static AlertChances ofAnySensor(LookSchedule schedule, AlertSettings alert) {
+        int sensors = schedule.sensors().size();
+        double[] missed = new double[sensors];
+        Arrays.fill(missed, 1.0);
+        List<List<ScheduledLook>> taken = new ArrayList<>();
+        List<ConfirmedMisses> confirmed = new ArrayList<>();
+        for (int sensor = 0; sensor < sensors; sensor++) {
+            taken.add(new ArrayList<>());
+            confirmed.add(new ConfirmedMisses(alert.confirm()));
+        }
+        List<Double> times = new ArrayList<>();
+        List<Double> probabilities = new ArrayList<>();
+        double before = 1.0;
+        for (ScheduledLook look : schedule.looks()) {
+            int sensor = look.number();
+            if (schedule.sensors().get(sensor).chance() == Chance.PER_LOOK) {
+                missed[sensor] = confirmed.get(sensor).after(look.probability());
+            } else if (look.probability() > 0.0) {
+                taken.get(sensor).add(look);
+                missed[sensor] = MissedLooks.probability(
+                        taken.get(sensor), schedule.sensors().get(sensor));
+            }
+            double now = Arrays.stream(missed).reduce(1.0, (one, other) -> one * other);
+            if (now < before) {
+                times.add(look.time());
+                probabilities.add(before - now);
+                before = now;
+            }
+        }
+        return new AlertChances(times, probabilities);
+    }
+}
