@@ -35,9 +35,9 @@ final class CoverageForm extends JPanel {
 
     private final JComboBox<String> drones = new JComboBox<>();
     private final JComboBox<String> headings = new JComboBox<>();
-    private final JTextField heights = field(text(CoverageProposal.OUTDOORS.heights()), 11);
+    private final JTextField heights = field(text(CoverageProposal.OUTDOORS.heights()), 10);
     private final JTextField side = field(Texts.value(CoverageProposal.OUTDOORS.side()), 3);
-    private final JTextField cell = field("", 6);
+    private final JTextField cell = field("", 5);
     private transient CoverageProposal proposed = CoverageProposal.OUTDOORS;
     private transient SceneSettings settings;
 
@@ -69,9 +69,9 @@ final class CoverageForm extends JPanel {
         add(row(
                 named("Heights (m)", heights, "Heights above the ground, in ascending order"),
                 heights,
-                named("Side", side, "Length of the area's side, centred on the sensors, m"),
+                named("Side (m)", side, "Length of the area's side, centred on the sensors"),
                 side,
-                named("Cell", cell, "Length of a cell's side, m; if left empty, a hundredth of the area's side"),
+                named("Cell (m)", cell, "Length of a cell's side; if left empty, a hundredth of the area's side"),
                 cell));
         List.of(heights, side, cell).forEach(field -> field.addActionListener(e -> entered.run()));
     }

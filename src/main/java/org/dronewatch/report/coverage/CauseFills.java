@@ -35,8 +35,8 @@ final class CauseFills {
     /** A cell that is covered, but not without a sensor: the colour of what is detected, crossed out. */
     static final MapSheet.Fill LOST = (u, v, ground) -> isCross(u, v) ? Color.BLACK : LIGHT_BLUE;
 
-    /** A cell in which a sensor detects the drone, but not within the time allowed. */
-    static final MapSheet.Fill LATER = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);
+    /** A cell in which a sensor detects the drone, but not with the probability, or within the time, asked for. */
+    static final MapSheet.Fill TOO_RARELY = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);
 
     private CauseFills() {}
 
@@ -63,9 +63,18 @@ final class CauseFills {
         return DARK;
     }
 
-    /** The colour of what is detected, but not within the time allowed. */
-    static Color laterColour() {
+    /** The colour of what is detected, but not with the probability, or within the time, asked for. */
+    static Color tooRarelyColour() {
         return MapSheet.mixed(LIGHT_BLUE, Color.BLACK, 0.3);
+    }
+
+    /**
+     * In words, what is detected in such a cell.
+     *
+     * @param isWithin whether a time is asked for
+     */
+    static String tooRarely(boolean isWithin) {
+        return isWithin ? "detected given more time" : "detected, but less surely";
     }
 
     static MapSheet.Fill of(Cause cause) {

@@ -28,7 +28,10 @@ final class CauseMap {
         this.inputs = inputs;
     }
 
-    /** The fill of a cell: what covers it, or the dominant cause of the miss, in a single look. */
+    /**
+     * The fill of a cell: what is covered with the probability that is asked for counts as detected, whatever the cause
+     * in a single look is; elsewhere the dominant cause.
+     */
     static MapSheet.Fill fill(FieldCoverage coverage, int height, int column, int row) {
         if (coverage.field().isOutside(height, column, row)) {
             return CauseFills.OUTSIDE;
@@ -39,24 +42,19 @@ final class CauseMap {
         if (coverage.isUnknown(height, column, row)) {
             return CauseFills.of(Cause.UNKNOWN);
         }
-        return coverage.field().sensors().isEmpty()
-                ? CauseFills.NO_SENSOR
-                : CauseFills.of(coverage.cause(height, column, row));
-    }
-
-    /**
-     * The fill of a cell. If the drone has to be detected within a time, what is covered counts as detected, since the
-     * cause is that of a single look.
-     */
-    MapSheet.Fill fill(int column, int row) {
-        if (inputs.within().isEmpty() || !coverage.isKnown(height, column, row)) {
-            return fill(coverage, height, column, row);
+        if (coverage.field().sensors().isEmpty()) {
+            return CauseFills.NO_SENSOR;
         }
         if (coverage.isCovered(height, column, row)) {
             return CauseFills.of(Cause.DETECTED);
         }
         Cause cause = coverage.cause(height, column, row);
-        return cause == Cause.DETECTED ? CauseFills.LATER : CauseFills.of(cause);
+        return cause == Cause.DETECTED ? CauseFills.TOO_RARELY : CauseFills.of(cause);
+    }
+
+    /** The fill of a cell. */
+    MapSheet.Fill fill(int column, int row) {
+        return fill(coverage, height, column, row);
     }
 
     /** Writes the legend below the title, and the caption. */
@@ -64,18 +62,7 @@ final class CauseMap {
         String above = Numbers.text(numbers.height()) + " m";
         sheet.line("drone '" + inputs.drone() + "' at " + above + " above the ground,");
         sheet.line(inputs.headingInWords() + ";");
-        if (inputs.within().isPresent()) {
-            writeWithin(sheet);
-        } else {
-            sheet.line("detection, or dominant cause of the miss:");
-            sheet.space();
-            writeEntry(sheet, Cause.DETECTED, numbers.causes().getOrDefault(Cause.DETECTED, 0));
-            numbers.causes().forEach((cause, cells) -> {
-                if (cause != Cause.DETECTED) {
-                    writeEntry(sheet, cause, cells);
-                }
-            });
-        }
+        writeCauses(sheet);
         sheet.space();
         sheet.line("percentages of the known area"
                 + inputs.area().map(name -> " in '" + name + "'").orElse(""));
@@ -89,16 +76,25 @@ final class CauseMap {
         sheet.caption("At " + above + " above the ground: where the drone is detected, and the main reason elsewhere.");
     }
 
-    /** Where the drone is detected in time, and elsewhere the causes of a missed look. */
-    private void writeWithin(MapSheet sheet) {
-        sheet.line("detection within " + inputs.timeInWords() + ", elsewhere the");
-        sheet.line("dominant cause of a single missed look:");
+    /** Where the drone is detected as is asked for, and elsewhere the causes of a missed look. */
+    private void writeCauses(MapSheet sheet) {
+        boolean isWithin = inputs.within().isPresent();
+        String within = isWithin ? " within " + inputs.timeInWords() : "";
+        if (inputs.covered() != FieldCoverage.DEFAULT_COVERED) {
+            sheet.line("detection" + within + " with a probability of");
+            sheet.line(Numbers.text(inputs.covered()) + " or more, elsewhere the dominant");
+            sheet.line("cause of a single missed look:");
+        } else if (isWithin) {
+            sheet.line("detection" + within + ", elsewhere the");
+            sheet.line("dominant cause of a single missed look:");
+        } else {
+            sheet.line("detection, or dominant cause of the miss:");
+        }
         sheet.space();
-        String detected = "detected within " + inputs.timeInWords() + ": " + share(numbers.covered());
-        sheet.entry(CauseFills.of(Cause.DETECTED), detected);
+        sheet.entry(CauseFills.of(Cause.DETECTED), "detected" + within + ": " + share(numbers.covered()));
         elsewhere().forEach((cause, cells) -> {
             if (cause == Cause.DETECTED) {
-                sheet.entry(CauseFills.LATER, "detected given more time: " + share(cells));
+                sheet.entry(CauseFills.TOO_RARELY, CauseFills.tooRarely(isWithin) + ": " + share(cells));
             } else {
                 writeEntry(sheet, cause, cells);
             }

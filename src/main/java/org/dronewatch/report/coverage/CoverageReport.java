@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronewatch.analysis.field.ConditionCoverage;
+import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.FieldSurvey;
@@ -153,7 +154,12 @@ final class CoverageReport {
                                 + (inputs.within().isEmpty() ? "in one look " : time())
                                 + "with a probability of " + number(inputs.covered())
                                 + " or more, and the causes of all sensors' misses "
-                                + (inputs.within().isEmpty() ? "elsewhere." : "in single looks."))
+                                + (inputs.within().isPresent()
+                                        ? "in single looks."
+                                        : inputs.covered() == FieldCoverage.DEFAULT_COVERED
+                                                ? "elsewhere."
+                                                : "where none detects it with one of "
+                                                        + number(FieldCoverage.DEFAULT_COVERED) + "."))
                 + Html.table(head, rows);
     }
 

@@ -90,6 +90,7 @@ public final class CoverageSkin implements SiteSkin {
     /** The meaning of the colours that occur, with fractions of the known cells. */
     public List<LegendEntry> legend() {
         Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        int covered = 0;
         int lost = 0;
         int unknown = 0;
         int inside = 0;
@@ -98,6 +99,8 @@ public final class CoverageSkin implements SiteSkin {
             int row = cell / grid.columns();
             if (remaining.isLost(column, row)) {
                 lost++;
+            } else if (coverage.isKnown(height, column, row) && coverage.isCovered(height, column, row)) {
+                covered++;
             } else if (coverage.isKnown(height, column, row)) {
                 causes.merge(coverage.cause(height, column, row), 1, Integer::sum);
             } else if (coverage.field().isInside(height, column, row)) {
@@ -106,7 +109,7 @@ public final class CoverageSkin implements SiteSkin {
                 unknown++;
             }
         }
-        List<LegendEntry> entries = known(causes, lost);
+        List<LegendEntry> entries = known(causes, covered, lost);
         if (unknown > 0) {
             entries.add(new LegendEntry(swatch(CauseFills.of(Cause.UNKNOWN)), "unknown"));
         }
@@ -116,10 +119,10 @@ public final class CoverageSkin implements SiteSkin {
         return entries;
     }
 
-    /** The entries of the known cells: without a sensor there are no causes. */
-    private List<LegendEntry> known(Map<Cause, Integer> causes, int lost) {
+    /** The entries of the known cells, with causes of those that are not covered: without a sensor there are none. */
+    private List<LegendEntry> known(Map<Cause, Integer> causes, int covered, int lost) {
         List<LegendEntry> entries = new ArrayList<>();
-        entries.add(entry(Cause.DETECTED, causes.getOrDefault(Cause.DETECTED, 0)));
+        entries.add(entry(Cause.DETECTED, covered));
         if (lost > 0) {
             entries.add(new LegendEntry(swatch(CauseFills.LOST), "no longer covered: " + share(lost)));
         }
@@ -128,9 +131,11 @@ public final class CoverageSkin implements SiteSkin {
             entries.add(new LegendEntry(swatch(CauseFills.NO_SENSOR), "no sensor: " + share(bare)));
             return entries;
         }
-        causes.entrySet().stream()
-                .filter(one -> one.getKey() != Cause.DETECTED)
-                .forEach(one -> entries.add(entry(one.getKey(), one.getValue())));
+        causes.forEach((cause, cells) -> entries.add(
+                cause == Cause.DETECTED
+                        ? new LegendEntry(
+                                swatch(CauseFills.TOO_RARELY), CauseFills.tooRarely(false) + ": " + share(cells))
+                        : entry(cause, cells)));
         return entries;
     }
 

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.analysis.field.DetectableHeights;
+import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
@@ -28,7 +29,11 @@ public final class FieldTable {
         List<String> lines = new ArrayList<>();
         String terms = inputs.within()
                 .map(time -> ", covered within " + Numbers.text(time) + " s, and causes of single looks")
-                .orElse("");
+                .orElseGet(() -> inputs.covered() == FieldCoverage.DEFAULT_COVERED
+                        ? ""
+                        : ", covered with a probability of " + Numbers.text(inputs.covered())
+                                + " or more, detected with " + Numbers.text(FieldCoverage.DEFAULT_COVERED)
+                                + " or more");
         String area = inputs.area().map(name -> " in '" + name + "'").orElse("");
         lines.add("in % of the known cells" + area + " at each height" + terms + ":");
         StringBuilder header = new StringBuilder(text(HEIGHT, "height") + text("  %11s", "known cells") + "  covered");

@@ -17,7 +17,7 @@ import org.dronewatch.sensor.Cause;
 /** The files for geographic information systems: GeoTIFF for the cells, GeoJSON and KML for the gaps. */
 final class GridFiles {
     private static final int INSIDE = Cause.values().length;
-    private static final int LATER = INSIDE + 1;
+    private static final int TOO_RARELY = INSIDE + 1;
 
     private final FieldSurvey survey;
     private final FieldCoverage coverage;
@@ -47,7 +47,7 @@ final class GridFiles {
     void write(OutputDirectory directory) throws IOException {
         for (int height = 0; height < grid.heights().size(); height++) {
             String metres = Numbers.text(grid.heights().get(height));
-            rasters.writeClasses(directory.file("cause-" + metres + ".tif"), causes(height), classes());
+            rasters.writeClasses(directory.file("cause-" + metres + ".tif"), causes(height), classes(isWithin));
             rasters.writeCounts(directory.file("count-" + metres + ".tif"), counts(height));
         }
         if (survey.detectable().isPresent()) {
@@ -64,14 +64,18 @@ final class GridFiles {
         gaps.writeKml(directory.file("coverage.kml"));
     }
 
-    /** The causes by their numbers, and what else a cell may be. */
-    static List<CellClass> classes() {
+    /**
+     * The causes by their numbers, and what else a cell may be.
+     *
+     * @param isWithin whether the drone has to be detected within a time
+     */
+    static List<CellClass> classes(boolean isWithin) {
         List<CellClass> classes = new ArrayList<>();
         for (Cause cause : Cause.values()) {
             classes.add(new CellClass(CoverageTable.name(cause), CauseFills.colour(cause)));
         }
         classes.add(new CellClass("inside something solid", CauseFills.insideColour()));
-        classes.add(new CellClass("detected given more time", CauseFills.laterColour()));
+        classes.add(new CellClass(CauseFills.tooRarely(isWithin), CauseFills.tooRarelyColour()));
         return classes;
     }
 
@@ -83,7 +87,7 @@ final class GridFiles {
         return cells;
     }
 
-    /** As on the maps: within a time, what is covered counts as detected, since causes are those of a single look. */
+    /** As on the maps: what is covered counts as detected, since causes are those of a single look. */
     private int cause(int height, int column, int row) {
         if (coverage.field().isOutside(height, column, row)) {
             return GeoTiff.NO_CLASS;
@@ -95,12 +99,9 @@ final class GridFiles {
             return Cause.UNKNOWN.ordinal();
         }
         Cause cause = coverage.cause(height, column, row);
-        if (!isWithin) {
-            return cause.ordinal();
-        }
         return coverage.isCovered(height, column, row)
                 ? Cause.DETECTED.ordinal()
-                : cause == Cause.DETECTED ? LATER : cause.ordinal();
+                : cause == Cause.DETECTED ? TOO_RARELY : cause.ordinal();
     }
 
     /** The number of sensors that cover each cell; none for those that do not count. */

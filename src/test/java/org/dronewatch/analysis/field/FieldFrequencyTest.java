@@ -1,18 +1,23 @@
 package org.dronewatch.analysis.field;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.dronewatch.LongForm;
+import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Sensor;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Where a field holds a probability between 0 and 1, that is how often looks detect the drone: over 1,000 seeds, the
@@ -20,6 +25,9 @@ import org.junit.jupiter.api.io.TempDir;
  */
 class FieldFrequencyTest {
     private static final int SEEDS = 1000;
+
+    /** Cells among which those are looked for that are not certain. */
+    private static final int MOST_TRIES = 200_000;
 
     /** The quantile of the normal distribution for 99 %. */
     private static final double Z = 2.575829;
@@ -48,11 +56,8 @@ class FieldFrequencyTest {
 
     /** Whether the interval around a frequency contains a probability. */
     private static boolean isWithin(double probability, int hits, int of) {
-        double share = (double) hits / of;
-        double weight = 1.0 + Z * Z / of;
-        double middle = (share + Z * Z / (2.0 * of)) / weight;
-        double half = Z / weight * Math.sqrt(share * (1.0 - share) / of + Z * Z / (4.0 * of * of));
-        return probability >= middle - half && probability <= middle + half;
+        double[] ends = Wilson.interval(hits, of, Z);
+        return probability >= ends[0] && probability <= ends[1];
     }
 
     /**
@@ -105,6 +110,54 @@ class FieldFrequencyTest {
             hits += isDetected ? 1 : 0;
         }
         return hits;
+    }
+
+    /**
+     * Real scenes with radars, receivers, thermal cameras and observers. An observer has two seconds, since he needs
+     * time; other sensors have one look.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "scenes/meadow.yaml, intruder, 3000, 100, camera, 2, 15",
+        "scenes/meadow.yaml, intruder, 3000, 100, radar, 0, 40",
+        "scenes/meadow.yaml, intruder, 12000, 400, radio, 0, 0",
+        "scenes/birds.yaml, intruder, 900, 30, radar, 0, 0",
+        "scenes/false-alarms.yaml, intruder, 2400, 80, radar, 0, 0",
+        "scenes/monaco.yaml, from-the-sea, 3600, 120, radar-sea, 0, 0",
+        "scenes/monaco.yaml, from-the-sea, 3600, 120, radar-mountain, 0, 0",
+        "scenes/monaco.yaml, from-the-sea, 3600, 120, radio, 0, 0",
+        "scenes/monaco.yaml, from-the-sea, 3600, 120, thermal, 0, 0",
+    })
+    void realScenesDetectAsOftenAsTheFieldSays(
+            String scene, String drone, double side, double cell, String sensor, double seconds, int inTheBuild) {
+        int cells = LongForm.count(inTheBuild, 500);
+        assumeTrue(cells > 0);
+        FieldTerms terms = seconds == 0.0 ? FieldTerms.ONE_LOOK : FieldTerms.ONE_LOOK.withWithin(seconds);
+        PackagedSite real = PackagedSite.of(scene, drone, side, cell, null, terms, sensor, null);
+        long seed = LongForm.IS_ON ? System.nanoTime() : 27;
+        System.out.println("FieldFrequencyTest: seed " + seed);
+        Random random = new Random(seed);
+        double rate = real.sensor(sensor).rate();
+        int looks = seconds == 0.0 ? 1 : (int) Math.floor(seconds * rate + 1e-9);
+        int compared = 0;
+        List<String> outside = new ArrayList<>();
+        for (PackagedSite.Cell one : real.cells(MOST_TRIES, random)) {
+            double expected = real.field().probability(0, one.height(), one.column(), one.row(), one.course());
+            if (compared < cells && expected > 0.0 && expected < 1.0) {
+                int hits = 0;
+                long first = random.nextLong();
+                for (int run = 0; run < SEEDS; run++) {
+                    hits += real.isDetected(sensor, real.at(one), first + run, looks) ? 1 : 0;
+                }
+                compared++;
+                if (!isWithin(expected, hits, SEEDS)) {
+                    outside.add(expected + " but " + hits + " of " + SEEDS + " in " + one);
+                }
+            }
+        }
+        System.out.println(scene + ": " + sensor + " in " + compared + " cells, outside: " + outside);
+        assertThat(compared).isPositive();
+        assertThat(outside).as("of %d cells, seed %d", compared, seed).hasSizeLessThanOrEqualTo(compared / 50);
     }
 
     @Test

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -97,6 +99,62 @@ class CoverageSkinTest {
                 .isEqualTo(GREY);
         assertThat(skin.cellAt(new Position(GRID.east(), GRID.north() + edge + 0.01, 0)))
                 .isEmpty();
+    }
+
+    /** With another probability than an even chance, what is painted as detected is what is covered. */
+    @Test
+    void detectedIsWhatIsCoveredWithTheProbabilityThatIsAskedFor() throws IOException {
+        String chance =
+                """
+                  far: {kind: radar, position: [0, 0, 4], minRange: 1, maxRange: 400, elevationWidth: 90 deg, minSpeed: 0 m/s,
+                    budget: {range: 120, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                """;
+        DetectionField field = FieldSite.in(Files.createDirectory(directory.resolve("chance")), chance)
+                .field(GRID, 2);
+        for (double covered : new double[] {0.1, 0.9}) {
+            FieldCoverage asked = new FieldCoverage(field, FieldCoverage.Choice.WORST, covered);
+            CoverageSkin skin = new CoverageSkin(RemainingCoverage.of(asked, asked, 1));
+            Set<Integer> painted = new HashSet<>();
+            Map<Boolean, Integer> counts = new TreeMap<>(Map.of(true, 0, false, 0));
+            int less = 0;
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int column = cell % GRID.columns();
+                int row = cell / GRID.columns();
+                if (!asked.isKnown(1, column, row)) {
+                    continue;
+                }
+                boolean isCovered = field.probability(0, 1, column, row, asked.courseAt(1, column, row)) >= covered;
+                counts.merge(isCovered, 1, Integer::sum);
+                if (isCovered) {
+                    painted.add(corner(skin, column, row));
+                }
+                less += !isCovered && asked.cause(1, column, row) == Cause.DETECTED ? 1 : 0;
+            }
+            assertThat(painted).as("one colour of what is covered").hasSize(1);
+            assertThat(counts.values()).allMatch(count -> count > 50);
+            int all = counts.get(true) + counts.get(false);
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int column = cell % GRID.columns();
+                int row = cell / GRID.columns();
+                if (asked.isKnown(1, column, row) && !asked.isCovered(1, column, row)) {
+                    assertThat(corner(skin, column, row)).isNotIn(painted);
+                }
+            }
+            assertThat(words(skin))
+                    .contains(String.format(Locale.ROOT, "detected: %.1f %%", 100.0 * counts.get(true) / all));
+            String surely = String.format(Locale.ROOT, "detected, but less surely: %.1f %%", 100.0 * less / all);
+            assertThat(less > 0).isEqualTo(covered == 0.9);
+            assertThat(words(skin).contains(surely)).isEqualTo(less > 0);
+        }
+    }
+
+    /** The colour where the lines of the patterns meet. */
+    private static int corner(CoverageSkin skin, int column, int row) {
+        return skin.colour(GRID.x(column), GRID.y(row), 0, 0, GREY);
+    }
+
+    private static List<String> words(CoverageSkin skin) {
+        return skin.legend().stream().map(CoverageSkin.LegendEntry::words).toList();
     }
 
     /** N-1 of the report, cell by cell and in words. */
