@@ -194,6 +194,7 @@ final class CampaignCommand implements Callable<Integer> {
             interruption.letFinish();
             CampaignResult result = files.finish(Optional.of(caseCommand()));
             CampaignLines.print(plan, result, spec.commandLine().getOut());
+            CampaignLines.warn(result.summary(), err);
             if (report != null) {
                 report.write(stream -> files.writeJunit(result, stream));
             }

@@ -62,6 +62,11 @@ final class CampaignLines {
         plan.settings().until().ifPresent(until -> printPrecision(plan, until, result.stopping(), out));
     }
 
+    /** What to doubt about the results. */
+    static void warn(CampaignSummary summary, PrintWriter err) {
+        CampaignWords.cutShort(summary).ifPresent(line -> err.println("warning: " + line));
+    }
+
     private static void printPrecision(CampaignPlan plan, UntilSettings until, Stopping stopping, PrintWriter out) {
         Proportion proportion = stopping.proportion();
         Proportion.Interval interval = until.rule().interval(proportion);

@@ -2,11 +2,14 @@ package org.dronewatch.app;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.CaseRun;
 import org.dronewatch.campaign.CaseScene;
+import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.campaign.CasePictures;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.viewer.Viewer;
@@ -17,7 +20,7 @@ final class CaseOptions {
     @Option(
             names = "--case",
             paramLabel = "K",
-            description = "Runs a single case, counted from 0, and prints its values and results; nothing is written.")
+            description = "Runs a single case, counted from 0, and prints its values and results.")
     private Integer number;
 
     @Option(
@@ -25,6 +28,13 @@ final class CaseOptions {
             description = "With --case: also opens a window that shows the case; the first variant, unless --variant"
                     + " names another.")
     private boolean view;
+
+    @Option(
+            names = "--picture",
+            paramLabel = "FILE.png",
+            description = "With --case: also writes a picture from above, in which the colour of the flight says who"
+                    + " detects the drone; the first variant, unless --variant names another.")
+    private String picture;
 
     @Option(names = "--variant", paramLabel = "NAME", description = "With --case: only this variant.")
     private String variant;
@@ -35,9 +45,16 @@ final class CaseOptions {
      * @throws InputException when another option needs one
      */
     boolean isAsked() {
-        if (number == null && (view || variant != null)) {
-            throw new InputException((view ? "--view" : "--variant " + PlainText.value(variant))
-                    + ": needs --case K, the case to be run");
+        if (number == null && (view || picture != null || variant != null)) {
+            String option = view
+                    ? "--view"
+                    : picture != null
+                            ? "--picture " + PlainText.value(picture)
+                            : "--variant " + PlainText.value(variant);
+            throw new InputException(option + ": needs --case K, the case to be run");
+        }
+        if (picture != null && !picture.toLowerCase(Locale.ROOT).endsWith(".png")) {
+            throw new InputException("--picture " + PlainText.value(picture) + ": must end in .png");
         }
         return number != null;
     }
@@ -56,23 +73,24 @@ final class CaseOptions {
         if (view && !window.canOpen()) {
             return Main.NO_DISPLAY;
         }
+        WholeFile target = picture == null ? null : new WholeFile("--picture", picture);
         CampaignLines.printValues(plan, number, out);
         for (String one : variant == null ? variants : List.of(variant)) {
             CaseResult result = CaseRun.of(plan, number, one);
             CampaignLines.print(result, out);
         }
+        String shown = variant == null ? variants.get(0) : variant;
+        if (variant == null && variants.size() > 1 && (view || picture != null)) {
+            err.println("shown is " + shown + "; --variant shows another");
+        }
+        if (picture != null) {
+            target.write(stream -> new CasePictures(plan).write(number, shown, stream));
+            err.println("written to " + PlainText.value(picture));
+        }
         if (view) {
-            show(plan, window, err);
+            CaseScene one = plan.scene(number, shown);
+            window.show(new Viewer.Subject(one.scene(), one.runner(), Optional.empty()), viewer -> {});
         }
         return 0;
-    }
-
-    private void show(CampaignPlan plan, SceneWindow window, PrintWriter err) {
-        String shown = variant == null ? plan.variants().get(0) : variant;
-        if (variant == null && plan.variants().size() > 1) {
-            err.println("the window shows " + shown + "; --variant shows another");
-        }
-        CaseScene one = plan.scene(number, shown);
-        window.show(new Viewer.Subject(one.scene(), one.runner(), Optional.empty()), viewer -> {});
     }
 }

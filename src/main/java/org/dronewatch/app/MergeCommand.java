@@ -69,6 +69,7 @@ final class MergeCommand implements Callable<Integer> {
             plan.sensitivity().ifPresent(further -> copy(further, there, files.chunks(further)));
             CampaignResult result = files.finish(Optional.of(part.campaign().caseCommand()));
             CampaignLines.print(plan, result, spec.commandLine().getOut());
+            CampaignLines.warn(result.summary(), spec.commandLine().getErr());
         }
         PrintWriter err = spec.commandLine().getErr();
         err.println("results in " + directory);

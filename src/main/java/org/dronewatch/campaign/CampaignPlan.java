@@ -226,10 +226,14 @@ public final class CampaignPlan implements Cases {
      */
     public CaseScene scene(int number, String variant) {
         CampaignVariant of = variants.get(variant);
-        String name = of.described().name() + ", case " + number
-                + (settings.variants().isEmpty() ? "" : " (" + variant + ")");
-        Scene scene = new GivenScene(name, of.described().directory(), settings(number, variant));
+        Scene scene = new GivenScene(name(number, variant), of.described().directory(), settings(number, variant));
         return new CaseScene(scene, new SceneRunner(scene).share(of.models()));
+    }
+
+    /** The name of a case in pictures: {@code palace, case 10 (spotter)}. */
+    String name(int number, String variant) {
+        return variants.get(variant).described().name() + ", case " + number
+                + (settings.variants().isEmpty() ? "" : " (" + variant + ")");
     }
 
     SceneSettings settings(Cases cases, int number, String variant) {

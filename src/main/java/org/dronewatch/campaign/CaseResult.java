@@ -25,6 +25,8 @@ import java.util.OptionalDouble;
  * @param inTime whether it came in time; empty where nothing is protected or no response time is required
  * @param closest the least distance of an attacking drone to what is protected, m: 0 if one reached it; empty where
  *     nothing is protected
+ * @param cutShort whether the run ended while an attacking drone for which there was no alert was still coming closer
+ *     to what is protected: a longer run might have another outcome
  * @param drones the outcome for each attacking drone, by name, in the order of the scene; empty in a case that failed
  */
 public record CaseResult(
@@ -41,6 +43,7 @@ public record CaseResult(
         OptionalDouble warning,
         Optional<Boolean> inTime,
         OptionalDouble closest,
+        boolean cutShort,
         Map<String, DroneOutcome> drones) {
     /** Copies the list and the map. */
     public CaseResult {
@@ -64,6 +67,7 @@ public record CaseResult(
                 OptionalDouble.empty(),
                 Optional.empty(),
                 OptionalDouble.empty(),
+                false,
                 Map.of());
     }
 

@@ -80,6 +80,7 @@ public final class CaseRun {
                 alert.map(AlertResult::warning).orElse(OptionalDouble.empty()),
                 inTime,
                 closest(stage, run),
+                isCutShort(stage, run),
                 drones(run));
     }
 
@@ -88,12 +89,21 @@ public final class CaseRun {
             return OptionalDouble.empty();
         }
         return run.attackAlerts().stream()
-                .mapToDouble(one -> one.entered().isPresent() ? 0.0 : closest(stage, one.drone(), run.simulated()))
+                .mapToDouble(one -> one.entered().isPresent()
+                        ? 0.0
+                        : approach(stage, one, run).closest())
                 .min();
     }
 
-    private static double closest(Stage stage, String drone, double simulated) {
-        return new ZoneApproach(stage.flight(drone), stage.protection(), simulated).closest();
+    private static boolean isCutShort(Stage stage, RunResult run) {
+        return !stage.protection().isEmpty()
+                && run.attackAlerts().stream()
+                        .filter(one -> one.alert().isEmpty() && one.entered().isEmpty())
+                        .anyMatch(one -> approach(stage, one, run).isCutShort());
+    }
+
+    private static ZoneApproach approach(Stage stage, AlertResult one, RunResult run) {
+        return new ZoneApproach(stage.flight(one.drone()), stage.protection(), run.simulated());
     }
 
     private static Map<String, DroneOutcome> drones(RunResult run) {

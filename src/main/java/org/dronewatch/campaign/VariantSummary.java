@@ -27,6 +27,7 @@ public final class VariantSummary {
     private final Measures warnings = new Measures();
     private int cases;
     private int failed;
+    private int cutShort;
 
     VariantSummary() {
         for (int i = 0; i < SECTORS; i++) {
@@ -40,6 +41,7 @@ public final class VariantSummary {
             failed++;
             return;
         }
+        cutShort += result.cutShort() ? 1 : 0;
         count(outcomes, result, outcome -> outcome.isMetBy(result));
         if (result.bearing().isPresent()) {
             count(sectors.get(sector(result.bearing().getAsDouble())), result, outcome -> outcome.isMetBy(result));
@@ -76,6 +78,14 @@ public final class VariantSummary {
     /** The cases that could not be run: they are not included in anything else. */
     public int failed() {
         return failed;
+    }
+
+    /**
+     * The cases whose run ended while a drone without an alert was still coming closer to what is protected: they count
+     * as they are, but a longer run might have another outcome.
+     */
+    public int cutShort() {
+        return cutShort;
     }
 
     /** How many cases have an outcome; empty where it makes no sense in any. */

@@ -69,11 +69,13 @@ final class Furniture {
     }
 
     /**
-     * Title and time, and below a line for each kind of sensor, one for what is protected, and one for drones.
+     * Title and time, and below a line for each kind of sensor, one for what is protected, one for drones, and those of
+     * flights.
      *
      * @param zone whether something is protected
+     * @param flights what the colours of flights mean
      */
-    void legend(SiteState state, KindColours colours, String view, boolean zone) {
+    void legend(SiteState state, KindColours colours, String view, boolean zone, Map<String, Color> flights) {
         Map<String, int[]> counts = new TreeMap<>();
         for (SensorMark sensor : state.sensors()) {
             int[] count = counts.computeIfAbsent(sensor.kind(), kind -> new int[2]);
@@ -93,6 +95,11 @@ final class Furniture {
         }
         int discs = texts.size();
         flying(state.drones()).forEach((text, colour) -> {
+            texts.add(text);
+            marks.add(colour);
+        });
+        int rings = texts.size();
+        flights.forEach((text, colour) -> {
             texts.add(text);
             marks.add(colour);
         });
@@ -121,7 +128,12 @@ final class Furniture {
             double r = 4.5 * scale;
             g.setColor(marks.get(i));
             Ellipse2D dot = new Ellipse2D.Double(x + scale, y - 4.5 * scale - r, 2 * r, 2 * r);
-            if (i >= discs) {
+            if (i >= rings) {
+                float thick = (float) (3.0 * scale);
+                float[] dashes = marks.get(i).equals(WatcherColours.NOBODY) ? new float[] {thick, thick} : null;
+                g.setStroke(new BasicStroke(thick, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10.0f, dashes, 0.0f));
+                g.draw(new Line2D.Double(x, y - 4.5 * scale, x + 14.0 * scale, y - 4.5 * scale));
+            } else if (i >= discs) {
                 g.setStroke(new BasicStroke((float) (2.2 * scale)));
                 g.draw(dot);
             } else {

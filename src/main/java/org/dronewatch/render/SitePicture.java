@@ -204,12 +204,19 @@ public final class SitePicture {
         painter.paint(camera, cut, state.drones().stream().map(DroneMark::drone).toList(), canvas);
         LinePainter lines = new LinePainter(camera, cut, canvas);
         StateLines stateLines = new StateLines(lines, pixel);
+        WatchedFlights watched = new WatchedFlights(style.flights() ? state.stretches() : List.of());
         if (style.outlines()) {
             stateLines.outlines(state, colours, OUTLINE * interest().diagonal());
             stateLines.zones(protection);
         }
         if (style.flights()) {
-            state.drones().forEach(drone -> stateLines.flight(drone, world));
+            for (DroneMark drone : state.drones()) {
+                stateLines.plumbLine(drone, world);
+                if (!watched.has(drone.drone().id())) {
+                    stateLines.flight(drone);
+                }
+            }
+            watched.draw(stateLines, interest().diagonal());
         }
         BufferedImage image = picture(backdrop, canvas);
         Graphics2D g = image.createGraphics();
@@ -223,7 +230,7 @@ public final class SitePicture {
         }
         Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
         furniture.legend(
-                state, colours, view(backdrop.orbit()), settings.alert().isProtecting());
+                state, colours, view(backdrop.orbit()), settings.alert().isProtecting(), watched.legend());
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
         furniture.credits(stage.credits());
@@ -232,7 +239,8 @@ public final class SitePicture {
                 new Symbols(g, camera, lines, image.getHeight() / (double) camera.height(), style.scale()),
                 state,
                 style,
-                furniture.occupied());
+                furniture.occupied(),
+                watched);
         g.dispose();
         return image;
     }
@@ -260,7 +268,8 @@ public final class SitePicture {
         return image;
     }
 
-    private void drawSymbols(Symbols symbols, SiteState state, SiteStyle style, List<Rectangle> furniture) {
+    private void drawSymbols(
+            Symbols symbols, SiteState state, SiteStyle style, List<Rectangle> furniture, WatchedFlights watched) {
         symbols.keepOff(furniture);
         for (SensorMark sensor : state.sensors()) {
             boolean selected = state.selected().filter(sensor.id()::equals).isPresent();
@@ -270,6 +279,7 @@ public final class SitePicture {
             symbols.drone(
                     drone, state.selected().filter(drone.drone().id()::equals).isPresent());
         }
+        watched.write(symbols);
         if (style.labels()) {
             symbols.writeNames();
         }

@@ -12,6 +12,7 @@ import java.util.Optional;
  * @param drones the drones
  * @param selected the selected sensor or drone
  * @param rays rays of sound
+ * @param stretches flights that are drawn by who detects the drone where, instead of by what is flown and to come
  */
 public record SiteState(
         String title,
@@ -19,10 +20,28 @@ public record SiteState(
         List<SensorMark> sensors,
         List<DroneMark> drones,
         Optional<String> selected,
-        Optional<RecordedRays> rays) {
+        Optional<RecordedRays> rays,
+        List<FlightStretch> stretches) {
     /** Copies the lists: later changes by the caller have no effect. */
     public SiteState {
         sensors = List.copyOf(sensors);
         drones = List.copyOf(drones);
+        stretches = List.copyOf(stretches);
+    }
+
+    /** A state whose flights are drawn by what is flown and to come. */
+    public SiteState(
+            String title,
+            double time,
+            List<SensorMark> sensors,
+            List<DroneMark> drones,
+            Optional<String> selected,
+            Optional<RecordedRays> rays) {
+        this(title, time, sensors, drones, selected, rays, List.of());
+    }
+
+    /** This state with flights that are drawn by who detects the drone where. */
+    public SiteState withStretches(List<FlightStretch> others) {
+        return new SiteState(title, time, sensors, drones, selected, rays, others);
     }
 }

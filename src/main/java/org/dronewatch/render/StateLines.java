@@ -55,13 +55,42 @@ final class StateLines {
         }
     }
 
-    /** A drone's path: the past as a line, the future as dashes, and a plumb line, which shows its height. */
-    void flight(DroneMark drone, World world) {
+    /** A plumb line, which shows a drone's height. */
+    void plumbLine(DroneMark drone, World world) {
         Position at = drone.drone().origin();
         world.closestHit(new Ray(at, new Position(0, 0, -1))).ifPresent(ground -> {
             Position foot = new Position(at.x(), at.y(), at.z() - ground.distance());
             lines.line(at, foot, 1.4 * pixel, PLUMB, 0.8);
         });
+    }
+
+    /**
+     * Parts of flights with a white edge, in the colours of who detects the drone there; dashed where nobody does.
+     *
+     * @param dash length of a dash and of the gap behind it, m
+     */
+    void stretches(List<FlightStretch> stretches, WatcherColours watchers, double dash) {
+        for (FlightStretch stretch : stretches) {
+            draw(stretch, 5.5 * pixel, 0xffffff, dash);
+        }
+        for (FlightStretch stretch : stretches) {
+            draw(stretch, 3.0 * pixel, watchers.of(stretch).getRGB() & 0xffffff, dash);
+        }
+    }
+
+    private void draw(FlightStretch stretch, double width, int colour, double dash) {
+        List<Position> path = stretch.path();
+        double flown = 0.0;
+        for (int i = 1; i < path.size(); i++) {
+            flown += path.get(i).distance(path.get(i - 1));
+            if (!stretch.sensors().isEmpty() || (long) (flown / dash) % 2 == 0) {
+                lines.line(path.get(i - 1), path.get(i), width, colour, 1.0);
+            }
+        }
+    }
+
+    /** A drone's path: the past as a line, the future as dashes. */
+    void flight(DroneMark drone) {
         boolean isBird = drone.drone().settings().isBird();
         List<Position> flown = drone.flown();
         for (int i = 1; i < flown.size(); i++) {

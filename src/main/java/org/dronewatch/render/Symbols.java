@@ -173,6 +173,23 @@ final class Symbols {
         name(x, y, mark.drone().id(), hidden, selected);
     }
 
+    /** Marks a point of a flight with a dot, and writes beside it what begins there. */
+    void note(Position at, String words) {
+        if (!project(at)) {
+            return;
+        }
+        double x = view[0];
+        double y = view[1];
+        double r = 4.0 * scale;
+        Ellipse2D dot = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
+        g.setStroke(new BasicStroke((float) (1.6 * scale)));
+        g.setColor(Color.WHITE);
+        g.fill(dot);
+        g.setColor(WatcherColours.NOBODY);
+        g.draw(dot);
+        name(x, y, words, !sight.sees(at, 1.0), false);
+    }
+
     private static Color faded(Color colour, boolean hidden) {
         int alpha = hidden ? Math.round(255 * HIDDEN) : 255;
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);

@@ -71,6 +71,13 @@ public final class ZoneApproach {
         return closest;
     }
 
+    /** Whether the drone is still coming closer to the zone when the run ends. */
+    public boolean isCutShort() {
+        double end = zone.distance(path.position(SEGMENTS * step));
+        double before = zone.distance(path.position((SEGMENTS - 1) * step));
+        return before - end > ROUNDING;
+    }
+
     /** The number of whole segments in which it certainly flies less than a distance, m. */
     private int within(double distance) {
         double segments = (distance - ROUNDING) / reach;

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
@@ -311,6 +312,17 @@ class CampaignCommandTest {
         assertThat(shown.code()).isEqualTo(3);
         assertThat(shown.out()).isEmpty();
         assertThat(shown.complaints()).hasSize(1).first().asString().startsWith("cannot open a window: ");
+    }
+
+    @Test
+    void aCaseIsDrawnWithoutADisplay() throws IOException {
+        Path picture = directory.resolve("case.png");
+        Outcome drawn = campaign("none", "--case=34", "--variant=far", "--picture=" + picture);
+
+        assertThat(drawn.code()).as(drawn.err()).isZero();
+        assertThat(ImageIO.read(picture.toFile()).getWidth()).isEqualTo(920);
+        refused(campaign("new", "--case=34", "--picture=a.jpg"), "--picture a.jpg: must end in .png");
+        refused(campaign("new", "--picture=a.png"), "--picture a.png: needs --case K");
     }
 
     @Test

@@ -2,14 +2,18 @@ package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
@@ -142,7 +146,9 @@ class CampaignReportTest {
             } else if (row.get(1).equals("near")) {
                 String detected = row.get(header.indexOf("first_detected_s"));
                 String warning = row.get(header.indexOf("warning_s"));
-                double value = detected.isEmpty() ? -1.0 : Double.parseDouble(warning);
+                double value = detected.isEmpty()
+                        ? Double.parseDouble(row.get(header.indexOf("closest_m"))) - 1e6
+                        : Double.parseDouble(warning);
                 if (value < least) {
                     least = value;
                     worst = Integer.parseInt(row.get(0));
@@ -163,6 +169,48 @@ class CampaignReportTest {
                 .orElseThrow()
                 .substring("near: ".length());
         assertThat(text).contains(near.substring(1));
+    }
+
+    /** The worst case of each variant, and the first case that decides with both. */
+    @Test
+    void theCasesThatMatterAreDrawnAndCanBeWatched() throws IOException {
+        NodeList pictures = page.getElementsByTagName("img");
+        List<String> captions = ReportPage.texts(page, "figcaption");
+        int deciding = json.get("pairs").get(2).get("cases").get(0).asInt();
+
+        assertThat(pictures.getLength()).isEqualTo(4);
+        for (int i = 0; i < pictures.getLength(); i++) {
+            String data = ((Element) pictures.item(i)).getAttribute("src");
+            BufferedImage image = ImageIO.read(
+                    new ByteArrayInputStream(Base64.getDecoder().decode(data.substring(data.indexOf(',') + 1))));
+            assertThat(image.getWidth()).isEqualTo(920);
+        }
+        assertThat(captions.get(0)).startsWith("R&D site, case " + deciding + " (near), from above, north up, ");
+        assertThat(captions.get(1))
+                .startsWith("R&D site, case " + deciding + " (far), from above, north up, at the first alert, ");
+        assertThat(ReportPage.texts(page, "h3")).contains("Case " + deciding + ": the alert is in time only with far");
+        assertThat(ReportPage.texts(page, "td"))
+                .anyMatch(cell -> cell.endsWith("R&D.campaign.yaml\" --case " + deciding + " --variant far --view"));
+    }
+
+    /** As rows of the table say: of those that were missed, none came closer. */
+    @Test
+    void theWorstCaseIsTheOneThatComesClosest() throws IOException {
+        List<String> lines = Files.readAllLines(directory.resolve("out/runs.csv"));
+        List<String> header = List.of(lines.get(0).split(",", -1));
+        double least = lines.stream()
+                .skip(1)
+                .map(line -> List.of(line.split(",", -1)))
+                .filter(row -> row.get(1).equals("near")
+                        && row.get(header.indexOf("alert_s")).isEmpty())
+                .mapToDouble(row -> Double.parseDouble(row.get(header.indexOf("closest_m"))))
+                .min()
+                .orElseThrow();
+
+        assertThat(least).isPositive();
+        assertThat(text)
+                .contains(String.format(
+                        Locale.ROOT, "Never detected; no alert; came within %.1f m of what is protected.", least));
     }
 
     @Test

@@ -92,6 +92,32 @@ class CampaignRunTest {
         }
     }
 
+    /** A drone at 15 m/s takes 40 s for the 600 m; it then hovers 60 m above the middle of a zone of 30 m. */
+    @Test
+    void aRunThatEndsBeforeTheDroneArrivesIsCutShort() throws IOException {
+        CampaignPlan blind = CampaignSite.plan(
+                directory,
+                """
+                scene: site.yaml
+                vary:
+                  run.duration: {values: [20 s, 60 s]}
+                variants:
+                  blind: {sensors.radar.enabled: false}
+                runs: 12
+                """);
+        CampaignSummary summary = new CampaignSummary(blind.variants());
+        List<CaseResult> some = results(blind, 1);
+        some.forEach(one -> summary.add(List.of(one)));
+
+        assertThat(some).allSatisfy(one -> {
+            boolean ends = one.values().get(0).equals("20 s");
+            assertThat(one.cutShort()).isEqualTo(ends);
+            assertThat(one.closest().orElseThrow()).isBetween(ends ? 250.0 : 30.0, ends ? 300.0 : 30.0);
+        });
+        assertThat(summary.variants().get("blind").cutShort()).isBetween(1, 11);
+        CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
     @Test
     void aCaseDependsNeitherOnTheirNumberNorOnWhatElseVaries() throws IOException {
         CampaignPlan other = CampaignSite.plan(

@@ -62,6 +62,7 @@ class SensitivityTest {
                     OptionalDouble.of(warning(cases, number)),
                     Optional.empty(),
                     OptionalDouble.empty(),
+                    false,
                     Map.of()));
         }
         sensitivity.add(results);

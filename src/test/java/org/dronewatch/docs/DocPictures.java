@@ -42,6 +42,10 @@ final class DocPictures {
                     "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 100 --drone from-the-sea"
                             + " --set sensors.microphone.enabled=false --set sensors.thermal.enabled=false"
                             + " --set sensors.camera.enabled=false --out OUT"),
+            file("attack-spotter", "campaign scenes/two-radars.campaign.yaml --case 9 --variant spotter --picture OUT"),
+            slow(file(
+                    "attack-blighter",
+                    "campaign scenes/two-radars.campaign.yaml --case 9 --variant blighter --picture OUT")),
             slow(tutorial("harbour", "render DIR/harbour.yaml --view orbit --time 30 --out OUT")),
             slow(tutorial(
                     "harbour-coverage", "coverage DIR/harbour.yaml --side 1500 --height 30 --cells 40 --out OUT")),

@@ -85,6 +85,7 @@ final class CampaignFile {
     private static void add(ObjectNode node, VariantSummary variant) {
         node.put("n", variant.cases());
         node.put("failed", variant.failed());
+        node.put("cut_short", variant.cutShort());
         for (Outcome outcome : Outcome.values()) {
             put(node, key(outcome), variant.proportion(outcome));
         }

@@ -13,6 +13,7 @@ import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Outcome;
+import org.dronewatch.campaign.VariantComparison;
 import org.dronewatch.campaign.VariantSummary;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
@@ -51,6 +52,7 @@ final class CampaignReport {
         VariantTables tables = new VariantTables(result.summary());
         String scene = plan.settings().scene();
         Page page = new Page(stream, scene + ": campaign report", scene + ": campaign");
+        CasePictures pictures = new CasePictures(plan);
         page.verdict(verdict());
         if (!plan.settings().expect().isEmpty()) {
             page.section("Expectations", expectations());
@@ -61,13 +63,17 @@ final class CampaignReport {
         Optional<String> deciding = pairs.html();
         if (deciding.isPresent()) {
             page.section("What decides", deciding.get());
+            Optional<VariantComparison> best = pairs.best();
+            if (best.isPresent()) {
+                page.add(new DecidingCases(plan, command, pictures).html(best.get()));
+            }
         }
         if (result.sensitivity().isPresent()) {
             page.section(
                     "Which settings matter",
                     new SensitivityBars(result.sensitivity().get()).html());
         }
-        page.section("The worst case", worst.html(plan, command));
+        page.section("The worst case", worst.html(plan, command, pictures));
         page.section("What was run", new CampaignInputs(plan, command.isPresent()).html());
         page.end();
     }
@@ -86,6 +92,7 @@ final class CampaignReport {
             sentences.add(String.format(
                     Locale.ROOT, "%,d runs failed and are not included in these figures; runs.csv says why.", failed));
         }
+        CampaignWords.cutShort(summary).ifPresent(sentences::add);
         return String.join(" ", sentences);
     }
 

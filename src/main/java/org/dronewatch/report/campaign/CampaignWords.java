@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignQuantity;
 import org.dronewatch.campaign.CampaignSummary;
@@ -67,12 +69,40 @@ public final class CampaignWords {
                 : "first detected after " + text(result.firstDetected()) + " s by "
                         + result.firstSensor().get() + " at " + text(result.range()) + " m";
         String alerted = result.alert().isEmpty()
-                ? "no alert"
+                ? "no alert" + cameTo(result)
                 : "alert after " + text(result.alert()) + " s, warning " + text(result.warning()) + " s"
                         + result.inTime()
                                 .map(yes -> yes ? ", in time" : ", too late")
                                 .orElse("");
         return detected + "; " + alerted;
+    }
+
+    /** How near a drone came that raised no alert; empty where nothing is protected. */
+    private static String cameTo(CaseResult result) {
+        if (result.closest().isEmpty()) {
+            return "";
+        }
+        return result.closest().getAsDouble() == 0.0
+                ? "; reached what is protected"
+                : "; came within " + text(result.closest()) + " m of what is protected";
+    }
+
+    /** That runs end too early, if some do. */
+    public static Optional<String> cutShort(CampaignSummary summary) {
+        String counts = summary.variants().entrySet().stream()
+                .filter(one -> one.getValue().cutShort() > 0)
+                .map(one -> String.format(
+                        Locale.ROOT,
+                        "%,d of %,d cases of %s",
+                        one.getValue().cutShort(),
+                        one.getValue().cases(),
+                        one.getKey()))
+                .collect(Collectors.joining(", "));
+        return counts.isEmpty()
+                ? Optional.empty()
+                : Optional.of("The run ends too early in " + counts
+                        + ": the drone, for which there is no alert yet, is still coming closer; make run.duration"
+                        + " longer.");
     }
 
     private static String text(OptionalDouble value) {

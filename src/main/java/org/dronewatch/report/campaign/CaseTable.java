@@ -38,7 +38,8 @@ final class CaseTable {
             "in_time",
             "bearing_deg",
             "drones",
-            "closest_m");
+            "closest_m",
+            "cut_short");
     private static final String DONE = "done";
     private static final String FAILED = "failed";
 
@@ -101,6 +102,7 @@ final class CaseTable {
                 .map(drone -> drone.getKey() + "=" + word(drone.getValue()))
                 .collect(Collectors.joining(" ")));
         row.add(text(result.closest()));
+        row.add(Boolean.toString(result.cutShort()));
         return row;
     }
 
@@ -155,6 +157,7 @@ final class CaseTable {
                 number(row.get(after + 6)),
                 word(row.get(after + 7)).map(Boolean::valueOf),
                 number(row.get(after + 10)),
+                Boolean.parseBoolean(row.get(after + 11)),
                 drones(row.get(after + 9)));
     }
 

@@ -45,16 +45,17 @@ final class PairWords {
 
     /** Whether the best variant is better than the next; empty where there are no two. */
     Optional<String> verdict() {
+        return best().map(pair -> verdict(pair, ranked().get(0), ranked().get(1)));
+    }
+
+    /** The best variant and the next, compared; empty where there are no two. */
+    Optional<VariantComparison> best() {
         List<String> ranked = ranked();
-        if (ranked.size() < 2) {
-            return Optional.empty();
-        }
-        String first = ranked.get(0);
-        String second = ranked.get(1);
-        return pairs.stream()
-                .filter(pair -> List.of(first, second).containsAll(List.of(pair.a(), pair.b())))
-                .findFirst()
-                .map(pair -> verdict(pair, first, second));
+        return ranked.size() < 2
+                ? Optional.empty()
+                : pairs.stream()
+                        .filter(pair -> ranked.subList(0, 2).containsAll(List.of(pair.a(), pair.b())))
+                        .findFirst();
     }
 
     private String verdict(VariantComparison pair, String first, String second) {

@@ -1,5 +1,6 @@
 package org.dronewatch.report.campaign;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -7,14 +8,25 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.report.html.Html;
 
-/** The worst case of each variant: missed, or else without an alert, or else with the least warning or range. */
+/**
+ * The worst case of each variant: missed, or else without an alert, or else with the least warning or range; of
+ * several, the one in which a drone comes closest to what is protected.
+ */
 final class WorstCases {
     private static final int MOST_LISTED = 10;
     private static final int MOST_VARIANTS = 10;
+    private static final int MOST_PICTURES = 4;
+
+    private static final String RULE =
+            "The worst case is one in which the drone is not detected; without such a case, one"
+                    + " in which no alert is raised; without that, the one with the least warning time or, where nothing is"
+                    + " protected, the least range. Of several, it is the one in which the drone comes closest to what is"
+                    + " protected, and of these the first.";
 
     private static final Comparator<CaseResult> WORST_FIRST = Comparator.comparing(
                     (CaseResult result) -> result.firstDetected().isPresent())
@@ -23,6 +35,7 @@ final class WorstCases {
                     result -> result.warning().orElse(result.range().orElse(0.0)));
 
     private final Map<String, List<CaseResult>> worst = new LinkedHashMap<>();
+    private final Map<String, CaseResult> closest = new LinkedHashMap<>();
     private final Map<String, Integer> counts = new LinkedHashMap<>();
 
     /** Adds results, in the order of the cases. */
@@ -38,19 +51,25 @@ final class WorstCases {
         int order = its.isEmpty() ? -1 : WORST_FIRST.compare(result, its.get(0));
         if (order < 0) {
             its.clear();
+            closest.remove(result.variant());
             counts.put(result.variant(), 0);
         }
         if (order <= 0) {
             counts.merge(result.variant(), 1, Integer::sum);
+            closest.merge(result.variant(), result, (one, other) -> distance(other) < distance(one) ? other : one);
             if (its.size() < MOST_LISTED) {
                 its.add(result);
             }
         }
     }
 
-    /** The worst case of a variant, the first of several; empty if none could be run. */
+    private static double distance(CaseResult result) {
+        return result.closest().orElse(0.0);
+    }
+
+    /** The worst case of a variant; empty if none could be run. */
     Optional<CaseResult> of(String variant) {
-        return Optional.ofNullable(worst.get(variant)).map(its -> its.get(0));
+        return Optional.ofNullable(closest.get(variant));
     }
 
     /**
@@ -71,44 +90,46 @@ final class WorstCases {
      *
      * @param command that runs a case again, without its number; empty if there is none
      */
-    String html(CampaignPlan plan, Optional<String> command) {
-        StringBuilder html = new StringBuilder();
-        worst.entrySet().stream()
-                .limit(MOST_VARIANTS)
-                .forEach(one -> html.append(html(plan, one.getKey(), one.getValue(), command)));
+    String html(CampaignPlan plan, Optional<String> command, CasePictures pictures) throws IOException {
+        StringBuilder html = new StringBuilder(Html.plain("p", RULE));
+        int shown = 0;
+        for (String variant : plan.variants()) {
+            if (worst.containsKey(variant) && shown < MOST_VARIANTS) {
+                html.append(html(plan, variant, command))
+                        .append(
+                                shown < MOST_PICTURES
+                                        ? pictures.html(closest.get(variant).number(), variant)
+                                        : "");
+                shown++;
+            }
+        }
         if (worst.size() > MOST_VARIANTS) {
             html.append(Html.plain("p", "Only the first " + MOST_VARIANTS + " variants are shown."));
         }
         return html.toString();
     }
 
-    private String html(CampaignPlan plan, String variant, List<CaseResult> its, Optional<String> command) {
-        CaseResult first = its.get(0);
-        Map<String, String> values = new LinkedHashMap<>();
-        int i = 0;
-        for (String path : plan.paths()) {
-            values.put(path, first.values().get(i++));
-        }
-        values.put("run.seed", Long.toString(first.seed()));
-        command.ifPresent(words -> values.put("run it again", words + " --case " + first.number()));
-        return Html.plain("h3", variant + ": case " + first.number())
-                + Html.plain("p", sentence(variant, its))
-                + Html.definitions(values);
+    private String html(CampaignPlan plan, String variant, Optional<String> command) {
+        CaseResult one = closest.get(variant);
+        return Html.plain("h3", variant + ": case " + one.number())
+                + Html.plain("p", sentence(variant, one))
+                + ShownCase.html(plan, one.number(), List.of(variant), command);
     }
 
-    private String sentence(String variant, List<CaseResult> its) {
-        String came = CampaignWords.cameOf(its.get(0));
+    private String sentence(String variant, CaseResult one) {
+        String came = CampaignWords.cameOf(one);
         String sentence = came.substring(0, 1).toUpperCase(Locale.ROOT) + came.substring(1) + ".";
+        List<CaseResult> its = worst.get(variant);
         int count = counts.get(variant);
         if (count == 1) {
             return sentence;
         }
-        String numbers = String.join(
-                ", ", its.stream().map(one -> Integer.toString(one.number())).toList());
+        String numbers =
+                its.stream().map(other -> Integer.toString(other.number())).collect(Collectors.joining(", "));
         return sentence
                 + String.format(
                         Locale.ROOT,
-                        " So it is in %,d cases: %s%s.",
+                        " %,d cases end like this: %s%s.",
                         count,
                         numbers,
                         count > its.size() ? " and others" : "");
