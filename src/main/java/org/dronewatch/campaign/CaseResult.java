@@ -92,6 +92,7 @@ public record CaseResult(
                 warning,
                 inTime,
                 closest,
+                cutShort,
                 drones);
     }
 }
