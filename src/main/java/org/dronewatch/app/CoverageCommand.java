@@ -138,7 +138,7 @@ final class CoverageCommand implements Callable<Integer> {
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         CoverageGrid grid = planGrid(settings);
-        String id = drone(settings);
+        String id = drone(drone, settings);
         return threads.call(() -> {
             runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
@@ -163,7 +163,7 @@ final class CoverageCommand implements Callable<Integer> {
         SceneSettings settings = runner.settingsOfRuns().get(0);
         FieldGrid grid = field.grid(
                 settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));
-        String id = drone(settings);
+        String id = drone(drone, settings);
         List<ConditionedScene> others = ConditionedScene.of(field.conditions(), choice, id);
         CoverageInputs inputs = new CoverageInputs(
                 scene.name(),
@@ -222,7 +222,12 @@ final class CoverageCommand implements Callable<Integer> {
                 .inWords(settings.run().seed(), threads.number());
     }
 
-    private String drone(SceneSettings settings) {
+    /**
+     * The drone that is put into the cells.
+     *
+     * @param drone the value of {@code --drone}, if it was given
+     */
+    static String drone(String drone, SceneSettings settings) {
         String first = FieldRequest.firstDrone(settings)
                 .orElseThrow(() -> new InputException("the scene has no drone to place on the plan"));
         String id = drone == null ? first : drone;

@@ -186,7 +186,7 @@ final class FieldOptions {
     }
 
     /** One of a few words. */
-    private static <E extends Enum<E>> E word(String option, String given, E[] words, String known) {
+    static <E extends Enum<E>> E word(String option, String given, E[] words, String known) {
         for (E one : words) {
             if (one.name().toLowerCase(Locale.ROOT).equals(given)) {
                 return one;
@@ -210,7 +210,8 @@ final class FieldOptions {
         return parsed;
     }
 
-    private static Object value(String option, String text, Class<? extends Record> type, String name) {
+    /** The value of an option, with the unit and the limits of a component of a record. */
+    static Object value(String option, String text, Class<? extends Record> type, String name) {
         RecordComponent part = SettingsForm.of(type).part(name).orElseThrow();
         try {
             Object value = SettingText.parse(part, text);

@@ -40,6 +40,7 @@ import picocli.CommandLine.Spec;
             SchemaCommand.class,
             RenderCommand.class,
             CoverageCommand.class,
+            RouteCommand.class,
             CampaignCommand.class,
             CompareCommand.class,
             MergeCommand.class,

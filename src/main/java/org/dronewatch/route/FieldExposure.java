@@ -5,6 +5,7 @@ import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorSettings;
 
@@ -94,6 +95,33 @@ public final class FieldExposure implements ExposureField {
             sum += rates[sensor][field.steps(sensor, level, column, row, course)];
         }
         return sum;
+    }
+
+    /**
+     * The dominant cause in the middle of a straight leg that lies in one cell: that of the sensor with the highest
+     * probability and, among equals, the one that is nearest to a detection.
+     */
+    Cause cause(Position from, Position to) {
+        Position at = from.plus(to).times(0.5);
+        int column = column(at.x());
+        int row = row(at.y());
+        double ground = field.ground(column, row);
+        int level = Double.isNaN(ground) ? -1 : level(at.z() - ground);
+        if (level < 0 || !field.isOpen(level, column, row)) {
+            return Cause.UNKNOWN;
+        }
+        int course = course(at.x(), at.y(), StrictMath.atan2(to.x() - from.x(), to.y() - from.y()));
+        Cause dominant = Cause.UNKNOWN;
+        int most = -1;
+        for (int sensor = this.from; sensor < this.to; sensor++) {
+            int steps = field.steps(sensor, level, column, row, course);
+            Cause cause = field.cause(sensor, level, column, row, course);
+            if (steps > most || steps == most && cause.compareTo(dominant) > 0) {
+                dominant = cause;
+                most = steps;
+            }
+        }
+        return dominant;
     }
 
     /** The least of the rates on all courses but hovering, in all cells that the box touches and that are open. */

@@ -1,18 +1,20 @@
 package org.dronewatch.route;
 
-/** What a path between the posts of a grid must keep to: open places, and turns that the drone can fly. Immutable. */
+/** What a path between the posts of a grid must keep to: open places, and turns that the drone can fly. */
 final class LegLimits {
     private static final double STEPS_PER_POST = 2.0;
 
     private final RouteGrid grid;
+    private final Passage passage;
     private final double turnRadius;
 
     LegLimits(RouteProblem problem) {
         this.grid = problem.grid();
+        this.passage = problem.passage();
         this.turnRadius = problem.turnRadius();
     }
 
-    /** Whether a straight leg leads through open places alone, m. */
+    /** Whether a straight leg leads through open places alone, and meets nothing solid, m. */
     boolean isOpen(double x, double y, double z, double toX, double toY, double toZ) {
         double length = Math.sqrt((toX - x) * (toX - x) + (toY - y) * (toY - y) + (toZ - z) * (toZ - z));
         int pieces = Math.max(1, (int) Math.ceil(STEPS_PER_POST * length / grid.spacing()));
@@ -22,7 +24,7 @@ final class LegLimits {
                 return false;
             }
         }
-        return true;
+        return passage.isFree(x, y, z, toX, toY, toZ);
     }
 
     /**

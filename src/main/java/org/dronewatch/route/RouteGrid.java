@@ -133,6 +133,11 @@ public final class RouteGrid {
         return ground[post % (columns * rows)] + heights[post / (columns * rows)];
     }
 
+    /** The height of a point above the ground, m; the ground beside the grid is that at its rim. */
+    double above(Position at) {
+        return at.z() - ground(clamp((at.x() - west) / spacing, columns), clamp((at.y() - south) / spacing, rows));
+    }
+
     /** A post's position, m. */
     public Position position(int post) {
         return new Position(x(post), y(post), z(post));

@@ -56,7 +56,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
     }
 
     /** Whether it can only descend. */
-    boolean isGlide() {
+    public boolean isGlide() {
         return steepest < 0.0;
     }
 

@@ -14,6 +14,7 @@ import java.util.List;
  * @param directions in plan, in which routes may leave a post
  * @param starts posts at which a route may begin
  * @param goals posts at which it ends
+ * @param passage between which points the drone can fly straight; closed posts are not passed in any case
  */
 public record RouteProblem(
         RouteGrid grid,
@@ -22,7 +23,8 @@ public record RouteProblem(
         double turnRadius,
         PlanDirections directions,
         BitSet starts,
-        BitSet goals) {
+        BitSet goals,
+        Passage passage) {
     /**
      * Copies lists and sets.
      *
@@ -39,9 +41,21 @@ public record RouteProblem(
         }
     }
 
+    /** The same where nothing but closed posts is solid. */
+    public RouteProblem(
+            RouteGrid grid,
+            ExposureField field,
+            List<RouteMode> modes,
+            double turnRadius,
+            PlanDirections directions,
+            BitSet starts,
+            BitSet goals) {
+        this(grid, field, modes, turnRadius, directions, starts, goals, Passage.EVERYWHERE);
+    }
+
     /** This problem with another field. */
     public RouteProblem withField(ExposureField other) {
-        return new RouteProblem(grid, other, modes, turnRadius, directions, starts, goals);
+        return new RouteProblem(grid, other, modes, turnRadius, directions, starts, goals, passage);
     }
 
     /** The number of headings that the search distinguishes: one where any turn can be flown. */

@@ -109,6 +109,10 @@ final class RouteSearch {
         }
     }
 
+    private boolean isFree(int from, int to) {
+        return problem.passage().isFree(grid.x(from), grid.y(from), grid.z(from), grid.x(to), grid.y(to), grid.z(to));
+    }
+
     /** Tries all legs of one mode and direction that lead to a post. */
     private void comeFrom(int state, int mode, int post, int direction, int heading) {
         int column = post % grid.columns();
@@ -127,8 +131,10 @@ final class RouteSearch {
             }
             int from = grid.post(fromColumn, fromRow, before);
             double exposure = edges.cost(mode, direction, from, repeats, climb);
-            if (exposure < Double.POSITIVE_INFINITY) {
-                reach((mode * headings + heading) * grid.size() + from, cost[state] + exposure, state);
+            int earlier = (mode * headings + heading) * grid.size() + from;
+            // Obstacles are looked for only where the leg would be taken.
+            if (exposure < Double.POSITIVE_INFINITY && cost[state] + exposure < cost[earlier] && isFree(from, post)) {
+                reach(earlier, cost[state] + exposure, state);
             }
         }
     }

@@ -2,8 +2,8 @@ package org.dronewatch.route;
 
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
-import java.util.OptionalInt;
 import org.dronewatch.geometry.Position;
 
 /** The least exposed routes over the posts of a grid, from every post to the goals. Immutable and thread-safe. */
@@ -42,15 +42,14 @@ final class RouteTree {
         return best;
     }
 
-    /** The post among some from which the exposure is least, the first among equals; empty if none has a route. */
-    OptionalInt weakest(BitSet posts) {
-        int weakest = -1;
-        for (int post = posts.nextSetBit(0); post >= 0; post = posts.nextSetBit(post + 1)) {
-            if (cost(post) < (weakest < 0 ? Double.POSITIVE_INFINITY : cost(weakest))) {
-                weakest = post;
-            }
-        }
-        return weakest < 0 ? OptionalInt.empty() : OptionalInt.of(weakest);
+    /** Those of some posts from which the exposure is least, the least first; only posts that have a route. */
+    List<Integer> weakest(BitSet posts, int count) {
+        return posts.stream()
+                .filter(post -> cost(post) < Double.POSITIVE_INFINITY)
+                .boxed()
+                .sorted(Comparator.comparingDouble(this::cost))
+                .limit(count)
+                .toList();
     }
 
     /** The states from a post to the end. */

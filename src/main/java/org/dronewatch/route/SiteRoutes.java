@@ -1,31 +1,40 @@
 package org.dronewatch.route;
 
-import java.util.Arrays;
 import java.util.BitSet;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
-import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.flight.RouteFlight;
+import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Cause;
 
 /**
- * The weakest routes of a site under power: from the rim of a detection field, at any of its heights up to the drone's
- * ceiling, to the protected zone or, without one, to the middle of the sensors. A route counts as having arrived
- * when it is within one cell's length of the zone or, in plan view, of the middle. Immutable and thread-safe.
+ * The weakest routes of a site under power: from the edge of the known ground of a detection field, or from an area, at
+ * any of the field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the
+ * sensors. A route has arrived when it is in the zone; if no cell has its middle in it, or there is none, when it is
+ * within one cell's length of the zone or, in plan view, of the middle. It meets nothing solid. One thread at a time.
  */
 public final class SiteRoutes {
     /** The sectors from which routes come: the first centred on north, then clockwise. */
     public static final int SECTORS = 8;
+
+    /** What a flight of the whole endurance counts for, so that of equally exposed routes the fastest is found. */
+    private static final double PRICE_OF_ENDURANCE = 1e-3;
+
+    private static final String NO_CELL =
+            "no cell there has its middle above known ground and outside everything solid,"
+                    + " at any of the heights; smaller cells or other heights may have one";
 
     private final DetectionField field;
     private final FieldExposure exposure;
@@ -43,101 +52,71 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes.
+     * Searches for all routes from the edge.
      *
      * @param field of single looks at the drone, on all courses
      * @param settings of its scene; the time of the response is that of the alerts
      * @param stage its world and drones
      * @param drone name of the drone
-     * @throws IllegalArgumentException if there is nowhere on the rim, or nowhere in the zone, where the drone can be
+     * @throws IllegalArgumentException if there is nowhere on the edge, or nowhere in the zone, where the drone can be
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static SiteRoutes of(DetectionField field, SceneSettings settings, Stage stage, String drone) {
+        return of(field, settings, stage, drone, Optional.empty());
+    }
+
+    /**
+     * Searches for all routes.
+     *
+     * @param launch the area in plan view from which the routes come, at any height; from the edge if it is empty
+     * @throws IllegalArgumentException if the drone cannot be anywhere in the area from which the routes come, or not
+     *     anywhere in the zone
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static SiteRoutes of(
+            DetectionField field, SceneSettings settings, Stage stage, String drone, Optional<AreaZone> launch) {
         Drone flown = DetectionField.droneOf(stage, drone);
         FlightLimits limits = flown.settings().flightLimits();
         double cruise = flown.settings().speed();
-        RouteGrid grid = grid(field, limits.ceiling());
-        Position middle = InboundTarget.of(settings, stage.protection());
+        SitePosts posts = new SitePosts(field, limits.ceiling());
+        Protection protection = stage.protection();
+        Position middle = InboundTarget.of(settings, protection);
+        double reach = posts.reach(protection, middle);
+        BitSet starts = launch.map(posts::over).orElseGet(posts::rim);
+        BitSet goals = posts.near(protection, middle, reach);
+        checkPosts(starts, goals, launch.isPresent(), !protection.isEmpty());
         FieldExposure exposure = FieldExposure.of(field, settings);
         RouteProblem problem = new RouteProblem(
-                grid,
+                posts.grid(),
                 exposure,
                 List.of(RouteMode.powered(limits, cruise)),
                 limits.hover() ? 0.0 : cruise / limits.turnRate(),
                 PlanDirections.of(limits.hover() ? 32 : 16),
-                rim(grid),
-                near(grid, stage.protection(), middle, grid.spacing()));
-        BitSet reached = near(grid, stage.protection(), middle, grid.spacing() + diagonal(grid));
+                starts,
+                goals,
+                Passage.through(stage.world()));
+        BitSet reached = posts.near(protection, middle, reach + posts.diagonal());
         double response = settings.alert().response();
-        WeakestRoutes routes =
-                response > 0.0 ? WeakestRoutes.inTime(problem, reached, response) : WeakestRoutes.of(problem, reached);
+        double price = PRICE_OF_ENDURANCE / limits.endurance();
+        WeakestRoutes routes = response > 0.0
+                ? WeakestRoutes.inTime(problem, reached, response, price)
+                : WeakestRoutes.of(problem, reached, price);
         return new SiteRoutes(field, exposure, problem, routes, middle);
     }
 
-    /** A post in the middle of each cell. */
-    private static RouteGrid grid(DetectionField field, double ceiling) {
-        FieldGrid cells = field.grid();
-        int side = cells.columns();
-        int levels = (int)
-                cells.heights().stream().filter(height -> height <= ceiling).count();
-        double[] heights = cells.heights().stream()
-                .limit(levels)
-                .mapToDouble(Double::doubleValue)
-                .toArray();
-        double[] ground = new double[side * side];
-        Arrays.setAll(ground, post -> field.ground(post % side, side - 1 - post / side));
-        double mean = Arrays.stream(ground).filter(Double::isFinite).average().orElse(0.0);
-        BitSet closed = new BitSet();
-        for (int post = 0; post < levels * ground.length; post++) {
-            int below = post % ground.length;
-            closed.set(post, !field.isOpen(post / ground.length, below % side, side - 1 - below / side));
+    private static void checkPosts(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
+        if (starts.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "no route begins " + (isLaunch ? "in the launch area" : "on the edge") + ": " + NO_CELL);
         }
-        double[] known = Arrays.stream(ground)
-                .map(height -> Double.isNaN(height) ? mean : height)
-                .toArray();
-        return new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, known, closed);
+        if (goals.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "no route ends " + (isZone ? "in the protected zone or beside it" : "at the middle of the sensors")
+                            + ": " + NO_CELL);
+        }
     }
 
-    private static BitSet rim(RouteGrid grid) {
-        BitSet rim = new BitSet();
-        for (int post = 0; post < grid.size(); post++) {
-            int column = post % grid.columns();
-            int row = post / grid.columns() % grid.rows();
-            boolean isRim = column == 0 || row == 0 || column == grid.columns() - 1 || row == grid.rows() - 1;
-            rim.set(post, isRim && grid.isOpen(post));
-        }
-        return rim;
-    }
-
-    private static BitSet near(RouteGrid grid, Protection protection, Position middle, double distance) {
-        BitSet near = new BitSet();
-        for (int post = 0; post < grid.size(); post++) {
-            Position at = grid.position(post);
-            double away = protection.isEmpty()
-                    ? Math.hypot(at.x() - middle.x(), at.y() - middle.y())
-                    : protection.distance(at);
-            near.set(post, away <= distance && grid.isOpen(post));
-        }
-        return near;
-    }
-
-    /** The longest diagonal of a cube between posts, m. */
-    private static double diagonal(RouteGrid grid) {
-        double rise = grid.levels() > 1 ? grid.height(grid.levels() - 1) : 0.0;
-        double gap = 0.0;
-        for (int level = 1; level < grid.levels(); level++) {
-            gap = Math.max(gap, grid.height(level) - grid.height(level - 1));
-        }
-        for (int cell = 0; rise > 0.0 && cell < grid.columns() * grid.rows(); cell++) {
-            int column = Math.min(cell % grid.columns(), grid.columns() - 2);
-            int row = Math.min(cell / grid.columns(), grid.rows() - 2);
-            double[] ground = grid.groundRange(column, row);
-            rise = Math.max(rise, gap + ground[1] - ground[0]);
-        }
-        return Math.sqrt(2.0 * grid.spacing() * grid.spacing() + rise * rise);
-    }
-
-    /** The weakest route from the posts of a sector of the rim; empty if none leads from there. */
+    /** The weakest route from the starts in a sector; empty if none leads from there. */
     public Optional<WeakestRoute> from(int sector) {
         BitSet starts = new BitSet();
         problem.starts().stream()
@@ -146,9 +125,36 @@ public final class SiteRoutes {
         return routes.from(starts);
     }
 
-    /** The weakest route from anywhere on the rim; empty if none leads from there. */
+    /** The weakest route from any start; empty if none leads from there. */
     public Optional<WeakestRoute> fromAnywhere() {
         return routes.from(problem.starts());
+    }
+
+    /** Where the routes lead: the middle of the zone or of the sensors, m. */
+    public Position target() {
+        return middle;
+    }
+
+    /** The modes in which the drone flies, by their numbers. */
+    public List<RouteMode> modes() {
+        return problem.modes();
+    }
+
+    /** A route as it is flown, with the exposure along the whole of it. */
+    public RouteProfile profile(WeakestRoute route) {
+        return RouteProfile.of(route.path(), problem);
+    }
+
+    /** A route with what the sensors see of it. */
+    public SectorRoute describe(int sector, WeakestRoute route) {
+        RouteProfile profile = profile(route);
+        Map<Cause, Double> causes = new EnumMap<>(Cause.class);
+        for (int i = 1; i < profile.points().size(); i++) {
+            RoutePoint from = profile.points().get(i - 1);
+            RoutePoint to = profile.points().get(i);
+            causes.merge(exposure.cause(from.position(), to.position()), to.time() - from.time(), Double::sum);
+        }
+        return new SectorRoute(sector, route, profile, bySensor(route), causes);
     }
 
     private int sector(Position at) {

@@ -1,9 +1,9 @@
 package org.dronewatch.route;
 
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.Position;
 
@@ -12,13 +12,26 @@ import org.dronewatch.geometry.Position;
  * longer matter to the route that is found, whose exposure is integrated anew. Immutable and thread-safe.
  */
 public final class WeakestRoutes {
+    /** From so many starts, those with the least exposure over the posts, the exposure of the path is compared. */
+    private static final int CANDIDATES = 64;
+
     private final RouteProblem problem;
+
+    /** The problem with the price of time. */
+    private final RouteProblem priced;
+
     private final RouteTree tree;
     private final Optional<RouteTree> onwards;
     private final ExposureBound bound;
 
-    private WeakestRoutes(RouteProblem problem, RouteTree tree, Optional<RouteTree> onwards, ExposureBound bound) {
+    private WeakestRoutes(
+            RouteProblem problem,
+            RouteProblem priced,
+            RouteTree tree,
+            Optional<RouteTree> onwards,
+            ExposureBound bound) {
         this.problem = problem;
+        this.priced = priced;
         this.tree = tree;
         this.onwards = onwards;
         this.bound = bound;
@@ -32,8 +45,19 @@ public final class WeakestRoutes {
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached) {
+        return of(problem, reached, 0.0);
+    }
+
+    /**
+     * The same, where time has a price, so that of several equally exposed routes the fastest is found: without one, a
+     * drone may fly about for hours where nothing detects it.
+     *
+     * @param price what a second counts for in the search, but not in the exposure that is stated, 0 or more, 1/s
+     */
+    public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
+        RouteProblem priced = problem.withField(problem.field().plus(price));
         return new WeakestRoutes(
-                problem, RouteSearch.toGoals(problem), Optional.empty(), ExposureBound.of(problem, reached));
+                problem, priced, RouteSearch.toGoals(priced), Optional.empty(), ExposureBound.of(problem, reached));
     }
 
     /**
@@ -46,12 +70,23 @@ public final class WeakestRoutes {
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response) {
+        return inTime(problem, reached, response, 0.0);
+    }
+
+    /**
+     * The same, where time has a price.
+     *
+     * @param price as above
+     */
+    public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
         RouteProblem fastest = problem.withField(new Clock());
         RouteTree times = RouteSearch.toGoals(fastest);
         BitSet tooLate = ExposureBound.of(fastest, reached).within(response);
+        RouteProblem priced = problem.withField(problem.field().plus(price));
         return new WeakestRoutes(
                 problem,
-                RouteSearch.toStates(problem, times, response),
+                priced,
+                RouteSearch.toStates(priced, times, response),
                 Optional.of(times),
                 ExposureBound.of(problem, tooLate));
     }
@@ -71,13 +106,17 @@ public final class WeakestRoutes {
 
     /** The weakest of the routes from some posts; empty if none of them has a route. */
     public Optional<WeakestRoute> from(BitSet starts) {
-        OptionalInt post = tree.weakest(starts);
-        if (post.isEmpty()) {
+        RouteExposure search = new RouteExposure(priced);
+        // What the search adds up from post to post is not quite the exposure of a path: the best of several is taken.
+        Optional<List<Integer>> weakest = tree.weakest(starts, CANDIDATES).stream()
+                .map(tree::states)
+                .min(Comparator.comparingDouble(one -> search.along(tree.path(one))));
+        if (weakest.isEmpty()) {
             return Optional.empty();
         }
-        List<Integer> states = tree.states(post.getAsInt());
+        List<Integer> states = weakest.get();
         RouteExposure exposure = new RouteExposure(problem);
-        RoutePath counted = RouteSmoothing.of(problem, tree.path(states));
+        RoutePath counted = RouteSmoothing.of(priced, tree.path(states));
         RoutePath whole = onwards.map(times -> counted.then(times.path(times.from(states.get(states.size() - 1)))))
                 .orElse(counted);
         return Optional.of(new WeakestRoute(whole, exposure.along(counted), bound.from(starts), exposure.time(whole)));

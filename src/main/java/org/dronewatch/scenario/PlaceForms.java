@@ -5,11 +5,14 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geo.EarthPlace;
 import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geo.FeaturePlace;
@@ -17,9 +20,12 @@ import org.dronewatch.geo.FeaturePoint;
 import org.dronewatch.geo.LocalPlace;
 import org.dronewatch.geo.features.Features;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
@@ -79,17 +85,63 @@ public final class PlaceForms {
      */
     public static Position parse(
             String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {
-        String shown = option + " " + PlainText.value(text) + ": ";
         Matcher pair = DEGREES.matcher(text.strip());
         String place = pair.matches()
                 ? "{latitude: " + pair.group(1) + " deg, longitude: " + pair.group(2) + " deg}"
                 : text.strip();
+        return read(option, text, place, Alone.class, places, directory, maps).at();
+    }
+
+    /** An outline in plan view alone. */
+    record Outline(
+            List<GroundPoint> area,
+            Optional<GroundPoint> centre,
+            @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> radius) {
+        @Defaults({})
+        static Outline none() {
+            return new Outline(List.of(), Optional.empty(), Optional.empty());
+        }
+    }
+
+    /** An outline that is given on the command line. */
+    record OutlineAlone(Outline at) {}
+
+    /**
+     * An area given on the command line as in a scene file, in plan view: {@code {centre: [0, 900], radius: 50 m}} or
+     * {@code {area: [...]}}. Parameters as above.
+     *
+     * @throws InputException in one line when it is not an area, or has no position
+     */
+    public static ProtectedArea area(
+            String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {
+        Outline outline = read(option, text, text.strip(), OutlineAlone.class, places, directory, maps)
+                .at();
+        try {
+            ProtectedArea area =
+                    new ProtectedArea(outline.area(), outline.centre(), outline.radius(), 0.0, Double.MIN_NORMAL);
+            AlertSettings.DEFAULT.withZone("area", area);
+            return area;
+        } catch (IllegalArgumentException e) {
+            throw new InputException(
+                    option + " " + PlainText.value(text) + ": " + e.getMessage().replace("zones.area: ", ""), e);
+        }
+    }
+
+    /** A record whose component {@code at} is given on the command line. */
+    private static <R extends Record> R read(
+            String option,
+            String text,
+            String written,
+            Class<R> type,
+            Places places,
+            Path directory,
+            Function<Optional<String>, Features> maps) {
+        String shown = option + " " + PlainText.value(text) + ": ";
         try {
             Node.Mapping document = SettingsFile.document(
-                    option, new ByteArrayInputStream(("at: " + place).getBytes(StandardCharsets.UTF_8)));
+                    option, new ByteArrayInputStream(("at: " + written).getBytes(StandardCharsets.UTF_8)));
             Kinds kinds = in(Kinds.FOUND, () -> Optional.of(places), maps);
-            return SettingsFile.read(document, Alone.class, kinds, directory, new FormerNames())
-                    .at();
+            return SettingsFile.read(document, type, kinds, directory, new FormerNames());
         } catch (InputException e) {
             String first = e.getMessage()
                     .lines()

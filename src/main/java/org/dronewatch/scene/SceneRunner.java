@@ -11,6 +11,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.parallel.Workers;
@@ -303,6 +304,16 @@ public final class SceneRunner {
     public Position place(String option, String text, SceneSettings settings) {
         Places places = new Places(settings.world(), () -> world(settings).newGround());
         return PlaceForms.parse(option, text, places, scene.directory().toAbsolutePath(), scene.maps());
+    }
+
+    /**
+     * An area in plan view on the site of one of the scene's runs, as in a scene file. Parameters as above.
+     *
+     * @throws InputException in one line when it is not an area, or has no position
+     */
+    public ProtectedArea area(String option, String text, SceneSettings settings) {
+        Places places = new Places(settings.world(), () -> world(settings).newGround());
+        return PlaceForms.area(option, text, places, scene.directory().toAbsolutePath(), scene.maps());
     }
 
     /**

@@ -6,12 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.world.GroundPoint;
+import org.dronewatch.world.Visibility;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -118,6 +123,62 @@ class SiteRoutesTest {
             assertThat(Math.abs(rise) / 3.0).isLessThanOrEqualTo(route.seconds());
             assertThat(points.get(i).z()).isBetween(10.0 - 1e-6, 75.0 + 1e-6);
         }
+    }
+
+    /** The zone is a ball of 30 m around the radar, and the lowest posts are in it. */
+    @Test
+    void aRouteEndsInTheZone() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        List<Position> points = routes.fromAnywhere().orElseThrow().path().points();
+        assertThat(points.get(points.size() - 1).distance(new Position(0, 0, 10)))
+                .isLessThanOrEqualTo(30.0);
+    }
+
+    @Test
+    void routesBeginInTheirLaunchArea() {
+        AreaZone launch =
+                new AreaZone("field", ProtectedArea.circle(new GroundPoint(150.0, 120.0), 25.0, 10.0), 0.0, 0.0);
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE, Optional.of(launch));
+        Position start = routes.fromAnywhere().orElseThrow().path().points().get(0);
+        assertThat(Math.hypot(start.x() - 150.0, start.y() - 120.0)).isLessThanOrEqualTo(25.0);
+        assertThat(routes.from(1)).isPresent();
+        assertThat(routes.from(5)).isEmpty();
+    }
+
+    /** The ground is 1000 m wide: beyond, there are cells, but no route begins there. */
+    @Test
+    void routesBeginWhereTheGroundEnds() {
+        DetectionField wide = site.field(new FieldGrid(0, 0, 1400, 40, List.of(26.0)), 2);
+        SiteRoutes routes = SiteRoutes.of(wide, site.settings(), site.stage(), FieldSite.DRONE);
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            Position start = routes.from(sector).orElseThrow().path().points().get(0);
+            assertThat(Math.max(Math.abs(start.x()), Math.abs(start.y()))).isBetween(460.0, 500.0);
+        }
+    }
+
+    /** Cells of 50 m do not show that the boxes reach into cells whose middle is open. */
+    @Test
+    void aRouteMeetsNothingSolid() {
+        DetectionField coarse = site.field(new FieldGrid(0, 0, 500, 50, List.of(6.0, 12.0)), 2);
+        SiteRoutes routes = SiteRoutes.of(coarse, site.settings(), site.stage(), FieldSite.DRONE);
+        Visibility visibility = new Visibility(site.stage().world());
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            List<Position> points = routes.from(sector).orElseThrow().path().points();
+            for (int i = 1; i < points.size(); i++) {
+                assertThat(visibility.isFree(points.get(i - 1), points.get(i))).isTrue();
+            }
+        }
+    }
+
+    /** What counts is over when the response would come too late; the profile goes on to the zone. */
+    @Test
+    void theProfileIsThatOfTheWholeRoute() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        WeakestRoute route = routes.fromAnywhere().orElseThrow();
+        RouteProfile profile = routes.profile(route);
+        assertThat(profile.end().time()).isCloseTo(route.seconds(), within(1e-9));
+        assertThat(profile.exposure()).isCloseTo(routes.bySensor(route).get("round"), within(1e-9));
+        assertThat(profile.exposureUntil(route.seconds() - 5.0)).isGreaterThanOrEqualTo(route.exposure() - 1e-9);
     }
 
     /** Beyond its range, nothing is exposed; within it, the route hides behind boxes or crosses the line of sight. */

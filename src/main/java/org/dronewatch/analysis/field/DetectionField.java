@@ -81,8 +81,18 @@ public final class DetectionField {
         // Which course counts, and with which probability, does not matter before it is evaluated.
         FieldRequest asked =
                 new FieldRequest(settings, stage, drone, grid, courses, FieldCoverage.Choice.WORST, terms, 1.0);
-        DetectionField field = unassessed(asked, LayerStore.NONE);
-        for (int height = 0; height < grid.heights().size(); height++) {
+        return of(asked, LayerStore.NONE, progress);
+    }
+
+    /**
+     * The same as far as it was not assessed before.
+     *
+     * @param asked of which the choice of a course, and with which probability a cell is covered, have no effect
+     * @param store of assessments that were made before
+     */
+    public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {
+        DetectionField field = unassessed(asked, store);
+        for (int height = 0; height < asked.grid().heights().size(); height++) {
             field.assess(height, progress);
         }
         return field;

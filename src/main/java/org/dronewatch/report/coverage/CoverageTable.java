@@ -61,7 +61,8 @@ public final class CoverageTable {
         return lines;
     }
 
-    static String name(Cause cause) {
+    /** A cause in words, such as {@code hidden by terrain}. */
+    public static String name(Cause cause) {
         return switch (cause) {
             case UNKNOWN -> "unknown";
             case OUT_OF_RANGE -> "out of range";

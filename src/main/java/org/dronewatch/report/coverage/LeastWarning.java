@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.report.CompassPoint;
 
 /**
  * The least warning of some inbound flights, and all of them for which it reads the same.
@@ -71,7 +72,7 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
     /** The bearings in a sentence: {@code the north}, {@code every bearing} or {@code 7 bearings}. */
     String directions() {
         if (flights.size() == 1) {
-            return "the " + ReferencePoint.direction(flights.get(0).bearing());
+            return "the " + CompassPoint.of(flights.get(0).bearing());
         }
         return flights.size() == of ? "every bearing" : flights.size() + " bearings";
     }

@@ -9,6 +9,7 @@ import org.dronewatch.fusion.Protection;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.CompassPoint;
 
 /**
  * The point from which a report describes where something is: the middle of what is protected, or of the sensors.
@@ -18,10 +19,6 @@ import org.dronewatch.geometry.Position;
  * @param geodesy for geographic coordinates, where the scene has an origin
  */
 record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
-    private static final String[] COMPASS = {
-        "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"
-    };
-
     /** The target of inbound flights. */
     static ReferencePoint of(InboundWarnings warnings, Protection protection, CoverageInputs inputs) {
         String zone = inputs.area()
@@ -52,21 +49,13 @@ record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
 
     /** {@code 210 m north-west}. */
     String distanceAndDirection(double x, double y) {
-        return String.format(Locale.ROOT, "%.0f m %s", distance(x, y), direction(Math.atan2(x - at.x(), y - at.y())));
+        return String.format(
+                Locale.ROOT, "%.0f m %s", distance(x, y), CompassPoint.of(Math.atan2(x - at.x(), y - at.y())));
     }
 
     /** In plan view, m. */
     double distance(double x, double y) {
         return Math.hypot(x - at.x(), y - at.y());
-    }
-
-    /**
-     * A bearing in a word, such as {@code north-west}.
-     *
-     * @param bearing clockwise from north, rad
-     */
-    static String direction(double bearing) {
-        return COMPASS[Math.floorMod(Math.round(bearing / (0.25 * Math.PI)), COMPASS.length)];
     }
 
     /** Coordinates in the scene's frame and on earth: {@code x -44 m, y 124 m; 43.73120° N, 7.41950° E}. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.html.Html;
 
 /** The warning of straight inbound flights in words and in a table. */
@@ -109,7 +110,7 @@ final class WarningWords {
         String first;
         if (worst.isNone()) {
             first = "A straight inbound flight at " + number(height) + " m above the ground, from the "
-                    + ReferencePoint.direction(worst.flights().get(0).bearing()) + ", reaches " + zone
+                    + CompassPoint.of(worst.flights().get(0).bearing()) + ", reaches " + zone
                     + " undetected; this happens in " + cases + ".";
         } else {
             boolean isOneHeight = worst.flights().stream().allMatch(one -> one.height() == height);

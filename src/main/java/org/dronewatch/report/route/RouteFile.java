@@ -1,0 +1,71 @@
+package org.dronewatch.report.route;
+
+import java.util.Locale;
+import org.dronewatch.report.JsonFile;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.route.RouteMode;
+import org.dronewatch.route.RoutePoint;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The contents of {@code route.json}: equal inputs give the same bytes for any number of threads. */
+final class RouteFile {
+    /** The version of the keys. */
+    private static final int FORMAT = 1;
+
+    private RouteFile() {}
+
+    static ObjectNode toJson(RouteSurvey survey, RouteInputs inputs) {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("format", FORMAT);
+        root.put("scene", inputs.scene());
+        root.put("drone", inputs.drone());
+        root.put("pointing", inputs.pointing().name().toLowerCase(Locale.ROOT));
+        root.put("launch", inputs.launch().orElse(null));
+        if (survey.response() > 0.0) {
+            root.put("response_s", Numbers.rounded(survey.response()));
+        } else {
+            root.putNull("response_s");
+        }
+        root.put("cell_m", Numbers.rounded(inputs.grid().cell()));
+        root.put("cells_per_side", inputs.grid().columns());
+        ArrayNode heights = root.putArray("heights_m");
+        inputs.grid().heights().forEach(height -> heights.add(Numbers.rounded(height)));
+        inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
+        ArrayNode routes = root.putArray("routes");
+        survey.routes().forEach(route -> add(routes.addObject(), route, survey));
+        root.put("complete", survey.isComplete());
+        return root;
+    }
+
+    private static void add(ObjectNode node, SectorRoute route, RouteSurvey survey) {
+        node.put("sector", RouteWords.sector(route));
+        ArrayNode points = node.putArray("points");
+        route.corners().forEach(corner -> add(points.addObject(), corner, survey));
+        node.put("exposure", Numbers.rounded(route.profile().exposure()));
+        node.put("lower", Numbers.rounded(route.route().lower()));
+        node.put("upper", Numbers.rounded(route.route().exposure()));
+        node.put("p_detect", Numbers.rounded(route.profile().detection()));
+        ObjectNode sensors = node.putObject("by_sensor");
+        route.bySensor().forEach((sensor, exposure) -> sensors.put(sensor, Numbers.rounded(exposure)));
+        if (survey.response() > 0.0) {
+            node.put("p_in_time", Numbers.rounded(route.route().detection()));
+            node.put("critical_s", Numbers.rounded(route.critical(survey.response())));
+        } else {
+            node.putNull("p_in_time");
+            node.putNull("critical_s");
+        }
+    }
+
+    private static void add(ObjectNode node, RoutePoint point, RouteSurvey survey) {
+        RouteMode mode = survey.modes().get(point.mode());
+        node.put("t", Numbers.rounded(point.time()));
+        node.put("x", Numbers.rounded(point.position().x()));
+        node.put("y", Numbers.rounded(point.position().y()));
+        node.put("z", Numbers.rounded(point.position().z()));
+        node.put("mode", mode.name());
+    }
+}

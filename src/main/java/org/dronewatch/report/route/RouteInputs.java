@@ -1,0 +1,47 @@
+package org.dronewatch.report.route;
+
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geo.Origin;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * The inputs of a search for routes, as its files state them.
+ *
+ * @param scene name of the scene
+ * @param drone name of the drone
+ * @param settings of the scene
+ * @param protection its protected zones
+ * @param grid the cells of the search
+ * @param pointing how sensors on positioners point
+ * @param launch the area from which the routes come, as it was given; empty for the edge
+ */
+public record RouteInputs(
+        String scene,
+        String drone,
+        SceneSettings settings,
+        Protection protection,
+        FieldGrid grid,
+        FieldTerms.Turning pointing,
+        Optional<String> launch) {
+    /** Geographic position of the scene's origin, if it is known. */
+    Optional<Origin> origin() {
+        return settings.world().origin();
+    }
+
+    /** The time that a response takes, 0 if none is required, s. */
+    double response() {
+        return settings.alert().response();
+    }
+
+    /** What the routes lead to. */
+    String targetInWords() {
+        if (protection.isEmpty()) {
+            return "the middle of the sensors";
+        }
+        int zones = protection.areas().size() + (protection.zone().isPresent() ? 1 : 0);
+        return zones > 1 ? "the protected zones" : "the protected zone";
+    }
+}

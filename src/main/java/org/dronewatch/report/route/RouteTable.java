@@ -1,0 +1,75 @@
+package org.dronewatch.report.route;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.SiteRoutes;
+
+/** The table of the weakest routes, one for each sector, and the weakest of all in words. */
+public final class RouteTable {
+    private static final String ROW = "%-11s  %8s  %16s  %11s  %10s  %10s";
+    private static final String IN_TIME = "  %10s  %13s";
+
+    private RouteTable() {}
+
+    /** The lines. */
+    public static List<String> lines(RouteSurvey survey, RouteInputs inputs) {
+        List<String> lines = new ArrayList<>();
+        boolean isRequired = survey.response() > 0.0;
+        lines.add("weakest routes of drone '" + inputs.drone() + "' to " + inputs.targetInWords()
+                + ", by where they begin"
+                + (isRequired
+                        ? "; exposure counts while " + Numbers.text(survey.response()) + " s are left for the response:"
+                        : ":"));
+        lines.add(text(ROW, "from", "flight", "exposure", "lower bound", "detected", "time left")
+                + (isRequired ? text(IN_TIME, "in time", "response") : "")
+                + "  most exposed to");
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            int number = sector;
+            Optional<SectorRoute> route = survey.routes().stream()
+                    .filter(one -> one.sector() == number)
+                    .findFirst();
+            String name = CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS);
+            if (route.isPresent()) {
+                lines.add(row(name, route.get(), survey.response()));
+            } else if (survey.isComplete()) {
+                lines.add(name + ": no route");
+            }
+        }
+        lines.add("");
+        lines.add(new RouteWords(inputs).weakest(survey));
+        return lines;
+    }
+
+    private static String row(String name, SectorRoute route, double response) {
+        String line = text(
+                ROW,
+                name,
+                RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
+                RouteWords.exposure(route.route().exposure()),
+                RouteWords.exposure(route.route().lower()),
+                RouteWords.percent(route.profile().detection()),
+                RouteWords.seconds(route.left()));
+        String timely = response > 0.0
+                ? text(
+                        IN_TIME,
+                        RouteWords.percent(route.route().detection()),
+                        RouteWords.margin(route.left(), response))
+                : "";
+        return line
+                + timely
+                + route.mostExposedTo()
+                        .map(sensor -> "  " + sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
+                        .orElse("  -");
+    }
+
+    private static String text(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,97 @@
+package org.dronewatch.report.route;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.coverage.CoverageTable;
+import org.dronewatch.report.html.ReadableNumbers;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+
+/** Routes in words, for those who decide. */
+final class RouteWords {
+    private final RouteInputs inputs;
+
+    RouteWords(RouteInputs inputs) {
+        this.inputs = inputs;
+    }
+
+    /** The weakest of all routes in a sentence or two. */
+    String weakest(RouteSurvey survey) {
+        return survey.weakest()
+                .map(route -> "The weakest route comes " + from(route) + ": " + detected(route) + ".")
+                .orElse("No route leads to " + inputs.targetInWords() + ".");
+    }
+
+    /** {@code from the north-west, 12 m above the ground, mostly hidden by terrain}. */
+    private static String from(SectorRoute route) {
+        String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
+        return "from the " + sector(route) + ", " + height
+                + route.dominantCause()
+                        .map(cause ->
+                                ", " + (route.share(cause) > 0.5 ? "mostly " : "partly ") + CoverageTable.name(cause))
+                        .orElse("");
+    }
+
+    private String detected(SectorRoute route) {
+        if (route.mostExposedTo().isEmpty()) {
+            return "no sensor detects the drone on it";
+        }
+        String sensor = route.mostExposedTo().get();
+        String by = route.bySensor().size() == 1
+                ? "by " + sensor
+                : route.share(sensor) > 0.995 ? "only by " + sensor : "most of it by " + sensor;
+        return "the drone is detected with a probability of "
+                + percent(route.profile().detection()) + ", typically " + when(route) + "; " + by;
+    }
+
+    /** When the drone is typically detected, compared with the response. */
+    private String when(SectorRoute route) {
+        double left = route.left().orElseThrow();
+        if (inputs.response() == 0.0) {
+            return number(tenths(left)) + " s before it reaches " + inputs.targetInWords();
+        }
+        double margin = tenths(left - inputs.response());
+        String response = " for the response of " + number(inputs.response()) + " s";
+        return margin < 0.0
+                ? number(-margin) + " s too late" + response
+                : "in time" + response + ", with " + number(margin) + " s to spare";
+    }
+
+    /** The sector from which a route comes, such as {@code north-west}. */
+    static String sector(SectorRoute route) {
+        return CompassPoint.of(route.bearing());
+    }
+
+    /** A time that is left with the sign of being late, {@code 14 s late}; a dash without a detection. */
+    static String margin(OptionalDouble left, double response) {
+        if (left.isEmpty()) {
+            return "-";
+        }
+        double margin = tenths(left.getAsDouble() - response);
+        return number(Math.abs(margin)) + (margin < 0.0 ? " s late" : " s early");
+    }
+
+    /** A time, {@code 14.2 s}; a dash if there is none. */
+    static String seconds(OptionalDouble time) {
+        return time.isPresent() ? number(tenths(time.getAsDouble())) + " s" : "-";
+    }
+
+    /** A probability or a fraction in percent. */
+    static String percent(double share) {
+        return share == 0.0 ? "0 %" : ReadableNumbers.measured(share, "");
+    }
+
+    /** An exposure. */
+    static String exposure(double value) {
+        return value == 0.0
+                ? "0"
+                : value < 0.001 ? "< 0.001" : String.format(Locale.ROOT, value < 1.0 ? "%.3f" : "%.2f", value);
+    }
+
+    private static double tenths(double value) {
+        return Math.rint(10.0 * value) / 10.0 + 0.0;
+    }
+}

@@ -1,0 +1,17 @@
+package org.dronewatch.route;
+
+import org.dronewatch.geometry.Position;
+
+/**
+ * A point of a route as it is flown.
+ *
+ * @param time since the start, s
+ * @param distance along the path from its start, m
+ * @param position m
+ * @param above height above the ground, m
+ * @param mode number of the mode in which the drone flies on from here; at the end, of that in which it arrived
+ * @param exposure of the route so far
+ * @param isCorner whether the route begins, turns or ends here
+ */
+public record RoutePoint(
+        double time, double distance, Position position, double above, int mode, double exposure, boolean isCorner) {}

@@ -1,0 +1,144 @@
+package org.dronewatch.route;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.dronewatch.geometry.Position;
+
+/**
+ * A route as it is flown, from its start to its end: when the drone is where, at which height above the ground, and how
+ * exposed it has been so far, whether a detection there is in time or not.
+ *
+ * @param points in the order of time, at least one; straight between two of them
+ */
+public record RouteProfile(List<RoutePoint> points) {
+    /**
+     * Copies the list.
+     *
+     * @throws IllegalArgumentException if it is empty
+     */
+    public RouteProfile {
+        points = List.copyOf(points);
+        if (points.isEmpty()) {
+            throw new IllegalArgumentException("0 points: must be at least one");
+        }
+    }
+
+    /** The profile of a path, with a point at least every half post's distance and at each of its corners. */
+    static RouteProfile of(RoutePath path, RouteProblem problem) {
+        RouteExposure exposure = new RouteExposure(problem);
+        double step = 0.5 * problem.grid().spacing();
+        List<RoutePoint> points = new ArrayList<>();
+        double time = 0.0;
+        double distance = 0.0;
+        double sum = 0.0;
+        int legs = path.modes().size();
+        for (int leg = 0; leg < legs; leg++) {
+            Position from = path.points().get(leg);
+            Position to = path.points().get(leg + 1);
+            int mode = path.modes().get(leg);
+            double length = from.distance(to);
+            int pieces = Math.max(1, (int) Math.ceil(length / step));
+            double lasts = exposure.time(from, to, mode);
+            for (int piece = 0; piece < pieces; piece++) {
+                double begun = (double) piece / pieces;
+                Position here = between(from, to, begun);
+                Position next = between(from, to, (piece + 1.0) / pieces);
+                points.add(new RoutePoint(
+                        time + begun * lasts,
+                        distance + begun * length,
+                        here,
+                        above(problem, here),
+                        mode,
+                        sum,
+                        piece == 0));
+                sum += exposure.leg(here, next, mode);
+            }
+            time += lasts;
+            distance += length;
+        }
+        Position end = path.points().get(legs);
+        int last = legs == 0 ? 0 : path.modes().get(legs - 1);
+        points.add(new RoutePoint(time, distance, end, above(problem, end), last, sum, true));
+        return new RouteProfile(points);
+    }
+
+    private static Position between(Position from, Position to, double share) {
+        return from.plus(to.minus(from).times(share));
+    }
+
+    private static double above(RouteProblem problem, Position at) {
+        return problem.grid().above(at);
+    }
+
+    /** Its last point. */
+    public RoutePoint end() {
+        return points.get(points.size() - 1);
+    }
+
+    /** The exposure along the whole of it. */
+    public double exposure() {
+        return end().exposure();
+    }
+
+    /** The probability that the drone is detected at least once on it, in time or not, 0 to 1. */
+    public double detection() {
+        return -Math.expm1(-exposure());
+    }
+
+    /**
+     * The median time of the first detection among the flights on which there is one, s; empty if there is none.
+     */
+    public OptionalDouble medianDetection() {
+        double all = detection();
+        if (!(all > 0.0)) {
+            return OptionalDouble.empty();
+        }
+        double wanted = -Math.log1p(-0.5 * all);
+        for (int i = 1; i < points.size(); i++) {
+            RoutePoint before = points.get(i - 1);
+            RoutePoint after = points.get(i);
+            if (after.exposure() >= wanted) {
+                double share = (wanted - before.exposure()) / (after.exposure() - before.exposure());
+                return OptionalDouble.of(before.time() + share * (after.time() - before.time()));
+            }
+        }
+        return OptionalDouble.of(end().time());
+    }
+
+    /** The exposure up to a time, s. */
+    public double exposureUntil(double time) {
+        for (int i = 1; i < points.size(); i++) {
+            RoutePoint before = points.get(i - 1);
+            RoutePoint after = points.get(i);
+            if (after.time() > time) {
+                double share = Math.max(0.0, (time - before.time()) / (after.time() - before.time()));
+                return before.exposure() + share * (after.exposure() - before.exposure());
+            }
+        }
+        return exposure();
+    }
+
+    /** The median height above the ground over the time of the flight, m. */
+    public double medianHeight() {
+        if (points.size() == 1) {
+            return end().above();
+        }
+        // By the time that the drone spends on each piece, in the order of height.
+        double[][] pieces = new double[points.size() - 1][];
+        Arrays.setAll(pieces, i -> new double[] {
+            0.5 * (points.get(i).above() + points.get(i + 1).above()),
+            points.get(i + 1).time() - points.get(i).time()
+        });
+        Arrays.sort(pieces, (a, b) -> Double.compare(a[0], b[0]));
+        double left = 0.5 * end().time();
+        for (double[] piece : pieces) {
+            left -= piece[1];
+            if (left <= 0.0) {
+                return piece[0];
+            }
+        }
+        return pieces[pieces.length - 1][0];
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronewatch.route;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.geometry.Position;
+
+/**
+ * The weakest route of a site from each sector; or, after an interruption, from as many as were completed.
+ *
+ * @param routes in the order of the sectors; none for a sector from which no route leads
+ * @param modes in which the drone flies, by their numbers
+ * @param target where they lead: the middle of the protected zone or of the sensors, m
+ * @param response the time that a response takes, 0 if none is required, s
+ * @param isComplete whether all sectors were searched
+ */
+public record RouteSurvey(
+        List<SectorRoute> routes, List<RouteMode> modes, Position target, double response, boolean isComplete) {
+    /** Copies the lists. */
+    public RouteSurvey {
+        routes = List.copyOf(routes);
+        modes = List.copyOf(modes);
+    }
+
+    /** What is done with each route, such as a progress bar. */
+    @FunctionalInterface
+    public interface Listener {
+        /** A sector was searched. */
+        void searched(int sector);
+    }
+
+    /**
+     * The routes from all sectors.
+     *
+     * @param response the time that a response takes, 0 if none is required, s
+     * @param stopped called if this thread has been interrupted and at least one sector is complete; should clear its
+     *     interrupt status
+     * @throws CancellationException when this thread is interrupted before any sector is complete
+     */
+    public static RouteSurvey of(SiteRoutes site, double response, Listener listener, Runnable stopped) {
+        List<SectorRoute> routes = new ArrayList<>();
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            if (Thread.currentThread().isInterrupted()) {
+                if (sector == 0) {
+                    throw new CancellationException("interrupted before the first route");
+                }
+                stopped.run();
+                return new RouteSurvey(routes, site.modes(), site.target(), response, false);
+            }
+            int from = sector;
+            site.from(sector).map(route -> site.describe(from, route)).ifPresent(routes::add);
+            listener.searched(sector);
+        }
+        return new RouteSurvey(routes, site.modes(), site.target(), response, true);
+    }
+
+    /**
+     * The weakest of all: with the least exposure that counts and, among equals, with the least along the whole route
+     * and the shortest time; empty without any route.
+     */
+    public Optional<SectorRoute> weakest() {
+        return routes.stream()
+                .min(Comparator.comparingDouble((SectorRoute one) -> one.route().exposure())
+                        .thenComparingDouble(one -> one.profile().exposure())
+                        .thenComparingDouble(one -> one.route().seconds()));
+    }
+}

@@ -1,0 +1,150 @@
+package org.dronewatch.route;
+
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.function.ToDoubleFunction;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geometry.Position;
+
+/** The posts of a site, one in the middle of each cell of its field, and those at which routes begin and end. */
+final class SitePosts {
+    private final RouteGrid grid;
+
+    /** By column and row, whether there is ground below. */
+    private final BitSet known;
+
+    /**
+     * The posts.
+     *
+     * @param ceiling the greatest height above the ground, m
+     * @throws IllegalArgumentException if the field has no height up to the ceiling
+     */
+    SitePosts(DetectionField field, double ceiling) {
+        FieldGrid cells = field.grid();
+        int side = cells.columns();
+        double[] heights = cells.heights().stream()
+                .filter(height -> height <= ceiling)
+                .mapToDouble(Double::doubleValue)
+                .toArray();
+        if (heights.length == 0) {
+            throw new IllegalArgumentException("the lowest height, "
+                    + cells.heights().get(0) + " m, is above the drone's ceiling of " + ceiling + " m");
+        }
+        double[] ground = new double[side * side];
+        Arrays.setAll(ground, post -> field.ground(post % side, side - 1 - post / side));
+        this.known = new BitSet();
+        for (int column = 0; column < ground.length; column++) {
+            known.set(column, !Double.isNaN(ground[column]));
+        }
+        double mean = Arrays.stream(ground).filter(Double::isFinite).average().orElse(0.0);
+        double[] filled = Arrays.stream(ground)
+                .map(height -> Double.isNaN(height) ? mean : height)
+                .toArray();
+        BitSet closed = new BitSet();
+        for (int post = 0; post < heights.length * ground.length; post++) {
+            int below = post % ground.length;
+            closed.set(post, !field.isOpen(post / ground.length, below % side, side - 1 - below / side));
+        }
+        this.grid = new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, filled, closed);
+    }
+
+    /** All of them. */
+    RouteGrid grid() {
+        return grid;
+    }
+
+    /** The open posts at the rim of the known ground: at that of the grid, or where the model of the site ends. */
+    BitSet rim() {
+        int side = grid.columns();
+        BitSet outside = new BitSet();
+        BitSet rim = new BitSet();
+        ArrayDeque<Integer> next = new ArrayDeque<>();
+        for (int i = 0; i < side; i++) {
+            for (int column : new int[] {i, (side - 1) * side + i, i * side, i * side + side - 1}) {
+                meet(column, outside, rim, next);
+            }
+        }
+        while (!next.isEmpty()) {
+            int column = next.remove();
+            int x = column % side;
+            if (x > 0) {
+                meet(column - 1, outside, rim, next);
+            }
+            if (x < side - 1) {
+                meet(column + 1, outside, rim, next);
+            }
+            if (column >= side) {
+                meet(column - side, outside, rim, next);
+            }
+            if (column < side * (side - 1)) {
+                meet(column + side, outside, rim, next);
+            }
+        }
+        return open(post -> rim.get(post % (side * side)) ? 0.0 : 1.0, 0.0);
+    }
+
+    /** Ground that is met from outside is part of the rim; where there is none, the outside goes on. */
+    private void meet(int column, BitSet outside, BitSet rim, ArrayDeque<Integer> next) {
+        if (known.get(column)) {
+            rim.set(column);
+        } else if (!outside.get(column)) {
+            outside.set(column);
+            next.add(column);
+        }
+    }
+
+    /** The open posts above or below an area, in plan view. */
+    BitSet over(AreaZone area) {
+        return open(post -> area.covers(grid.x(post), grid.y(post)) ? 0.0 : 1.0, 0.0);
+    }
+
+    /**
+     * How near a route has to come to the protected zone, or in plan view to the middle of the sensors, m: into it,
+     * where a post is in it; otherwise to within one cell's length.
+     */
+    double reach(Protection protection, Position middle) {
+        boolean isEntered =
+                !protection.isEmpty() && !near(protection, middle, 0.0).isEmpty();
+        return isEntered ? 0.0 : grid.spacing();
+    }
+
+    /** The open posts within a distance of the protected zone, or in plan view of the middle of the sensors, m. */
+    BitSet near(Protection protection, Position middle, double distance) {
+        return open(
+                post -> {
+                    Position at = grid.position(post);
+                    return protection.isEmpty()
+                            ? Math.hypot(at.x() - middle.x(), at.y() - middle.y())
+                            : protection.distance(at);
+                },
+                distance);
+    }
+
+    private BitSet open(ToDoubleFunction<Integer> distance, double most) {
+        BitSet found = new BitSet();
+        for (int post = 0; post < grid.size(); post++) {
+            found.set(post, grid.isOpen(post) && distance.applyAsDouble(post) <= most);
+        }
+        return found;
+    }
+
+    /** The longest diagonal of a cube between posts, m. */
+    double diagonal() {
+        double rise = grid.levels() > 1 ? grid.height(grid.levels() - 1) : 0.0;
+        double gap = 0.0;
+        for (int level = 1; level < grid.levels(); level++) {
+            gap = Math.max(gap, grid.height(level) - grid.height(level - 1));
+        }
+        for (int cell = 0; rise > 0.0 && cell < grid.columns() * grid.rows(); cell++) {
+            int column = Math.min(cell % grid.columns(), grid.columns() - 2);
+            int row = Math.min(cell / grid.columns(), grid.rows() - 2);
+            double[] ground = grid.groundRange(column, row);
+            rise = Math.max(rise, gap + ground[1] - ground[0]);
+        }
+        return Math.sqrt(2.0 * grid.spacing() * grid.spacing() + rise * rise);
+    }
+}
