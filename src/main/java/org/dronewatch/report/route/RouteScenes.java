@@ -4,22 +4,16 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
-import org.dronewatch.drone.DroneSettings;
-import org.dronewatch.flight.RouteFlight;
-import org.dronewatch.flight.RouteLeg;
 import org.dronewatch.report.OutputDirectory;
-import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteScene;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.SettingsForm;
 
 /** A scene file for each route, in which the drone alone flies it, at the speeds of the search, until it arrives. */
 public final class RouteScenes {
@@ -52,7 +46,7 @@ public final class RouteScenes {
         for (SectorRoute route : survey.routes()) {
             String name = name(route);
             try {
-                scenes.put(name, text.apply(settings(route, survey), target.resolve(name)));
+                settings(route, survey).ifPresent(scene -> scenes.put(name, text.apply(scene, target.resolve(name))));
             } catch (InputException e) {
                 return Optional.of("no scenes of the routes are written: " + e.getMessage());
             }
@@ -63,24 +57,11 @@ public final class RouteScenes {
         return Optional.empty();
     }
 
-    /** The scene in which the drone flies a route. */
-    SceneSettings settings(SectorRoute route, RouteSurvey survey) {
-        SceneSettings scene = inputs.settings();
-        DroneSettings drone = scene.individualDrones().get(inputs.drone());
-        List<RoutePoint> corners = route.corners();
-        List<RouteLeg> legs = new ArrayList<>();
-        for (int i = 1; i < corners.size(); i++) {
-            RoutePoint from = corners.get(i - 1);
-            RoutePoint to = corners.get(i);
-            double speed = (to.distance() - from.distance()) / (to.time() - from.time());
-            boolean isPowered = !survey.modes().get(from.mode()).isGlide();
-            legs.add(new RouteLeg(to.position(), Optional.of(speed), isPowered));
-        }
-        RouteFlight flight = new RouteFlight(corners.get(0).position(), legs);
-        return SettingsForm.with(
-                scene.withoutSweep(),
-                Map.of(
-                        "drones", Map.of(inputs.drone(), drone.withFlight(flight)),
-                        "run", scene.run().withDuration(route.profile().end().time())));
+    /** The scene in which the drone flies a route; empty if it begins where it ends. */
+    Optional<SceneSettings> settings(SectorRoute route, RouteSurvey survey) {
+        return route.route()
+                .path()
+                .flight(survey.modes())
+                .map(flight -> RouteScene.of(inputs.settings(), inputs.drone(), flight));
     }
 }
