@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -24,22 +25,16 @@ public record RouteSurvey(
         modes = List.copyOf(modes);
     }
 
-    /** What is done with each route, such as a progress bar. */
-    @FunctionalInterface
-    public interface Listener {
-        /** A sector was searched. */
-        void searched(int sector);
-    }
-
     /**
      * The routes from all sectors.
      *
      * @param response the time that a response takes, 0 if none is required, s
+     * @param searched receives each sector that was searched
      * @param stopped called if this thread has been interrupted and at least one sector is complete; should clear its
      *     interrupt status
      * @throws CancellationException when this thread is interrupted before any sector is complete
      */
-    public static RouteSurvey of(SiteRoutes site, double response, Listener listener, Runnable stopped) {
+    public static RouteSurvey of(SiteRoutes site, double response, IntConsumer searched, Runnable stopped) {
         List<SectorRoute> routes = new ArrayList<>();
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             if (Thread.currentThread().isInterrupted()) {
@@ -51,7 +46,7 @@ public record RouteSurvey(
             }
             int from = sector;
             site.from(sector).map(route -> site.describe(from, route)).ifPresent(routes::add);
-            listener.searched(sector);
+            searched.accept(sector);
         }
         return new RouteSurvey(routes, site.modes(), site.target(), response, true);
     }
