@@ -93,7 +93,7 @@ public final class PlaceForms {
     }
 
     /** An outline in plan view alone. */
-    record Outline(
+    private record Outline(
             List<GroundPoint> area,
             Optional<GroundPoint> centre,
             @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> radius) {
@@ -104,7 +104,7 @@ public final class PlaceForms {
     }
 
     /** An outline that is given on the command line. */
-    record OutlineAlone(Outline at) {}
+    private record OutlineAlone(Outline at) {}
 
     /**
      * An area given on the command line as in a scene file, in plan view: {@code {centre: [0, 900], radius: 50 m}} or
