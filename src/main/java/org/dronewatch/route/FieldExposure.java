@@ -1,5 +1,7 @@
 package org.dronewatch.route;
 
+import java.util.Comparator;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
@@ -17,7 +19,8 @@ import org.dronewatch.sensor.SensorSettings;
  * resulting probability of detection is not too low.
  *
  * <p>The rates are those of the nearest of the field's compass headings or, within 5 degrees, across the line of
- * sight of a sensor. Where the field is not open, rates are 0: no route leads there.
+ * sight of the sensor; another sensor does not change them. Where the field is not open, rates are 0: no route leads
+ * there.
  */
 public final class FieldExposure implements ExposureField {
     private static final double HIGHEST = 1.0 - 1e-6;
@@ -33,16 +36,23 @@ public final class FieldExposure implements ExposureField {
     /** By sensor and step of the probability, 1/s. */
     private final double[][] rates;
 
-    private final int from;
-    private final int to;
+    /** The sensors that count, in the order of their names: the order of the scene does not change a bit of a sum. */
+    private final int[] sensors;
 
-    private FieldExposure(DetectionField field, double[][] rates, int from, int to) {
+    /** By sensor, the numbers of the courses across its line of sight. */
+    private final int[][] crossings;
+
+    private FieldExposure(DetectionField field, double[][] rates, int... sensors) {
         this.field = field;
         this.grid = field.grid();
         this.courses = field.courses().toArray(Course[]::new);
         this.rates = rates;
-        this.from = from;
-        this.to = to;
+        this.sensors = sensors;
+        this.crossings = field.sensors().stream()
+                .map(sensor -> IntStream.range(0, courses.length)
+                        .filter(i -> courses[i].sensor().filter(sensor::equals).isPresent())
+                        .toArray())
+                .toArray(int[][]::new);
     }
 
     /**
@@ -64,7 +74,12 @@ public final class FieldExposure implements ExposureField {
                 rates[sensor][step] = rate(one, (double) step / STEPS);
             }
         }
-        return new FieldExposure(field, rates, 0, rates.length);
+        int[] byName = IntStream.range(0, rates.length)
+                .boxed()
+                .sorted(Comparator.comparing(field.sensors()::get))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        return new FieldExposure(field, rates, byName);
     }
 
     private static double rate(SensorSettings<?> sensor, double probability) {
@@ -75,7 +90,7 @@ public final class FieldExposure implements ExposureField {
 
     /** The exposure to one sensor alone, given by its number in the field. */
     public FieldExposure ofSensor(int sensor) {
-        return new FieldExposure(field, rates, sensor, sensor + 1);
+        return new FieldExposure(field, rates, sensor);
     }
 
     @Override
@@ -86,12 +101,13 @@ public final class FieldExposure implements ExposureField {
         if (Double.isNaN(ground)) {
             return 0.0;
         }
-        return rate(level(z - ground), column, row, course(x, y, heading));
-    }
-
-    private double rate(int level, int column, int row, int course) {
+        int level = level(z - ground);
+        int compass = compass(heading);
+        double east = StrictMath.sin(heading);
+        double north = StrictMath.cos(heading);
         double sum = 0.0;
-        for (int sensor = from; sensor < to; sensor++) {
+        for (int sensor : sensors) {
+            int course = course(sensor, compass, x, y, heading, east, north);
             sum += rates[sensor][field.steps(sensor, level, column, row, course)];
         }
         return sum;
@@ -110,10 +126,14 @@ public final class FieldExposure implements ExposureField {
         if (level < 0 || !field.isOpen(level, column, row)) {
             return Cause.UNKNOWN;
         }
-        int course = course(at.x(), at.y(), StrictMath.atan2(to.x() - from.x(), to.y() - from.y()));
+        double heading = StrictMath.atan2(to.x() - from.x(), to.y() - from.y());
+        int compass = compass(heading);
+        double east = StrictMath.sin(heading);
+        double north = StrictMath.cos(heading);
         Cause dominant = Cause.UNKNOWN;
         int most = -1;
-        for (int sensor = this.from; sensor < this.to; sensor++) {
+        for (int sensor : sensors) {
+            int course = course(sensor, compass, at.x(), at.y(), heading, east, north);
             int steps = field.steps(sensor, level, column, row, course);
             Cause cause = field.cause(sensor, level, column, row, course);
             if (steps > most || steps == most && cause.compareTo(dominant) > 0) {
@@ -140,11 +160,23 @@ public final class FieldExposure implements ExposureField {
         return least == Double.POSITIVE_INFINITY ? 0.0 : least;
     }
 
+    /** On any compass heading, of each sensor the lower of the rates there and across its line of sight. */
     private double least(int level, int column, int row) {
-        double least = field.isOpen(level, column, row) ? Double.POSITIVE_INFINITY : 0.0;
-        for (int course = 0; course < courses.length && least > 0.0; course++) {
-            if (courses[course].kind() != Course.Kind.HOVER) {
-                least = Math.min(least, rate(level, column, row, course));
+        if (!field.isOpen(level, column, row)) {
+            return 0.0;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        for (int course = 0; course < courses.length; course++) {
+            if (courses[course].kind() == Course.Kind.COMPASS) {
+                double sum = 0.0;
+                for (int sensor : sensors) {
+                    double rate = rates[sensor][field.steps(sensor, level, column, row, course)];
+                    for (int crossing : crossings[sensor]) {
+                        rate = Math.min(rate, rates[sensor][field.steps(sensor, level, column, row, crossing)]);
+                    }
+                    sum += rate;
+                }
+                least = Math.min(least, sum);
             }
         }
         return least;
@@ -173,25 +205,32 @@ public final class FieldExposure implements ExposureField {
         return nearest;
     }
 
-    /** The course that is nearest to a heading. */
-    private int course(double x, double y, double heading) {
+    /** The compass heading that is nearest to a heading. */
+    private int compass(double heading) {
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < courses.length; i++) {
             if (courses[i].kind() == Course.Kind.COMPASS) {
-                double angle = Math.abs(Math.IEEEremainder(courses[i].angle() - heading, 2.0 * Math.PI));
+                double angle = angle(i, heading);
                 nearest = angle < least ? i : nearest;
                 least = Math.min(least, angle);
             }
         }
-        double east = StrictMath.sin(heading);
-        double north = StrictMath.cos(heading);
-        for (int i = 0; i < courses.length; i++) {
-            if (courses[i].kind() == Course.Kind.CROSSING) {
-                double angle = crossing(courses[i], x, y, east, north);
-                nearest = angle < least ? i : nearest;
-                least = Math.min(least, angle);
-            }
+        return nearest;
+    }
+
+    private double angle(int compass, double heading) {
+        return Math.abs(Math.IEEEremainder(courses[compass].angle() - heading, 2.0 * Math.PI));
+    }
+
+    /** The course that counts for a sensor: the nearest on the compass or, if nearer, across its line of sight. */
+    private int course(int sensor, int compass, double x, double y, double heading, double east, double north) {
+        int nearest = compass;
+        double least = crossings[sensor].length == 0 ? 0.0 : angle(compass, heading);
+        for (int i : crossings[sensor]) {
+            double angle = crossing(courses[i], x, y, east, north);
+            nearest = angle < least ? i : nearest;
+            least = Math.min(least, angle);
         }
         return nearest;
     }

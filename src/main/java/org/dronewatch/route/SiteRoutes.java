@@ -20,7 +20,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The weakest routes of a site under power: from the edge of the known ground of a detection field, or from an area, at
+ * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at
  * any of the field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the
  * sensors. A route has arrived when it is in the zone; if no cell has its middle in it, or there is none, when it is
  * within one cell's length of the zone or, in plan view, of the middle. It meets nothing solid. One thread at a time.
@@ -37,13 +37,13 @@ public final class SiteRoutes {
                     + " at any of the heights; smaller cells or other heights may have one";
 
     private final DetectionField field;
-    private final FieldExposure exposure;
+    private final SiteExposure exposure;
     private final RouteProblem problem;
     private final WeakestRoutes routes;
     private final Position middle;
 
     private SiteRoutes(
-            DetectionField field, FieldExposure exposure, RouteProblem problem, WeakestRoutes routes, Position middle) {
+            DetectionField field, SiteExposure exposure, RouteProblem problem, WeakestRoutes routes, Position middle) {
         this.field = field;
         this.exposure = exposure;
         this.problem = problem;
@@ -76,8 +76,24 @@ public final class SiteRoutes {
     public static SiteRoutes of(
             DetectionField field, SceneSettings settings, Stage stage, String drone, Optional<AreaZone> launch) {
         Drone flown = DetectionField.droneOf(stage, drone);
-        FlightLimits limits = flown.settings().flightLimits();
-        double cruise = flown.settings().speed();
+        return of(List.of(ModeField.powered(field, flown.settings())), settings, stage, drone, launch);
+    }
+
+    /**
+     * Searches for all routes of a drone that may fly in several modes: as it begins, and from any post on, once, in
+     * the next one of them, such as from power to gliding.
+     *
+     * @param modes at least one, with fields over the same grid
+     * @throws IllegalArgumentException if there is no mode, or as above
+     */
+    public static SiteRoutes of(
+            List<ModeField> modes, SceneSettings settings, Stage stage, String drone, Optional<AreaZone> launch) {
+        if (modes.isEmpty()) {
+            throw new IllegalArgumentException("0 modes: must be at least one");
+        }
+        DetectionField field = modes.get(0).field();
+        FlightLimits limits = DetectionField.droneOf(stage, drone).settings().flightLimits();
+        double cruise = DetectionField.droneOf(stage, drone).settings().speed();
         SitePosts posts = new SitePosts(field, limits.ceiling());
         Protection protection = stage.protection();
         Position middle = InboundTarget.of(settings, protection);
@@ -85,11 +101,11 @@ public final class SiteRoutes {
         BitSet starts = launch.map(posts::over).orElseGet(posts::rim);
         BitSet goals = posts.near(protection, middle, reach);
         checkPosts(starts, goals, launch.isPresent(), !protection.isEmpty());
-        FieldExposure exposure = FieldExposure.of(field, settings);
+        SiteExposure exposure = SiteExposure.of(modes, settings);
         RouteProblem problem = new RouteProblem(
                 posts.grid(),
                 exposure,
-                List.of(RouteMode.powered(limits, cruise)),
+                modes.stream().map(ModeField::mode).toList(),
                 limits.hover() ? 0.0 : cruise / limits.turnRate(),
                 PlanDirections.of(limits.hover() ? 32 : 16),
                 starts,
@@ -140,6 +156,11 @@ public final class SiteRoutes {
         return problem.modes();
     }
 
+    /** The least times in which the drone can reach the end of a route, by post. */
+    public TimeToGo timeToGo() {
+        return routes.timeToGo();
+    }
+
     /** A route as it is flown, with the exposure along the whole of it. */
     public RouteProfile profile(WeakestRoute route) {
         return RouteProfile.of(route.path(), problem);
@@ -152,7 +173,8 @@ public final class SiteRoutes {
         for (int i = 1; i < profile.points().size(); i++) {
             RoutePoint from = profile.points().get(i - 1);
             RoutePoint to = profile.points().get(i);
-            causes.merge(exposure.cause(from.position(), to.position()), to.time() - from.time(), Double::sum);
+            causes.merge(
+                    exposure.cause(from.position(), to.position(), from.mode()), to.time() - from.time(), Double::sum);
         }
         return new SectorRoute(sector, route, profile, bySensor(route), causes);
     }

@@ -122,6 +122,12 @@ public final class WeakestRoutes {
         return Optional.of(new WeakestRoute(whole, exposure.along(counted), bound.from(starts), exposure.time(whole)));
     }
 
+    /** The least times to the goals, over the posts. */
+    TimeToGo timeToGo() {
+        return new TimeToGo(
+                problem.grid(), onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock()))));
+    }
+
     /** The least exposure of a route over the posts alone, before it is smoothed; infinite without a route. */
     double overPosts(int post) {
         return tree.cost(post);

@@ -1,0 +1,42 @@
+package org.dronewatch.route;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Cause;
+
+/** The exposure of a drone in several modes of flight, each with a field of its own, by the numbers of the modes. */
+record SiteExposure(List<FieldExposure> modes) implements ExposureField {
+    SiteExposure {
+        modes = List.copyOf(modes);
+    }
+
+    static SiteExposure of(List<ModeField> modes, SceneSettings settings) {
+        return new SiteExposure(modes.stream()
+                .map(mode -> FieldExposure.of(mode.field(), settings))
+                .toList());
+    }
+
+    @Override
+    public double rate(double x, double y, double z, double heading, int mode) {
+        return modes.get(mode).rate(x, y, z, heading, mode);
+    }
+
+    @Override
+    public double least(Position low, Position high, int mode) {
+        return modes.get(mode).least(low, high, mode);
+    }
+
+    /** The dominant cause on a leg in one cell; see {@link FieldExposure#cause}. */
+    Cause cause(Position from, Position to, int mode) {
+        return modes.get(mode).cause(from, to);
+    }
+
+    /** The exposure to one sensor alone, given by its number in the fields. */
+    SiteExposure ofSensor(int sensor) {
+        return new SiteExposure(IntStream.range(0, modes.size())
+                .mapToObj(mode -> modes.get(mode).ofSensor(sensor))
+                .toList());
+    }
+}

@@ -1,0 +1,40 @@
+package org.dronewatch.route;
+
+import java.util.OptionalDouble;
+
+/**
+ * How long a drone needs at least from each post of a grid to the end of a route: where this is less than the time of a
+ * response, an alert must have come before. Immutable and thread-safe.
+ */
+public final class TimeToGo {
+    private final RouteGrid grid;
+    private final RouteTree fastest;
+
+    TimeToGo(RouteGrid grid, RouteTree fastest) {
+        this.grid = grid;
+        this.fastest = fastest;
+    }
+
+    /** The posts; those of a site are in the middle of its cells, with the rows from the south. */
+    public RouteGrid grid() {
+        return grid;
+    }
+
+    /** The least time from a post, s; empty where no route leads to the end. */
+    public OptionalDouble at(int post) {
+        return finite(fastest.cost(post));
+    }
+
+    /** The least time from any height above a point in plan view, s; empty where no route leads to the end. */
+    public OptionalDouble at(int column, int row) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int level = 0; level < grid.levels(); level++) {
+            least = Math.min(least, fastest.cost(grid.post(column, row, level)));
+        }
+        return finite(least);
+    }
+
+    private static OptionalDouble finite(double seconds) {
+        return seconds < Double.POSITIVE_INFINITY ? OptionalDouble.of(seconds) : OptionalDouble.empty();
+    }
+}
