@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
         name = "again",
         mixinStandardHelpOptions = true,
         description = {
-            "Repeats the run, campaign or comparison of a provenance.json, and states for each file beside it whether the new one has"
+            "Repeats the run, campaign, comparison or search for routes of a provenance.json, and states for each file beside it whether the new one has"
                     + " the same bytes; the exit code is 1 if not.",
             "Relative paths are resolved from the current directory, as in the first run."
         },

@@ -26,12 +26,29 @@ final class Replay {
     private static final String RUN = "run";
     private static final String CAMPAIGN = "campaign";
     private static final String COMPARE = "compare";
+    private static final String ROUTE = "route";
 
     private static final String SHARD = "--shard";
 
     /** The options that decide the results. */
-    private static final Set<String> KEPT =
-            Set.of("--set", "--with", "--vary", "--seed", "--observations", "--labels", "--samples", "--runs", SHARD);
+    private static final Set<String> KEPT = Set.of(
+            "--set",
+            "--with",
+            "--vary",
+            "--seed",
+            "--observations",
+            "--labels",
+            "--samples",
+            "--runs",
+            "--drone",
+            "--side",
+            "--cell",
+            "--heights",
+            "--launch",
+            "--response",
+            "--pointing",
+            "--proof",
+            SHARD);
 
     private final Path file;
     private final ParseResult parsed;
@@ -53,8 +70,8 @@ final class Replay {
         } catch (ParameterException e) {
             throw refusal("its command cannot be read: " + WrongUsage.message(e));
         }
-        if (parsed == null || !Set.of(RUN, CAMPAIGN, COMPARE).contains(name())) {
-            throw refusal("only 'run', 'campaign' and 'compare' can be repeated");
+        if (parsed == null || !Set.of(RUN, CAMPAIGN, COMPARE, ROUTE).contains(name())) {
+            throw refusal("only 'run', 'campaign', 'compare' and 'route' can be repeated");
         }
     }
 

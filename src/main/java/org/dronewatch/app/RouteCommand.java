@@ -1,8 +1,12 @@
 package org.dronewatch.app;
 
+import java.time.Instant;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
@@ -12,13 +16,17 @@ import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.route.RouteDirectory;
 import org.dronewatch.report.route.RouteInputs;
+import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.report.route.RouteScenes;
 import org.dronewatch.report.route.RouteTable;
 import org.dronewatch.route.RouteArea;
 import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -47,6 +55,8 @@ import picocli.CommandLine.Spec;
             "  dronewatch route scenes/palace.yaml --response 30s --launch '{centre: [900, -900], radius: 100 m}'"
         })
 final class RouteCommand implements Callable<Integer> {
+    private static final int MOST_FLIGHTS = 1_000_000;
+
     @Mixin
     private SceneChoice choice;
 
@@ -56,13 +66,21 @@ final class RouteCommand implements Callable<Integer> {
     @Mixin
     private RouteOptions options = new RouteOptions();
 
+    @Option(
+            names = "--proof",
+            paramLabel = "N",
+            description =
+                    "Flies each route N times with different seeds, and compares how often it is detected with what"
+                            + " follows from all looks of the sensors; 1 to 1,000,000.")
+    private Integer proof;
+
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
     private Long seed;
 
     @Option(
             names = "--out",
             paramLabel = "DIR",
-            description = "Directory for route.json and a scene file of each route.")
+            description = "Directory for report.html, route.json, pictures and a scene file of each route.")
     private String out;
 
     @Mixin
@@ -74,9 +92,14 @@ final class RouteCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    private final Instant started = Instant.now();
+
     @Override
     public Integer call() {
         threads.number();
+        if (proof != null && (proof < 1 || proof > MOST_FLIGHTS)) {
+            throw new InputException("--proof " + proof + ": must be 1 to " + MOST_FLIGHTS);
+        }
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
@@ -104,30 +127,63 @@ final class RouteCommand implements Callable<Integer> {
                         grid,
                         options.terms().pointing(),
                         options.launch());
-                RouteSurvey survey = search(runner, inputs, stage, launch);
+                RouteResults results = search(runner, inputs, stage, launch);
+                main.interruption().letFinish();
                 if (target != null) {
                     target.write(
-                            survey,
+                            results,
                             inputs,
                             new RouteScenes(inputs, runner::text),
+                            stage,
+                            new Provenance(
+                                    started,
+                                    spec.root().commandLine().getParseResult().originalArgs(),
+                                    runner.inputs()),
+                            threads.number(),
                             spec.commandLine().getErr()::println);
                 }
-                print(survey, inputs);
+                print(results, inputs);
                 return 0;
             });
         }
     }
 
-    private RouteSurvey search(SceneRunner runner, RouteInputs inputs, Stage stage, Optional<AreaZone> launch) {
+    private RouteResults search(SceneRunner runner, RouteInputs inputs, Stage stage, Optional<AreaZone> launch) {
         SceneSettings settings = inputs.settings();
         Consumer<String> notes = spec.commandLine().getErr()::println;
         DetectionField field = field(runner, inputs, stage, notes);
-        return Progress.during("routes", SiteRoutes.SECTORS + 1, progress -> {
+        RouteSurvey survey = Progress.during("routes", SiteRoutes.SECTORS + 1, progress -> {
             SiteRoutes routes = routes(field, inputs, stage, launch);
             progress.accept(1);
             return RouteSurvey.of(
                     routes, settings.alert().response(), sector -> progress.accept(1), main.interruption()::letFinish);
         });
+        Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
+        boolean isComplete = survey.isComplete() && prove(runner, inputs, survey, proofs);
+        return new RouteResults(survey, proofs, isComplete);
+    }
+
+    /** Flies the routes; false if this was interrupted. */
+    private boolean prove(SceneRunner runner, RouteInputs inputs, RouteSurvey survey, Map<Integer, RouteProof> proofs) {
+        if (proof == null) {
+            return true;
+        }
+        RouteScenes scenes = new RouteScenes(inputs, runner::text);
+        try {
+            return Progress.during("flights", (long) proof * survey.routes().size(), progress -> {
+                for (SectorRoute route : survey.routes()) {
+                    scenes.settings(route, survey)
+                            .ifPresent(scene -> proofs.put(
+                                    route.sector(), RouteProof.of(scene, runner.load(scene), proof, progress)));
+                }
+                return true;
+            });
+        } catch (CancellationException e) {
+            if (!main.interruption().happened()) {
+                throw e;
+            }
+            return false;
+        }
     }
 
     private DetectionField field(SceneRunner runner, RouteInputs inputs, Stage stage, Consumer<String> notes) {
@@ -155,10 +211,13 @@ final class RouteCommand implements Callable<Integer> {
         }
     }
 
-    private void print(RouteSurvey survey, RouteInputs inputs) {
-        RouteTable.lines(survey, inputs).forEach(spec.commandLine().getOut()::println);
-        if (!survey.isComplete()) {
-            spec.commandLine().getErr().println("interrupted: not all directions were searched");
+    private void print(RouteResults results, RouteInputs inputs) {
+        RouteTable.lines(results, inputs).forEach(spec.commandLine().getOut()::println);
+        if (!results.isComplete()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("interrupted: not all directions were "
+                            + (results.survey().isComplete() ? "proved by flights" : "searched"));
         }
     }
 }

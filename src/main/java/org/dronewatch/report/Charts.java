@@ -3,6 +3,7 @@ package org.dronewatch.report;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -21,7 +22,7 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The common style of all plots. */
-final class Charts {
+public final class Charts {
     /** An axis in this unit is logarithmic: octaves are equally wide. */
     private static final String FREQUENCY = "[Hz]";
 
@@ -48,7 +49,7 @@ final class Charts {
     private Charts() {}
 
     /** An empty plot. */
-    static XYChart chart(String title, String xTitle, String yTitle) {
+    public static XYChart chart(String title, String xTitle, String yTitle) {
         XYChart chart = new XYChartBuilder()
                 .width(WIDTH)
                 .height(HEIGHT)
@@ -79,7 +80,7 @@ final class Charts {
     }
 
     /** Draws a series as a thin grey dashed line without markers: an analytic model or a threshold, not a result. */
-    static void asReference(XYSeries series) {
+    public static void asReference(XYSeries series) {
         asReference(series, Color.GRAY);
     }
 
@@ -104,13 +105,18 @@ final class Charts {
         }
     }
 
+    /** The plot as a picture. */
+    public static BufferedImage picture(XYChart chart) {
+        placeLegend(chart);
+        return BitmapEncoder.getBufferedImage(chart);
+    }
+
     /** Writes the plot as PNG. */
     static void write(XYChart chart, Path file) {
-        placeLegend(chart);
         // Image I/O's own cache on disk registers with the process's shutdown, which may be under way already.
         try (OutputStream target = Files.newOutputStream(file);
                 ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
-            ImageIO.write(BitmapEncoder.getBufferedImage(chart), "png", stream);
+            ImageIO.write(picture(chart), "png", stream);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

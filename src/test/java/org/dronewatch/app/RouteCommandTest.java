@@ -77,6 +77,18 @@ class RouteCommandTest {
         assertThat(json.get("routes")).hasSize(8);
         JsonNode first = json.get("routes").get(0);
         assertThat(first.get("sector").asString()).isEqualTo("north");
+        assertThat(first.propertyNames())
+                .containsExactly(
+                        "sector",
+                        "points",
+                        "exposure",
+                        "lower",
+                        "upper",
+                        "p_detect",
+                        "by_sensor",
+                        "p_in_time",
+                        "critical_s",
+                        "proof");
         assertThat(first.get("points").get(0).propertyNames()).containsExactly("t", "x", "y", "z", "mode");
         for (JsonNode route : json.get("routes")) {
             double exposure = route.get("exposure").asDouble();
@@ -146,6 +158,26 @@ class RouteCommandTest {
         assertThat(directory.resolve("route-east.yaml")).hasBinaryContent(scene);
     }
 
+    /** Flown with many seeds, the radar and the receiver, which do not depend on chance, detect it always or never. */
+    @Test
+    void aProofIsPrintedAndRepeated() throws IOException {
+        Outcome proved = route("2", ".", "--proof=20");
+        assertThat(proved.code()).as(proved.err()).isZero();
+        assertThat(proved.out()).contains("flown with many seeds, positioners searching:");
+        for (JsonNode route : read("route.json").get("routes")) {
+            JsonNode proof = route.get("proof");
+            assertThat(proof.propertyNames()).containsExactly("runs", "k", "low", "high", "predicted", "agrees");
+            assertThat(proof.get("runs").asInt()).isEqualTo(20);
+            assertThat(proof.get("k").asInt())
+                    .isEqualTo((int) Math.round(20 * proof.get("predicted").asDouble()));
+            assertThat(proof.get("agrees").asBoolean()).isTrue();
+        }
+        Outcome again =
+                Program.run("again", directory.resolve("provenance.json").toString());
+        assertThat(again.code()).as(again.out() + again.err()).isZero();
+        assertThat(again.out()).contains("same       route.json", "same       routes.png", "same       profile.png");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -159,6 +191,7 @@ class RouteCommandTest {
                 "--heights=600|2",
                 "--cell=300|2",
                 "--pointing=up|2",
+                "--proof=0|2",
                 "--drone=two|2",
                 "--set=sensors.round.enabled=false|0",
             })

@@ -6,6 +6,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.RenderingHints;
+import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -20,7 +21,7 @@ import org.dronewatch.report.html.Figure;
 import org.dronewatch.world.World;
 
 /** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */
-final class MapSheet {
+public final class MapSheet {
     private static final int MAP = 1000;
     private static final int SIDE = 400;
     private static final int MARGIN = 24;
@@ -42,19 +43,20 @@ final class MapSheet {
 
     /** What fills a cell or a swatch of the legend: by the position of a pixel, so that it may be a pattern. */
     @FunctionalInterface
-    interface Fill {
+    public interface Fill {
         /** The colour of a pixel over that of the ground. */
         Color at(int u, int v, Color ground);
     }
 
     /** The fill of each cell. */
     @FunctionalInterface
-    interface Cells {
+    public interface Cells {
         /** By column from the west and row from the north. */
         Fill at(int column, int row);
     }
 
-    MapSheet(FieldGrid grid) {
+    /** An empty sheet of the area of a grid. */
+    public MapSheet(FieldGrid grid) {
         this.grid = grid;
         this.side = grid.columns() * grid.cell();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -64,7 +66,7 @@ final class MapSheet {
     }
 
     /** The ground of a grid, which is the same on all maps of it. */
-    static int[] ground(World world, FieldGrid grid) {
+    public static int[] ground(World world, FieldGrid grid) {
         return ReliefShade.of(world, grid.east(), grid.north(), grid.columns() * grid.cell(), MAP);
     }
 
@@ -73,7 +75,7 @@ final class MapSheet {
      *
      * @param ground as {@link #ground} gives it
      */
-    void drawMap(int[] ground, Cells cells, List<Position> sensors) {
+    public void drawMap(int[] ground, Cells cells, List<Position> sensors) {
         for (int v = 0; v < MAP; v++) {
             for (int u = 0; u < MAP; u++) {
                 Fill fill = cells.at(u * grid.columns() / MAP, v * grid.columns() / MAP);
@@ -97,7 +99,7 @@ final class MapSheet {
      *
      * @param style a number, by which lines differ also in black and white: 0 is solid, others are dashed
      */
-    void outline(List<Position> corners, Color colour, int style) {
+    public void outline(List<Position> corners, Color colour, int style) {
         Polygon line = new Polygon();
         corners.forEach(corner -> line.addPoint(column(corner), row(corner)));
         g.setClip(0, 0, MAP, MAP);
@@ -107,8 +109,54 @@ final class MapSheet {
         g.setClip(null);
     }
 
+    /**
+     * Draws an open line on the map.
+     *
+     * @param width pixels
+     */
+    public void draw(List<Position> points, Color colour, float width) {
+        Path2D path = new Path2D.Double();
+        for (int i = 0; i < points.size(); i++) {
+            if (i == 0) {
+                path.moveTo(column(points.get(i)), row(points.get(i)));
+            } else {
+                path.lineTo(column(points.get(i)), row(points.get(i)));
+            }
+        }
+        g.setClip(0, 0, MAP, MAP);
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(path);
+        g.setClip(null);
+    }
+
+    /** Writes a short text on a pale ground beside a point on the map, moved so that it is complete. */
+    public void label(Position at, String text) {
+        g.setFont(TITLE);
+        int wide = g.getFontMetrics().stringWidth(text);
+        int u = Math.max(MARGIN / 2, Math.min(MAP - wide - MARGIN / 2, column(at) - wide / 2));
+        int v = Math.max(LINE, Math.min(MAP - MARGIN / 2, row(at) - MARGIN / 2));
+        g.setColor(new Color(255, 255, 255, 220));
+        g.fillRoundRect(u - 5, v - 18, wide + 10, 24, 8, 8);
+        g.setColor(Color.BLACK);
+        g.drawString(text, u, v);
+        g.setFont(TEXT);
+    }
+
+    /** Writes a line of the legend with a piece of a line with a black edge before it. */
+    public void sample(Color colour, float width, String text) {
+        int left = MAP + MARGIN;
+        g.setColor(Color.BLACK);
+        g.setStroke(new BasicStroke(width + 2f));
+        g.drawLine(left, line - 5, left + 2 * SWATCH_WIDTH, line - 5);
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width));
+        g.drawLine(left + 1, line - 5, left + 2 * SWATCH_WIDTH - 1, line - 5);
+        write(text, left + 2 * SWATCH_WIDTH + 12);
+    }
+
     /** Writes a line of the legend with a piece of a line before it. */
-    void sample(Color colour, int style, String text) {
+    public void sample(Color colour, int style, String text) {
         int left = MAP + MARGIN;
         g.setColor(colour);
         g.setStroke(stroke(style));
@@ -135,7 +183,7 @@ final class MapSheet {
     }
 
     /** Writes the credits that the data of the site require, at the bottom of the legend. */
-    void credits(List<String> credits) {
+    public void credits(List<String> credits) {
         g.setFont(SMALL);
         g.setColor(Color.DARK_GRAY);
         List<String> lines = Credits.lines(credits, g.getFontMetrics(), SIDE - 2 * MARGIN);
@@ -145,14 +193,14 @@ final class MapSheet {
     }
 
     /** Writes the title of the legend. */
-    void title(String text) {
+    public void title(String text) {
         g.setFont(TITLE);
         write(text, MAP + MARGIN);
         g.setFont(TEXT);
     }
 
     /** Writes a line of the legend. */
-    void line(String text) {
+    public void line(String text) {
         write(text, MAP + MARGIN);
     }
 
@@ -163,12 +211,12 @@ final class MapSheet {
     }
 
     /** Leaves half a line free. */
-    void space() {
+    public void space() {
         line += LINE / 2;
     }
 
     /** Writes a line of the legend with a swatch before it. */
-    void entry(Fill fill, String text) {
+    public void entry(Fill fill, String text) {
         int left = MAP + MARGIN;
         int top = line - SWATCH_HEIGHT + 2;
         for (int v = 0; v < SWATCH_HEIGHT; v++) {
@@ -189,24 +237,24 @@ final class MapSheet {
     }
 
     /** States in a sentence what the map shows, for a report. */
-    void caption(String sentence) {
+    public void caption(String sentence) {
         caption = sentence;
     }
 
     /** The sheet as a figure of a report. */
-    Figure figure() throws IOException {
+    public Figure figure() throws IOException {
         return Figure.of(caption, image);
     }
 
     /** Writes the sheet as PNG. */
-    void writePng(OutputStream target) throws IOException {
+    public void writePng(OutputStream target) throws IOException {
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
             ImageIO.write(image, "png", stream);
         }
     }
 
     /** A colour over another. */
-    static Color mixed(Color below, Color above, double share) {
+    public static Color mixed(Color below, Color above, double share) {
         return new Color(
                 (int) Math.round((1 - share) * below.getRed() + share * above.getRed()),
                 (int) Math.round((1 - share) * below.getGreen() + share * above.getGreen()),

@@ -1,13 +1,10 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
-import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.In;
 
@@ -17,9 +14,6 @@ final class WarningMap {
 
     /** The side of a map of flights, as a multiple of the distance at which they begin. */
     private static final double FRAME = 2.1;
-
-    /** Corners of the outline of a circle. */
-    private static final int CIRCLE = 72;
 
     private final CoverageSite site;
     private final CoverageInputs inputs;
@@ -54,7 +48,7 @@ final class WarningMap {
         }
         sheet.line("shortest warning before it arrives:");
         sheet.space();
-        sheet.outline(circle(warnings.target(), warnings.reach()), START, 0);
+        sheet.outline(ProtectedOutlines.circle(warnings.target(), warnings.reach()), START, 0);
         double[] heights = WarningTable.heights(warnings);
         for (int i = 0; i < heights.length; i++) {
             double height = heights[i];
@@ -65,7 +59,7 @@ final class WarningMap {
             sheet.outline(outline(warnings, its), colour, i + 1);
             sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": least " + WarningTable.least(its));
         }
-        for (List<Position> zone : zones()) {
+        for (List<Position> zone : ProtectedOutlines.of(site.stage().protection())) {
             sheet.outline(zone, Color.BLACK, 0);
         }
         sheet.sample(START, 0, "where the flights begin");
@@ -94,30 +88,8 @@ final class WarningMap {
 
     private static List<Position> outline(InboundWarnings warnings, List<Warning> bearings) {
         return bearings.stream()
-                .map(one -> around(warnings.target(), one.bearing(), one.range().orElse(one.arrival())))
+                .map(one -> ProtectedOutlines.around(
+                        warnings.target(), one.bearing(), one.range().orElse(one.arrival())))
                 .toList();
-    }
-
-    private static Position around(Position middle, double bearing, double distance) {
-        return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));
-    }
-
-    private static List<Position> circle(Position middle, double radius) {
-        return IntStream.range(0, CIRCLE)
-                .mapToObj(i -> around(middle, 2.0 * Math.PI * i / CIRCLE, radius))
-                .toList();
-    }
-
-    /** The outlines of the protected zones in plan view. */
-    private List<List<Position>> zones() {
-        Protection protection = site.stage().protection();
-        List<List<Position>> outlines = new ArrayList<>();
-        protection.zone().ifPresent(ball -> outlines.add(circle(ball.centre(), ball.radius())));
-        protection
-                .areas()
-                .forEach(area -> outlines.add(area.outline().stream()
-                        .map(corner -> new Position(corner.x(), corner.y(), 0.0))
-                        .toList()));
-        return outlines;
     }
 }

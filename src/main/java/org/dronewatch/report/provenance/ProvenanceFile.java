@@ -30,6 +30,20 @@ public final class ProvenanceFile {
     }
 
     /**
+     * That of results without a run.
+     *
+     * @param scene name of the scene
+     * @param threads number of worker threads
+     */
+    public static ObjectNode of(Provenance provenance, String scene, int threads) {
+        ObjectNode root = program(provenance.date(), provenance.command(), threads);
+        ObjectNode node = root.putObject("scene");
+        node.put("name", scene);
+        addInputs(root, node, provenance.inputs());
+        return root;
+    }
+
+    /**
      * That of a campaign.
      *
      * @param command the arguments of the command line

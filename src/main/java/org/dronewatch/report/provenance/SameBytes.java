@@ -23,6 +23,7 @@ public final class SameBytes {
             "runs.csv",
             "sensitivity.csv",
             "campaign.json",
+            "route.json",
             "plan.json");
 
     private static final int DEPTH = 4;

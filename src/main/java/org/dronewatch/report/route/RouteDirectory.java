@@ -1,13 +1,23 @@
 package org.dronewatch.report.route;
 
+import java.awt.image.BufferedImage;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.dronewatch.report.Charts;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
-import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.provenance.Provenance;
+import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.run.Stage;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -42,15 +52,46 @@ public final class RouteDirectory implements AutoCloseable {
     }
 
     /**
-     * Writes all files.
+     * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
+     * @param stage the site
+     * @param provenance origin of the results
+     * @param threads number of worker threads
      * @param notes receives a line on what could not be written
      * @throws InputException when writing fails
      */
-    public void write(RouteSurvey survey, RouteInputs inputs, RouteScenes scenes, Consumer<String> notes) {
+    public void write(
+            RouteResults results,
+            RouteInputs inputs,
+            RouteScenes scenes,
+            Stage stage,
+            Provenance provenance,
+            int threads,
+            Consumer<String> notes) {
         directory.write(() -> {
-            JsonFile.write(directory.file(NUMBERS), RouteFile.toJson(survey, inputs));
-            scenes.write(survey, target, directory).ifPresent(notes);
+            JsonFile.write(directory.file(NUMBERS), RouteFile.toJson(results, inputs));
+            JsonFile.write(directory.file(ProvenanceFile.NAME), ProvenanceFile.of(provenance, inputs.scene(), threads));
+            scenes.write(results.survey(), target, directory).ifPresent(notes);
+            MapSheet plan = new RoutePictures(stage, inputs).plan(results.survey());
+            try (OutputStream png = Files.newOutputStream(directory.file("routes.png"))) {
+                plan.writePng(png);
+            }
+            Optional<BufferedImage> profile =
+                    results.survey().weakest().map(route -> Charts.picture(RouteProfilePicture.of(route, inputs)));
+            if (profile.isPresent()) {
+                try (OutputStream png = Files.newOutputStream(directory.file("profile.png"));
+                        ImageOutputStream stream = new MemoryCacheImageOutputStream(png)) {
+                    ImageIO.write(profile.get(), "png", stream);
+                }
+            }
+            try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
+                new RouteReport(results, inputs, stage)
+                        .write(
+                                page,
+                                plan,
+                                profile,
+                                provenance.inWords(inputs.settings().run().seed(), threads));
+            }
             directory.publish(directory.former(NUMBERS, FILES));
         });
     }

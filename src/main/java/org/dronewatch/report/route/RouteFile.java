@@ -7,6 +7,7 @@ import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteProof;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
@@ -18,7 +19,8 @@ final class RouteFile {
 
     private RouteFile() {}
 
-    static ObjectNode toJson(RouteSurvey survey, RouteInputs inputs) {
+    static ObjectNode toJson(RouteResults results, RouteInputs inputs) {
+        RouteSurvey survey = results.survey();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);
         root.put("scene", inputs.scene());
@@ -36,12 +38,13 @@ final class RouteFile {
         inputs.grid().heights().forEach(height -> heights.add(Numbers.rounded(height)));
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode routes = root.putArray("routes");
-        survey.routes().forEach(route -> add(routes.addObject(), route, survey));
-        root.put("complete", survey.isComplete());
+        survey.routes().forEach(route -> add(routes.addObject(), route, results));
+        root.put("complete", results.isComplete());
         return root;
     }
 
-    private static void add(ObjectNode node, SectorRoute route, RouteSurvey survey) {
+    private static void add(ObjectNode node, SectorRoute route, RouteResults results) {
+        RouteSurvey survey = results.survey();
         node.put("sector", RouteWords.sector(route));
         ArrayNode points = node.putArray("points");
         route.corners().forEach(corner -> add(points.addObject(), corner, survey));
@@ -58,6 +61,21 @@ final class RouteFile {
             node.putNull("p_in_time");
             node.putNull("critical_s");
         }
+        RouteProof proof = results.proofs().get(route.sector());
+        if (proof == null) {
+            node.putNull("proof");
+        } else {
+            add(node.putObject("proof"), proof);
+        }
+    }
+
+    private static void add(ObjectNode node, RouteProof proof) {
+        node.put("runs", proof.detections().of());
+        node.put("k", proof.detections().count());
+        node.put("low", Numbers.rounded(proof.interval().low()));
+        node.put("high", Numbers.rounded(proof.interval().high()));
+        node.put("predicted", Numbers.rounded(proof.predicted()));
+        node.put("agrees", proof.agrees());
     }
 
     private static void add(ObjectNode node, RoutePoint point, RouteSurvey survey) {

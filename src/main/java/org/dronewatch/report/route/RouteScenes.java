@@ -58,7 +58,7 @@ public final class RouteScenes {
     }
 
     /** The scene in which the drone flies a route; empty if it begins where it ends. */
-    Optional<SceneSettings> settings(SectorRoute route, RouteSurvey survey) {
+    public Optional<SceneSettings> settings(SectorRoute route, RouteSurvey survey) {
         return route.route()
                 .path()
                 .flight(survey.modes())

@@ -14,12 +14,14 @@ import org.dronewatch.route.SiteRoutes;
 /** The table of the weakest routes, one for each sector, and the weakest of all in words. */
 public final class RouteTable {
     private static final String ROW = "%-11s  %8s  %16s  %11s  %10s  %10s";
+    private static final String PROOF = "%-11s  %16s  %22s  %10s  %s";
     private static final String IN_TIME = "  %10s  %13s";
 
     private RouteTable() {}
 
     /** The lines. */
-    public static List<String> lines(RouteSurvey survey, RouteInputs inputs) {
+    public static List<String> lines(RouteResults results, RouteInputs inputs) {
+        RouteSurvey survey = results.survey();
         List<String> lines = new ArrayList<>();
         boolean isRequired = survey.response() > 0.0;
         lines.add("weakest routes of drone '" + inputs.drone() + "' to " + inputs.targetInWords()
@@ -41,6 +43,10 @@ public final class RouteTable {
             } else if (survey.isComplete()) {
                 lines.add(name + ": no route");
             }
+        }
+        if (!results.proofs().isEmpty()) {
+            lines.add("");
+            lines.addAll(proofs(results));
         }
         lines.add("");
         lines.add(new RouteWords(inputs).weakest(survey));
@@ -67,6 +73,22 @@ public final class RouteTable {
                 + route.mostExposedTo()
                         .map(sensor -> "  " + sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
                         .orElse("  -");
+    }
+
+    private static List<String> proofs(RouteResults results) {
+        List<String> lines = new ArrayList<>();
+        lines.add("flown with many seeds, positioners searching:");
+        lines.add(text(PROOF, "from", "detected", "interval of 99 %", "predicted", "agrees"));
+        results.proofs()
+                .forEach((sector, proof) -> lines.add(text(
+                        PROOF,
+                        CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS),
+                        proof.detections().count() + " of " + proof.detections().of(),
+                        RouteWords.percent(proof.interval().low()) + " to "
+                                + RouteWords.percent(proof.interval().high()),
+                        RouteWords.percent(proof.predicted()),
+                        proof.agrees() ? "yes" : "no")));
+        return lines;
     }
 
     private static String text(String pattern, Object... values) {

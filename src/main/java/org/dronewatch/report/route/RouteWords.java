@@ -3,6 +3,7 @@ package org.dronewatch.report.route;
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.coverage.CoverageTable;
@@ -29,10 +30,20 @@ final class RouteWords {
     private static String from(SectorRoute route) {
         String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
         return "from the " + sector(route) + ", " + height
-                + route.dominantCause()
-                        .map(cause ->
-                                ", " + (route.share(cause) > 0.5 ? "mostly " : "partly ") + CoverageTable.name(cause))
-                        .orElse("");
+                + reason(route).map(reason -> ", " + reason).orElse("");
+    }
+
+    /** Why it is not detected for most of the time, {@code mostly hidden by terrain}; empty if it always is. */
+    static Optional<String> reason(SectorRoute route) {
+        return route.dominantCause().map(cause -> {
+            String often = route.share(cause) > 0.5 ? "mostly" : "partly";
+            return switch (cause) {
+                case TOO_WEAK -> often + " too small, faint or quiet for the sensors";
+                case TOO_SLOW -> often + " across the line of sight, or too slow";
+                case UNKNOWN -> often + " where the line of sight leaves the known ground";
+                default -> often + " " + CoverageTable.name(cause);
+            };
+        });
     }
 
     private String detected(SectorRoute route) {

@@ -1,0 +1,106 @@
+package org.dronewatch.report.route;
+
+import java.awt.Color;
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.coverage.ProtectedOutlines;
+import org.dronewatch.route.RoutePoint;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.run.Stage;
+
+/** The plan of a site with its weakest routes, coloured by how exposed the drone is on them. */
+final class RoutePictures {
+    private static final Color ZONE = new Color(0x0b3d91);
+
+    private final Stage stage;
+    private final RouteInputs inputs;
+
+    RoutePictures(Stage stage, RouteInputs inputs) {
+        this.stage = stage;
+        this.inputs = inputs;
+    }
+
+    /** The plan, on the {@link org.dronewatch.parallel.Workers} of the calling thread. */
+    MapSheet plan(RouteSurvey survey) {
+        MapSheet sheet = new MapSheet(inputs.grid());
+        sheet.drawMap(
+                MapSheet.ground(stage.world(), inputs.grid()),
+                (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.25),
+                sensors());
+        for (List<Position> zone : ProtectedOutlines.of(stage.protection())) {
+            sheet.outline(zone, ZONE, 0);
+        }
+        survey.routes().forEach(route -> draw(sheet, route));
+        survey.routes().forEach(route -> sheet.label(start(route), abbreviation(route)));
+        legend(sheet, survey);
+        sheet.credits(stage.credits());
+        sheet.caption(
+                "The weakest route from each direction; the darker and thicker a line, the more exposed is the drone.");
+        return sheet;
+    }
+
+    private static void draw(MapSheet sheet, SectorRoute route) {
+        List<RoutePoint> points = route.profile().points();
+        List<Position> whole = points.stream().map(RoutePoint::position).toList();
+        sheet.draw(whole, Color.BLACK, RouteColours.NONE.width() + 2f);
+        for (int i = 1; i < points.size(); i++) {
+            RouteColours style = RouteColours.of(points.get(i - 1), points.get(i));
+            List<Position> piece =
+                    List.of(points.get(i - 1).position(), points.get(i).position());
+            if (style != RouteColours.NONE) {
+                sheet.draw(piece, Color.BLACK, style.width() + 2f);
+            }
+            sheet.draw(piece, style.colour(), style.width());
+        }
+    }
+
+    private List<Position> sensors() {
+        return inputs.settings().enabledSensors().values().stream()
+                .map(sensor -> sensor.position())
+                .toList();
+    }
+
+    private static Position start(SectorRoute route) {
+        return route.profile().points().get(0).position();
+    }
+
+    /** {@code NW}. */
+    private static String abbreviation(SectorRoute route) {
+        StringBuilder letters = new StringBuilder();
+        for (String word : RouteWords.sector(route).split("-")) {
+            letters.append(Character.toUpperCase(word.charAt(0)));
+        }
+        return letters.toString();
+    }
+
+    private void legend(MapSheet sheet, RouteSurvey survey) {
+        sheet.title(inputs.scene());
+        sheet.line("weakest routes of the drone '" + inputs.drone() + "'");
+        sheet.line("to " + inputs.targetInWords());
+        if (survey.response() > 0.0) {
+            sheet.line("for a response of " + Numbers.text(survey.response()) + " s;");
+        }
+        sheet.line("chance of a detection within a second:");
+        sheet.space();
+        for (RouteColours style : RouteColours.values()) {
+            sheet.sample(style.colour(), style.width(), style.words());
+        }
+        sheet.space();
+        sheet.line(survey.response() > 0.0 ? "from: detected (in time)" : "from: detected");
+        for (SectorRoute route : survey.routes()) {
+            String timely = survey.response() > 0.0
+                    ? " (" + RouteWords.percent(route.route().detection()) + ")"
+                    : "";
+            sheet.line(abbreviation(route) + ": "
+                    + RouteWords.percent(route.profile().detection()) + timely);
+        }
+        sheet.space();
+        if (!stage.protection().isEmpty()) {
+            sheet.sample(ZONE, 0, "protected zone");
+        }
+        sheet.line("cells of " + Numbers.text(inputs.grid().cell()) + " m");
+    }
+}

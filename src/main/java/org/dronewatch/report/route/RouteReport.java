@@ -1,0 +1,159 @@
+package org.dronewatch.report.route;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.report.html.Page;
+import org.dronewatch.report.html.SensorTables;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.run.Stage;
+
+/** The weakest routes of a site for those who decide: the verdict, a table, the plan, a profile, and their scope. */
+final class RouteReport {
+    private final RouteResults results;
+    private final RouteSurvey survey;
+    private final RouteInputs inputs;
+    private final Stage stage;
+    private final RouteWords words;
+
+    RouteReport(RouteResults results, RouteInputs inputs, Stage stage) {
+        this.results = results;
+        this.survey = results.survey();
+        this.inputs = inputs;
+        this.stage = stage;
+        this.words = new RouteWords(inputs);
+    }
+
+    /**
+     * Writes the page.
+     *
+     * @param plan of the routes
+     * @param profile of the weakest, if there is a route
+     * @param provenance origin of the results, as names and values
+     */
+    void write(OutputStream target, MapSheet plan, Optional<BufferedImage> profile, Map<String, String> provenance)
+            throws IOException {
+        Page page = new Page(target, inputs.scene() + ": route report", inputs.scene() + ": weakest routes");
+        page.verdict(words.weakest(survey));
+        page.section("The routes", introduction() + table());
+        Figure figure = plan.figure();
+        page.add(Html.figure(figure.png(), figure.caption()));
+        if (profile.isPresent()) {
+            Figure heights = Figure.of(
+                    "The weakest route: its height over the ground, and the probability that the drone has been"
+                            + " detected by then.",
+                    profile.get());
+            page.add(Html.figure(heights.png(), heights.caption()));
+        }
+        if (!results.proofs().isEmpty()) {
+            page.section("Proof by flight", proofs());
+        }
+        SensorTables sensors = new SensorTables(inputs.settings());
+        page.section("Sensors", sensors.sensors());
+        page.section("Scope of these results", list(scope(sensors)));
+        page.section("Provenance", Html.definitions(provenance));
+        page.end();
+    }
+
+    private String introduction() {
+        return Html.plain(
+                "p",
+                "From each direction, the route on which the sensors are least likely to detect the drone"
+                        + (survey.response() > 0.0
+                                ? " while " + number(survey.response()) + " s are left for the response."
+                                : " before it reaches " + inputs.targetInWords() + ".")
+                        + " 'Detected' is the probability that any sensor detects it at all; 'time left' is that between"
+                        + " the typical (median) first detection and its arrival. No route can have less exposure than"
+                        + " the lower bound; an exposure of 1 is a detection with 63 %, of 3 with 95 %.");
+    }
+
+    private String table() {
+        boolean isRequired = survey.response() > 0.0;
+        List<String> head = new ArrayList<>(List.of("from", "height", "flight", "detected", "time left"));
+        if (isRequired) {
+            head.addAll(List.of("detected in time", "compared with the response"));
+        }
+        head.addAll(List.of("exposure", "lower bound", "most exposed to", "reason for misses"));
+        List<List<String>> rows = new ArrayList<>();
+        for (SectorRoute route : survey.routes()) {
+            List<String> row = new ArrayList<>(List.of(
+                    RouteWords.sector(route),
+                    number(Math.rint(route.profile().medianHeight())) + " m",
+                    RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
+                    RouteWords.percent(route.profile().detection()),
+                    RouteWords.seconds(route.left())));
+            if (isRequired) {
+                row.add(RouteWords.percent(route.route().detection()));
+                row.add(RouteWords.margin(route.left(), survey.response()));
+            }
+            row.add(RouteWords.exposure(route.route().exposure()));
+            row.add(RouteWords.exposure(route.route().lower()));
+            row.add(route.mostExposedTo()
+                    .map(sensor -> sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
+                    .orElse("-"));
+            row.add(RouteWords.reason(route).orElse("-"));
+            rows.add(row);
+        }
+        return Html.table(head, rows);
+    }
+
+    private String proofs() {
+        List<List<String>> rows = new ArrayList<>();
+        for (SectorRoute route : survey.routes()) {
+            RouteProof proof = results.proofs().get(route.sector());
+            if (proof != null) {
+                rows.add(List.of(
+                        RouteWords.sector(route),
+                        proof.detections().count() + " of " + proof.detections().of(),
+                        RouteWords.percent(proof.interval().low()) + " to "
+                                + RouteWords.percent(proof.interval().high()),
+                        RouteWords.percent(proof.predicted()),
+                        proof.agrees() ? "yes" : "no"));
+            }
+        }
+        return Html.plain(
+                        "p",
+                        "Each route was flown with many seeds, with sensors on positioners only searching. The prediction is"
+                                + " that of all looks that such a flight meets.")
+                + Html.table(List.of("from", "detected", "interval of 99 %", "predicted", "agrees"), rows);
+    }
+
+    private List<String> scope(SensorTables sensors) {
+        List<String> items = new ArrayList<>();
+        items.add("An area of " + number(inputs.grid().side()) + " m by "
+                + number(inputs.grid().side())
+                + " m in cells of " + number(inputs.grid().cell()) + " m, at heights of "
+                + number(inputs.grid().heights().get(0)) + " to "
+                + number(inputs.grid().heights().get(inputs.grid().heights().size() - 1))
+                + " m above the ground. A route meets nothing solid, but what hides a drone and is smaller than a cell may"
+                + " be missed.");
+        items.add("Routes begin "
+                + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");
+        items.add("The drone '" + inputs.drone() + "' alone, within its limits of climb, descent and turns; sensors on"
+                + " positioners "
+                + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
+        items.add("Sensors count as independent, which they are not where they look past the same obstacle.");
+        items.addAll(sensors.omissions());
+        items.addAll(stage.siteNotes());
+        items.addAll(stage.credits());
+        return items;
+    }
+
+    private static String list(List<String> items) {
+        return Html.element(
+                "ul", items.stream().map(item -> Html.plain("li", item)).reduce("", String::concat));
+    }
+}
