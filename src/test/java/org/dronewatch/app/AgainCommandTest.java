@@ -96,7 +96,9 @@ class AgainCommandTest {
         refused("[\"compare\", \"a.yaml\", \"org.dronewatch.scenes.MultiSensor\"]", "is a class");
         refused("[\"compare\", \"a.yaml\", \"--with\", \"scene=org.dronewatch.scenes.MultiSensor\"]", "is a class");
         refused("[\"run\", \"@options\"]", "is not the name of a scene");
-        refused("[\"models\", \"--out\", \"elsewhere\"]", "only 'run', 'campaign', 'compare' and 'route' can be repeated");
+        refused(
+                "[\"models\", \"--out\", \"elsewhere\"]",
+                "only 'run', 'campaign', 'compare' and 'route' can be repeated");
         refused("[\"run\", \"a.yaml\", \"--evil\"]", "its command cannot be read");
         refused("[]", "states no command");
         refused("\"rm\"", "states no command");

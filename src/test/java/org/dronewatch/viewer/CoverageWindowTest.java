@@ -9,6 +9,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Files;
@@ -159,6 +160,48 @@ class CoverageWindowTest {
         assertThat(meanings).isNotEmpty().allSatisfy(meaning -> assertThat(meaning.getVisibleRect().width)
                 .as(meaning.getText())
                 .isGreaterThanOrEqualTo(meaning.getPreferredSize().width));
+    }
+
+    /** Heights, switches and the pointer: nothing keeps the event thread busy for 50 ms of processor time. */
+    @Test
+    void theEventThreadIsNeverBusyForLong() throws Exception {
+        BusyTimes times = new BusyTimes();
+        Toolkit.getDefaultToolkit().getSystemEventQueue().push(times);
+        try {
+            onEventThread(() -> {
+                panel.compute();
+                return null;
+            });
+            await("the coverage", () -> panel.isIdle() && viewer.pane().isIdle());
+            for (JCheckBox box : onEventThread(() -> panel.switches().boxes())) {
+                onEventThread(() -> {
+                    box.doClick();
+                    return null;
+                });
+                await("the switch", () -> viewer.pane().isIdle());
+            }
+            WorldPanel world = viewer.pane().world();
+            for (int x = 0; x < world.getWidth(); x += 20) {
+                MouseEvent moved = new MouseEvent(
+                        world,
+                        MouseEvent.MOUSE_MOVED,
+                        System.currentTimeMillis(),
+                        0,
+                        x,
+                        world.getHeight() / 2,
+                        0,
+                        false);
+                onEventThread(() -> {
+                    world.dispatchEvent(moved);
+                    return null;
+                });
+            }
+            await("the pointer", () -> viewer.pane().isIdle());
+        } finally {
+            times.end();
+        }
+        assertThat(times.count()).isGreaterThan(100);
+        assertThat(times.longest()).as("s").isLessThan(0.05);
     }
 
     private boolean skinShown() throws Exception {

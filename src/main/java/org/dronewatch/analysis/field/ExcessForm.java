@@ -16,7 +16,7 @@ final class ExcessForm implements StoredForm<ExcessMap> {
     static final ExcessForm FORM = new ExcessForm();
 
     private static final String UNIT = "dB";
-    private static final int NUMBERS = 11;
+    private static final int NUMBERS = 12;
 
     private ExcessForm() {}
 
@@ -43,7 +43,8 @@ final class ExcessForm implements StoredForm<ExcessMap> {
                 place.at().z(),
                 place.isInSight() ? 1.0 : 0.0,
                 place.overOpen(),
-                place.overExact(),
+                place.exact(),
+                place.rest(),
                 signal.probability(),
                 signal.quantity(),
                 signal.threshold(),
@@ -60,11 +61,12 @@ final class ExcessForm implements StoredForm<ExcessMap> {
             int number = at + 3;
             boolean isInSight = numbers[number++] == 1.0;
             double overOpen = numbers[number++];
-            double overExact = numbers[number++];
+            double exact = numbers[number++];
+            double rest = numbers[number++];
             Signal signal = new Signal(
                     numbers[number++], numbers[number++], UNIT, numbers[number++], numbers[number++], numbers[number]);
             Position position = new Position(numbers[at], numbers[at + 1], numbers[at + 2]);
-            places.add(new TracedPlace(position, isInSight, signal, overOpen, overExact));
+            places.add(new TracedPlace(position, isInSight, signal, overOpen, exact, rest));
         }
         return places;
     }

@@ -5,12 +5,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Signal;
 
 /**
- * By how much the signal of one sensor exceeds signals that take less time, at any position: interpolated between the
- * nearest traced ones, separately in sight and out of sight of the sensor. Immutable.
+ * By how much the signal of one sensor exceeds that in the open, and what it receives on other than exact paths, at any
+ * position: interpolated between the nearest traced ones, separately in sight of the sensor, out of sight, and where
+ * nothing arrives on exact paths. Immutable.
  */
 final class ExcessMap {
     private static final int NEIGHBOURS = 20;
@@ -26,6 +28,8 @@ final class ExcessMap {
 
     private final Group inSight;
     private final Group hidden;
+    private final Group reached;
+    private final Group silent;
     private final Map<Position, Signal> traced = new HashMap<>();
     private final double[] box = {
         Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
@@ -35,20 +39,38 @@ final class ExcessMap {
     private final List<TracedPlace> heldOut;
 
     /**
-     * A value between the nearest traced positions.
+     * Values between the nearest traced positions.
      *
-     * @param overExact excess over the signal on exact paths, dB
-     * @param spread half the difference between the greatest and the least of those of the neighbours, dB
+     * @param rest what arrives on other than exact paths, dB
+     * @param leastRest the least of those of the neighbours, dB
+     * @param greatestRest the greatest of them, dB
      * @param overOpen excess over the signal in the open, dB
      * @param least the least of those of the neighbours, dB
      * @param greatest the greatest of them, dB
      */
-    record Estimate(double overExact, double spread, double overOpen, double least, double greatest) {}
+    record Estimate(
+            double rest, double leastRest, double greatestRest, double overOpen, double least, double greatest) {
+        /**
+         * By how much the signal exceeds that in the open, dB.
+         *
+         * @param open the signal in the open, dB
+         * @param exact by how much the signal on exact paths exceeds that in the open, dB
+         */
+        double over(double open, double exact) {
+            return TracedPlace.together(exact, rest - open);
+        }
+
+        /** Half the difference between its values with the rest of one neighbour and of another, dB. */
+        double spread(double open, double exact) {
+            return 0.5
+                    * (TracedPlace.together(exact, greatestRest - open)
+                            - TracedPlace.together(exact, leastRest - open));
+        }
+    }
 
     private record Group(TracedPlace[] places, double[] positions) {
-        static Group of(List<TracedPlace> all, boolean isInSight) {
-            TracedPlace[] some =
-                    all.stream().filter(place -> place.isInSight() == isInSight).toArray(TracedPlace[]::new);
+        static Group of(List<TracedPlace> all, Predicate<TracedPlace> which) {
+            TracedPlace[] some = all.stream().filter(which).toArray(TracedPlace[]::new);
             double[] positions = new double[3 * some.length];
             for (int i = 0; i < some.length; i++) {
                 positions[3 * i] = some[i].at().x();
@@ -68,8 +90,10 @@ final class ExcessMap {
     ExcessMap(List<TracedPlace> places, List<TracedPlace> heldOut) {
         this.places = List.copyOf(places);
         this.heldOut = List.copyOf(heldOut);
-        this.inSight = Group.of(places, true);
-        this.hidden = Group.of(places, false);
+        this.inSight = Group.of(places, TracedPlace::isInSight);
+        this.hidden = Group.of(places, place -> !place.isInSight());
+        this.reached = Group.of(places, place -> !place.isInSight() && !TracedPlace.isSilent(place.exact()));
+        this.silent = Group.of(places, place -> !place.isInSight() && TracedPlace.isSilent(place.exact()));
         places.forEach(this::keep);
         heldOut.forEach(this::keep);
         this.error = InterpolationError.of(this, places.size(), heldOut);
@@ -108,7 +132,18 @@ final class ExcessMap {
      * much in sight, or hidden, as this one.
      */
     Optional<Estimate> at(Position at, boolean isInSight) {
-        Group group = isInSight ? inSight : hidden;
+        return in(isInSight ? inSight : hidden, at);
+    }
+
+    /**
+     * The same where it is known by how much the signal on exact paths exceeds that in the open, dB: more accurate
+     * out of sight.
+     */
+    Optional<Estimate> at(Position at, boolean isInSight, double exact) {
+        return in(isInSight ? inSight : TracedPlace.isSilent(exact) ? silent : reached, at);
+    }
+
+    private Optional<Estimate> in(Group group, Position at) {
         boolean isInside = at.x() >= box[0] && at.y() >= box[1] && at.x() <= box[2] && at.y() <= box[3];
         return isInside && group.places.length >= NEIGHBOURS ? Optional.of(between(group, at)) : Optional.empty();
     }
@@ -117,7 +152,7 @@ final class ExcessMap {
         double[] squares = new double[NEIGHBOURS];
         int[] nearest = nearest(group, at, squares);
         double weights = 0.0;
-        double overExact = 0.0;
+        double rest = 0.0;
         double lowest = Double.POSITIVE_INFINITY;
         double highest = Double.NEGATIVE_INFINITY;
         double overOpen = 0.0;
@@ -127,14 +162,18 @@ final class ExcessMap {
             TracedPlace place = group.places[nearest[i]];
             double weight = Math.pow(squares[i] + SAME, -POWER);
             weights += weight;
-            overExact += weight * place.overExact();
-            lowest = Math.min(lowest, place.overExact());
-            highest = Math.max(highest, place.overExact());
+            rest += weight * place.rest();
+            lowest = Math.min(lowest, place.rest());
+            highest = Math.max(highest, place.rest());
             overOpen += weight * place.overOpen();
             least = Math.min(least, place.overOpen());
             greatest = Math.max(greatest, place.overOpen());
         }
-        return new Estimate(overExact / weights, 0.5 * (highest - lowest), overOpen / weights, least, greatest);
+        if (TracedPlace.isSilent(greatest)) {
+            double nothing = Double.NEGATIVE_INFINITY;
+            return new Estimate(nothing, nothing, nothing, overOpen / weights, least, greatest);
+        }
+        return new Estimate(rest / weights, lowest, highest, overOpen / weights, least, greatest);
     }
 
     /** The numbers of the nearest places, the nearest one first. */

@@ -171,7 +171,7 @@ final class ExcessSurvey {
             return 1.0;
         }
         double margin = open.quantity() + estimate.get().overOpen() - open.threshold();
-        double spread = 0.01 + estimate.get().spread();
+        double spread = 0.01 + 0.5 * (estimate.get().greatest() - estimate.get().least());
         return spread
                 / (1.0
                         + Math.abs(margin)

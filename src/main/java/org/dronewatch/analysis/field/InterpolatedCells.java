@@ -29,25 +29,30 @@ record InterpolatedCells(FieldProbe probe, ExcessMap excess, Assessor assessor) 
     /** Empty where there is nothing to interpolate between. */
     private Optional<Signal> interpolated(Drone there) {
         boolean isInSight = sensor().isInSight(probe.world(), there);
-        return excess.at(there.origin(), isInSight).map(estimate -> signal(there, isInSight, estimate));
+        return excess.at(there.origin(), isInSight).flatMap(estimate -> signal(there, isInSight, estimate));
     }
 
     private InterpolableSensor sensor() {
         return assessor.interpolable().orElseThrow();
     }
 
-    private Signal signal(Drone there, boolean isInSight, ExcessMap.Estimate estimate) {
+    private Optional<Signal> signal(Drone there, boolean isInSight, ExcessMap.Estimate rough) {
         InterpolationError error = excess.error();
         Signal open = sensor().signalInTheOpen(probe.world(), there).orElseThrow();
         double threshold = open.threshold();
         double beyond = error.bounds(isInSight).beyond();
-        if (open.quantity() + estimate.least() - beyond > threshold
-                || open.quantity() + estimate.greatest() + beyond < threshold) {
-            return Signal.certain(open.quantity() + estimate.overOpen(), open.unit(), threshold);
+        if (open.quantity() + rough.least() - beyond > threshold
+                || open.quantity() + rough.greatest() + beyond < threshold) {
+            return Optional.of(Signal.certain(open.quantity() + rough.overOpen(), open.unit(), threshold));
         }
-        Signal exact = sensor().signalOnExactPaths(probe.world(), there);
-        double quantity = open.quantity() + TracedPlace.over(open, exact) + estimate.overExact();
-        double deviation = error.deviation(estimate, isInSight);
+        double exact = TracedPlace.over(open, sensor().signalOnExactPaths(probe.world(), there));
+        return excess.at(there.origin(), isInSight, exact).map(estimate -> signal(open, exact, estimate, isInSight));
+    }
+
+    private Signal signal(Signal open, double exact, ExcessMap.Estimate estimate, boolean isInSight) {
+        double threshold = open.threshold();
+        double quantity = open.quantity() + estimate.over(open.quantity(), exact);
+        double deviation = excess.error().deviation(estimate.spread(open.quantity(), exact), isInSight);
         double margin = quantity - threshold;
         double probability = Math.abs(margin) > InterpolationError.CERTAIN * deviation
                 ? margin > 0.0 ? 1.0 : 0.0

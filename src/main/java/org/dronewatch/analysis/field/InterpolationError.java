@@ -45,9 +45,9 @@ public record InterpolationError(int places, int heldOut, double largely, Bounds
         }
     }
 
-    /** The standard deviation of an estimate, dB. */
-    double deviation(ExcessMap.Estimate estimate, boolean isInSight) {
-        return bounds(isInSight).scale * (LEAST_SPREAD + estimate.spread());
+    /** The standard deviation of an estimate with a spread, dB. */
+    double deviation(double spread, boolean isInSight) {
+        return bounds(isInSight).scale * (LEAST_SPREAD + spread);
     }
 
     /** How far errors reach. */
@@ -57,8 +57,8 @@ public record InterpolationError(int places, int heldOut, double largely, Bounds
 
     static InterpolationError of(ExcessMap map, int places, List<TracedPlace> heldOut) {
         List<Double> errors = new ArrayList<>();
-        heldOut.forEach(place -> map.at(place.at(), place.isInSight())
-                .ifPresent(its -> errors.add(Math.abs(its.overExact() - place.overExact()))));
+        heldOut.forEach(place ->
+                map.at(place.at(), place.isInSight(), place.exact()).ifPresent(its -> errors.add(error(its, place))));
         Collections.sort(errors);
         double largely = errors.isEmpty() ? 0.0 : errors.get((int) Math.ceil(LARGE_PART * errors.size()) - 1);
         Optional<Bounds> seen = bounds(map, heldOut, true);
@@ -68,20 +68,26 @@ public record InterpolationError(int places, int heldOut, double largely, Bounds
         return new InterpolationError(places, heldOut.size(), largely, seen.orElse(any), unseen.orElse(any));
     }
 
+    private static double error(ExcessMap.Estimate estimate, TracedPlace place) {
+        return Math.abs(estimate.over(place.open(), place.exact()) - place.overOpen());
+    }
+
     /** Empty where too few positions show how far errors reach. */
     private static Optional<Bounds> bounds(ExcessMap map, List<TracedPlace> heldOut, boolean isInSight) {
         double scale = 0.0;
         double beyond = 0.0;
         int count = 0;
         for (TracedPlace place : heldOut) {
-            Optional<ExcessMap.Estimate> its = map.at(place.at(), isInSight);
+            Optional<ExcessMap.Estimate> rough = map.at(place.at(), isInSight);
+            Optional<ExcessMap.Estimate> its = map.at(place.at(), isInSight, place.exact());
             if (place.isInSight() == isInSight && its.isPresent()) {
-                ExcessMap.Estimate estimate = its.get();
-                double error = Math.abs(estimate.overExact() - place.overExact());
-                scale = Math.max(scale, error / (CERTAIN * (LEAST_SPREAD + estimate.spread())));
-                beyond = Math.max(beyond, place.overOpen() - estimate.greatest());
-                beyond = Math.max(beyond, estimate.least() - place.overOpen());
+                double spread = its.get().spread(place.open(), place.exact());
+                scale = Math.max(scale, error(its.get(), place) / (CERTAIN * (LEAST_SPREAD + spread)));
                 count++;
+            }
+            if (place.isInSight() == isInSight && rough.isPresent()) {
+                beyond = Math.max(beyond, place.overOpen() - rough.get().greatest());
+                beyond = Math.max(beyond, rough.get().least() - place.overOpen());
             }
         }
         return count < FEWEST ? Optional.empty() : Optional.of(new Bounds(MARGIN * scale, MARGIN * beyond));

@@ -5,6 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.InterpolableSensor;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sound.Levels;
 
 /**
  * A position at which a drone was assessed with all rays.
@@ -13,9 +14,10 @@ import org.dronewatch.sensor.Signal;
  * @param isInSight whether nothing is in the way of the direct signal
  * @param signal the signal
  * @param overOpen by how much that exceeds the signal in the open, dB
- * @param overExact by how much it exceeds the signal on exact paths, dB
+ * @param exact by how much the signal on exact paths exceeds that in the open, dB
+ * @param rest what arrives on other paths, dB
  */
-record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpen, double overExact) {
+record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpen, double exact, double rest) {
     /** A signal that is weaker than this compared with the open counts as this weak, dB: it may be silence. */
     private static final double WEAKEST = -60.0;
 
@@ -26,12 +28,37 @@ record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpe
         Signal exact = sensor.signalOnExactPaths(probe.world(), there);
         Signal signal =
                 probe.assess(assessor, there, probe.pointing(there.origin())).signal();
+        double overOpen = over(open, signal);
+        double ofExact = over(open, exact);
         return new TracedPlace(
                 there.origin(),
                 sensor.isInSight(probe.world(), there),
                 signal,
-                over(open, signal),
-                over(open, signal) - over(open, exact));
+                overOpen,
+                ofExact,
+                open.quantity() + rest(overOpen, ofExact));
+    }
+
+    /** What all paths bring beyond the exact ones; all compared with the open, dB. */
+    private static double rest(double overOpen, double exact) {
+        double energy = Levels.toRatio(overOpen) - (isSilent(exact) ? 0.0 : Levels.toRatio(exact));
+        return energy > 0.0 ? Math.max(Levels.ofRatio(energy), WEAKEST) : WEAKEST;
+    }
+
+    /** Whether a signal, compared with the open, dB, may be none at all. */
+    static boolean isSilent(double over) {
+        return over <= WEAKEST;
+    }
+
+    /** What arrives on exact and other paths together; all compared with the open, dB. */
+    static double together(double exact, double rest) {
+        double all = isSilent(exact) ? rest : Levels.ofRatio(Levels.toRatio(exact) + Levels.toRatio(rest));
+        return Math.max(all, WEAKEST);
+    }
+
+    /** The signal in the open, dB. */
+    double open() {
+        return rest - rest(overOpen, exact);
     }
 
     /** By how much a signal exceeds that in the open, dB. */

@@ -167,24 +167,35 @@ class ExcessSurveyTest {
         assertThat(kept.find(key, ExcessForm.FORM)).isEmpty();
     }
 
-    /** Behind a box the level is that of its shadow, close to its border, too. */
+    /** Behind a box the level is that of its shadow, even at its border; where no sound arrives, there is none. */
     @Test
     void noLevelIsInterpolatedAcrossTheBorderOfAShadow() {
         List<TracedPlace> places = new ArrayList<>();
         Random random = new Random(1);
-        for (int i = 0; i < 400; i++) {
+        for (int i = 0; i < 600; i++) {
             Position at = new Position(100 * random.nextDouble(), 100 * random.nextDouble(), 10);
             boolean isInSight = at.x() < 50;
-            places.add(new TracedPlace(at, isInSight, null, isInSight ? 3.0 : -9.0, isInSight ? 1.0 : 2.0));
+            boolean isShut = at.x() > 75;
+            places.add(
+                    isShut
+                            ? new TracedPlace(at, false, null, -60.0, -60.0, 20.0 - at.x())
+                            : new TracedPlace(
+                                    at, isInSight, null, isInSight ? 3.0 : -9.0, isInSight ? 0.0 : -12.0, 40.0));
         }
-        ExcessMap step = new ExcessMap(places.subList(0, 300), places.subList(300, 400));
-        assertThat(step.at(new Position(49.999, 50, 10), true).orElseThrow().overExact())
-                .isEqualTo(1.0);
-        ExcessMap.Estimate hidden = step.at(new Position(50.001, 50, 10), false).orElseThrow();
-        assertThat(hidden.overExact()).isEqualTo(2.0);
-        assertThat(hidden.spread()).isZero();
+        ExcessMap step = new ExcessMap(places.subList(0, 500), places.subList(500, 600));
+        Position lit = new Position(49.999, 50, 10);
+        Position dark = new Position(50.001, 50, 10);
+        assertThat(step.at(lit, true).orElseThrow().greatest()).isEqualTo(3.0);
+        ExcessMap.Estimate hidden = step.at(dark, false, -12.0).orElseThrow();
         assertThat(hidden.greatest()).isEqualTo(-9.0);
-        assertThat(step.error().largely()).isZero();
+        assertThat(hidden.rest()).isCloseTo(40.0, within(1e-12));
+        assertThat(hidden.spread(50.0, -12.0)).isZero();
+        assertThat(hidden.over(50.0, -12.0))
+                .isCloseTo(10.0 * Math.log10(Math.pow(10, -1.2) + Math.pow(10, -1.0)), within(1e-12));
+        ExcessMap.Estimate shut =
+                step.at(new Position(75.001, 50, 10), false, -60.0).orElseThrow();
+        assertThat(shut.over(50.0, -60.0)).isEqualTo(-60.0);
+        assertThat(shut.spread(50.0, -60.0)).isZero();
         assertThat(step.at(new Position(150, 50, 10), true)).as("outside").isEmpty();
     }
 
@@ -194,20 +205,26 @@ class ExcessSurveyTest {
         List<TracedPlace> places = new ArrayList<>();
         List<TracedPlace> heldOut = new ArrayList<>();
         for (int i = 0; i < 400; i++) {
-            places.add(new TracedPlace(new Position(i % 20, i / 20, 0), true, null, 0.0, 0.0));
+            // Twice the sound in the open: as much again on other paths.
+            places.add(traced(new Position(i % 20, i / 20, 0), 10.0 * Math.log10(2.0)));
         }
         for (int i = 0; i < 100; i++) {
             Position at = new Position(4.5 + 0.1 * i, 7.3, 0);
-            heldOut.add(new TracedPlace(at, true, null, -0.01 * i, 0.01 * (i + 1)));
+            heldOut.add(traced(at, 10.0 * Math.log10(2.0) + 0.01 * (i + 1)));
         }
         InterpolationError error = new ExcessMap(places, heldOut).error();
         assertThat(error.places()).isEqualTo(400);
         assertThat(error.heldOut()).isEqualTo(100);
-        assertThat(error.largely()).isCloseTo(0.95, within(1e-12));
-        ExcessMap.Estimate even = new ExcessMap.Estimate(0, 0, 0, 0, 0);
-        assertThat(3.0 * error.deviation(even, true)).isBetween(1.0, 1.3);
+        assertThat(error.largely()).isCloseTo(0.95, within(1e-9));
+        assertThat(3.0 * error.deviation(0.0, true)).isBetween(1.0, 1.3);
         assertThat(error.bounds(true).beyond()).isBetween(0.99, 1.3);
         assertThat(error.bounds(false)).as("too few are hidden").isEqualTo(error.bounds(true));
+    }
+
+    /** A position in sight whose exact paths bring as much as in the open, which is 50 dB. */
+    private static TracedPlace traced(Position at, double overOpen) {
+        double rest = 50.0 + 10.0 * Math.log10(Math.pow(10.0, 0.1 * overOpen) - 1.0);
+        return new TracedPlace(at, true, null, overOpen, 0.0, rest);
     }
 
     @Test

@@ -91,6 +91,9 @@ class PackagedFieldTest {
                 met.merge(cause, 1, Integer::sum);
             }
         }
+        site.field()
+                .interpolated()
+                .forEach((id, error) -> System.out.println(id + ": error of " + error.largely() + " dB"));
         System.out.println(name + ": " + all + " assessments, " + certain + " certain, cause undecided by brute force "
                 + undecided + ", " + met);
         assertThat(certain).isGreaterThan(all / 2);

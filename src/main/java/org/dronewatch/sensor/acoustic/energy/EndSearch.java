@@ -156,6 +156,19 @@ final class EndSearch {
                 : between(source, false, ofSensor, fromSensor, ofSource, fromSource, exact, curvature);
     }
 
+    /**
+     * Finds the exact paths of one look as far as the image sources of the sensor lead to them, which are the same for
+     * all looks.
+     *
+     * @param curvature of the paths of sound
+     */
+    void findWithoutSource(SoundSource source, ExactPaths exact, PathCurvature curvature) {
+        Position drone = source.position();
+        double guess = rough.scattered(drone, ofSensor.samples()) + rough.straight(drone, sensor);
+        ImageSources fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
+        exact.find(source, sensor, fromSensor, ImageSources.NONE, wallsOfSensor, curvature);
+    }
+
     private Ends between(
             SoundSource source,
             boolean isFromSource,

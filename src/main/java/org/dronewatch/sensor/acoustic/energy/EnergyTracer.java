@@ -12,11 +12,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
-import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathBending;
-import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sensor.acoustic.tone.HeardTone;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Levels;
@@ -154,15 +152,14 @@ public final class EnergyTracer {
     }
 
     /**
-     * The reading of the paths that are found without any ray: straight, round edges, and by single specular
-     * reflections. Exact.
+     * The reading of the paths that are found without any ray: straight, round edges, and by the specular
+     * reflections to which image sources of the sensor lead. Exact.
      *
      * @param drone the drone's sound
      */
     EnergyReading onExactPaths(SoundSource drone) {
         SoundSource source = drone.at(clearance.of(drone.position()));
-        PathCurvature curvature = bending.between(source.position(), sensor);
-        exact.find(source, sensor, ImageSources.NONE, ImageSources.NONE, new int[0], curvature);
+        search.findWithoutSource(source, exact, bending.between(source.position(), sensor));
         return withoutRays(source, exact::heard);
     }
 
