@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.InboundTarget;
@@ -40,14 +41,21 @@ public final class SiteRoutes {
     private final SiteExposure exposure;
     private final RouteProblem problem;
     private final WeakestRoutes routes;
+    private final EnduranceLimit endurance;
     private final Position middle;
 
     private SiteRoutes(
-            DetectionField field, SiteExposure exposure, RouteProblem problem, WeakestRoutes routes, Position middle) {
+            DetectionField field,
+            SiteExposure exposure,
+            RouteProblem problem,
+            WeakestRoutes routes,
+            EnduranceLimit endurance,
+            Position middle) {
         this.field = field;
         this.exposure = exposure;
         this.problem = problem;
         this.routes = routes;
+        this.endurance = endurance;
         this.middle = middle;
     }
 
@@ -114,10 +122,11 @@ public final class SiteRoutes {
         BitSet reached = posts.near(protection, middle, reach + posts.diagonal());
         double response = settings.alert().response();
         double price = PRICE_OF_ENDURANCE / limits.endurance();
-        WeakestRoutes routes = response > 0.0
-                ? WeakestRoutes.inTime(problem, reached, response, price)
-                : WeakestRoutes.of(problem, reached, price);
-        return new SiteRoutes(field, exposure, problem, routes, middle);
+        DoubleFunction<WeakestRoutes> search = ofTime -> response > 0.0
+                ? WeakestRoutes.inTime(problem, reached, response, ofTime)
+                : WeakestRoutes.of(problem, reached, ofTime);
+        EnduranceLimit endurance = new EnduranceLimit(problem.modes(), limits.endurance(), search);
+        return new SiteRoutes(field, exposure, problem, search.apply(price), endurance, middle);
     }
 
     private static void checkPosts(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
@@ -132,18 +141,24 @@ public final class SiteRoutes {
         }
     }
 
-    /** The weakest route from the starts in a sector; empty if none leads from there. */
+    /** The weakest route from the starts in a sector; empty if none leads from there within the endurance. */
     public Optional<WeakestRoute> from(int sector) {
         BitSet starts = new BitSet();
         problem.starts().stream()
                 .filter(post -> sector(problem.grid().position(post)) == sector)
                 .forEach(starts::set);
-        return routes.from(starts);
+        return within(starts);
     }
 
-    /** The weakest route from any start; empty if none leads from there. */
+    /** The weakest route from any start; empty if none leads from there within the endurance. */
     public Optional<WeakestRoute> fromAnywhere() {
-        return routes.from(problem.starts());
+        return within(problem.starts());
+    }
+
+    /** The weakest route that does not take longer than the drone's endurance. */
+    private Optional<WeakestRoute> within(BitSet starts) {
+        return routes.from(starts)
+                .flatMap(route -> endurance.allows(route) ? Optional.of(route) : endurance.from(starts, route));
     }
 
     /** Where the routes lead: the middle of the zone or of the sensors, m. */

@@ -24,17 +24,17 @@ public final class WeakestRoutes {
     private final Optional<RouteTree> onwards;
     private final ExposureBound bound;
 
+    /** The posts of all cubes in which what counts may end. */
+    private final BitSet ends;
+
     private WeakestRoutes(
-            RouteProblem problem,
-            RouteProblem priced,
-            RouteTree tree,
-            Optional<RouteTree> onwards,
-            ExposureBound bound) {
+            RouteProblem problem, RouteProblem priced, RouteTree tree, Optional<RouteTree> onwards, BitSet ends) {
         this.problem = problem;
         this.priced = priced;
         this.tree = tree;
         this.onwards = onwards;
-        this.bound = bound;
+        this.bound = ExposureBound.of(problem, ends);
+        this.ends = (BitSet) ends.clone();
     }
 
     /**
@@ -56,8 +56,7 @@ public final class WeakestRoutes {
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
         RouteProblem priced = problem.withField(problem.field().plus(price));
-        return new WeakestRoutes(
-                problem, priced, RouteSearch.toGoals(priced), Optional.empty(), ExposureBound.of(problem, reached));
+        return new WeakestRoutes(problem, priced, RouteSearch.toGoals(priced), Optional.empty(), reached);
     }
 
     /**
@@ -84,11 +83,7 @@ public final class WeakestRoutes {
         BitSet tooLate = ExposureBound.of(fastest, reached).within(response);
         RouteProblem priced = problem.withField(problem.field().plus(price));
         return new WeakestRoutes(
-                problem,
-                priced,
-                RouteSearch.toStates(priced, times, response),
-                Optional.of(times),
-                ExposureBound.of(problem, tooLate));
+                problem, priced, RouteSearch.toStates(priced, times, response), Optional.of(times), tooLate);
     }
 
     /** A field whose exposure is the time, s. */
@@ -120,6 +115,11 @@ public final class WeakestRoutes {
         RoutePath whole = onwards.map(times -> counted.then(times.path(times.from(states.get(states.size() - 1)))))
                 .orElse(counted);
         return Optional.of(new WeakestRoute(whole, exposure.along(counted), bound.from(starts), exposure.time(whole)));
+    }
+
+    /** A certified lower bound of the exposure and the price of all routes from some posts. */
+    double priced(BitSet starts) {
+        return ExposureBound.of(priced, ends).from(starts);
     }
 
     /** The least times to the goals, over the posts. */

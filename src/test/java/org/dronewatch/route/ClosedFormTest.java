@@ -84,6 +84,27 @@ class ClosedFormTest {
         assertBracket(problem(grid, PointExposure.of(0, 0, 2), at(1, 0), at(0, far)), expected, PLANE);
     }
 
+    /**
+     * K/d^2 on the unit circle over 90 degrees, with limited length L: the front is symmetric, (L, E) = (sqrt 2, pi /
+     * sqrt 2), (pi/2, pi/2), (pi / sqrt 2, sqrt 2), since inversion at the circle exchanges the two.
+     */
+    @Test
+    void withLimitedLength() {
+        RouteProblem problem =
+                problem(rectangle(-0.2, 1.2, -0.2, 1.2, 0.0125), PointExposure.of(0, 0, 2), at(1, 0), at(0, 1));
+        WeakestRoute free = solve(problem);
+        double length = Math.PI / 2;
+        EnduranceLimit limit =
+                new EnduranceLimit(problem.modes(), length, price -> WeakestRoutes.of(problem, problem.goals(), price));
+        WeakestRoute limited = limit.from(problem.starts(), free).orElseThrow();
+
+        assertThat(limit.allows(free)).isFalse();
+        assertThat(limited.seconds()).isLessThanOrEqualTo(length);
+        assertThat(limited.exposure()).isBetween(Math.PI / 2 * (1.0 - 1e-9), 1.03 * Math.PI / 2);
+        assertThat(limited.lower()).isBetween(0.93 * Math.PI / 2, Math.PI / 2);
+        assertThat(limited.lower()).isGreaterThan(1.02 * free.lower());
+    }
+
     @Test
     void betweenTwoSensors() {
         RouteGrid grid = rectangle(-0.3, 0.3, -1.1, 1.1, 0.00625);

@@ -158,6 +158,27 @@ class WeakSpotsTest {
         assertThat(radar.route().path().modes()).containsOnly(0);
     }
 
+    /** 225 m to the zone at 12 m/s. */
+    @Test
+    void nobodyFliesForLongerThanTheEndurance() throws IOException {
+        FieldSite plain = FieldSite.in(directory, NEAR + ZONE);
+        for (double endurance : new double[] {15.0, 30.0}) {
+            FlightPerformance performance = FlightPerformance.TYPICAL.withEndurance(endurance);
+            SceneSettings settings = plain.settings()
+                    .withDrone(
+                            FieldSite.DRONE,
+                            plain.settings().drones().get(FieldSite.DRONE).withPerformance(performance));
+            FieldSite site = new FieldSite(
+                    settings, new SceneRunner(new SceneFile(directory.resolve("site.yaml"))).stage(settings));
+            Optional<WeakestRoute> route = SiteRoutes.of(
+                            site.field(cells(30), 1), settings, site.stage(), FieldSite.DRONE)
+                    .from(EAST);
+
+            assertThat(route.isPresent()).isEqualTo(endurance > 16.0);
+            assertThat(route.map(WeakestRoute::seconds).orElse(0.0)).isLessThanOrEqualTo(endurance);
+        }
+    }
+
     private static void assertSinks(RoutePath path) {
         for (int leg = 0; leg < path.modes().size(); leg++) {
             Position from = path.points().get(leg);
