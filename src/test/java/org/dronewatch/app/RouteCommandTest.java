@@ -178,6 +178,42 @@ class RouteCommandTest {
         assertThat(again.out()).contains("same       route.json", "same       routes.png", "same       profile.png");
     }
 
+    /** The pieces of each route follow one another from its start to its end. */
+    @Test
+    void mapsHaveTheRoutesInPieces() throws IOException {
+        Path scene = directory.resolve("on-earth.yaml");
+        String origin = "world:\n  origin: {latitude: 50 deg, longitude: 8 deg}\n";
+        Files.writeString(
+                scene, Files.readString(directory.resolve("site.yaml")).replaceFirst("world:\n", origin));
+        Outcome mapped = Program.run(
+                "route",
+                scene.toString(),
+                "--heights=10",
+                "--side=400",
+                "--cell=40",
+                "--out=" + directory.resolve("map"));
+        assertThat(mapped.code()).as(mapped.err()).isZero();
+        assertThat(directory.resolve("map/routes.kml")).content().contains("<Folder>", "from the south-west");
+        JsonNode features = read("map/routes.geojson").get("features");
+        String route = "";
+        JsonNode before = null;
+        int routes = 0;
+        for (JsonNode feature : features) {
+            JsonNode properties = feature.get("properties");
+            JsonNode line = feature.get("geometry").get("coordinates");
+            assertThat(line.size()).isGreaterThanOrEqualTo(2);
+            if (properties.get("folder").asString().equals(route)) {
+                assertThat(line.get(0)).isEqualTo(before);
+            } else {
+                assertThat(properties.get("begin_s").asDouble()).isZero();
+                routes++;
+            }
+            route = properties.get("folder").asString();
+            before = line.get(line.size() - 1);
+        }
+        assertThat(routes).isEqualTo(8);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

@@ -15,6 +15,7 @@ import org.dronewatch.report.Charts;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.map.RouteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.run.Stage;
@@ -71,6 +72,13 @@ public final class RouteDirectory implements AutoCloseable {
         directory.write(() -> {
             JsonFile.write(directory.file(NUMBERS), RouteFile.toJson(results, inputs));
             JsonFile.write(directory.file(ProvenanceFile.NAME), ProvenanceFile.of(provenance, inputs.scene(), threads));
+            if (inputs.origin().isPresent()) {
+                RouteMap map = new RouteMap(inputs.scene(), inputs.origin().get(), RoutePieces.of(results.survey()));
+                map.writeGeoJson(directory.file("routes.geojson"));
+                map.writeKml(directory.file("routes.kml"));
+            } else {
+                notes.accept("the scene has no world.origin: no GeoJSON or KML files are written");
+            }
             scenes.write(results.survey(), target, directory).ifPresent(notes);
             MapSheet plan = new RoutePictures(stage, inputs).plan(results.survey());
             try (OutputStream png = Files.newOutputStream(directory.file("routes.png"))) {
