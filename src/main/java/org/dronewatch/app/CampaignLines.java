@@ -64,6 +64,7 @@ final class CampaignLines {
 
     /** What to doubt about the results. */
     static void warn(CampaignSummary summary, PrintWriter err) {
+        CampaignWords.failures(summary).forEach(line -> err.println("warning: " + line));
         CampaignWords.cutShort(summary).ifPresent(line -> err.println("warning: " + line));
     }
 

@@ -25,6 +25,7 @@ public final class VariantSummary {
     private final Map<String, Integer> firstSensors = new TreeMap<>();
     private final Measures ranges = new Measures();
     private final Measures warnings = new Measures();
+    private final FailedCases failures = new FailedCases();
     private int cases;
     private int failed;
     private int cutShort;
@@ -39,6 +40,7 @@ public final class VariantSummary {
         cases++;
         if (result.isFailed()) {
             failed++;
+            failures.add(result);
             return;
         }
         cutShort += result.cutShort() ? 1 : 0;
@@ -78,6 +80,11 @@ public final class VariantSummary {
     /** The cases that could not be run: they are not included in anything else. */
     public int failed() {
         return failed;
+    }
+
+    /** Why. */
+    public List<FailedCases.Reason> failures() {
+        return failures.reasons();
     }
 
     /**

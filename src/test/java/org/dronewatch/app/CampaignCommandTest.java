@@ -72,6 +72,8 @@ class CampaignCommandTest {
                 .containsExactly(
                         "n",
                         "failed",
+                        "cut_short",
+                        "failures",
                         "detected",
                         "alerted",
                         "in_time",
@@ -284,6 +286,39 @@ class CampaignCommandTest {
         assertThat(attributes(suites.item(1))).isEqualTo("scene 8 1");
         assertThat(document.getElementsByTagName("testcase").getLength()).isEqualTo(10);
         assertThat(document.getElementsByTagName("failure").getLength()).isEqualTo(2);
+    }
+
+    /** Whatever the values draw: the others are run, and the counts say how many were not, and why. */
+    @Test
+    void aCaseThatFailsHasItsRowAndTheRestGoesOn() throws IOException {
+        Path file = Files.writeString(
+                directory.resolve("odd.campaign.yaml"),
+                """
+                scene: site.yaml
+                vary:
+                  drones.intruder.flight.distance: {values: [300 m, 500 m]}
+                  drones.intruder.flight.standoff: {uniform: {from: 0 m, to: 400 m}}
+                runs: 60
+                """);
+        Outcome odd = Program.run("campaign", file.toString(), "--out=" + directory.resolve("odd"), "--threads=3");
+        List<String> rows = Files.readAllLines(directory.resolve("odd/runs.csv"));
+        long failed = rows.stream().filter(row -> row.contains(",failed,")).count();
+        JsonNode scene = json("odd/campaign.json").get("variants").get("scene");
+        JsonNode reason = scene.get("failures").get(0);
+
+        assertThat(odd.code()).as(odd.err()).isZero();
+        assertThat(rows).hasSize(61);
+        assertThat(failed).isBetween(1L, 59L);
+        assertThat(scene.get("failed").asLong()).isEqualTo(failed);
+        assertThat(scene.get("detected").get("n").asLong()).isEqualTo(60 - failed);
+        assertThat(scene.get("failures")).as("numbers apart, it is one reason").hasSize(1);
+        assertThat(reason.get("cases").asLong()).isEqualTo(failed);
+        assertThat(rows.get(1 + reason.get("case").asInt()))
+                .contains(reason.get("error").asString());
+        String line = failed + " cases of scene could not be run, such as case "
+                + reason.get("case").asInt() + ": " + reason.get("error").asString();
+        assertThat(odd.err()).contains("warning: " + line);
+        assertThat(Files.readString(directory.resolve("odd/report.html"))).contains(line);
     }
 
     private static String attributes(org.w3c.dom.Node suite) {

@@ -61,6 +61,31 @@ class CampaignShardTest {
         assertThat(again.out()).contains("the results have the same bytes");
     }
 
+    /** Three chunks of further cases, of which the first part has two. */
+    @Test
+    void theFurtherCasesOfASensitivityAreDividedAndJoined() throws IOException {
+        String further = CAMPAIGN.replace("runs: 130", "runs: 40") + "sensitivity: {method: sobol, base: 20}\n";
+        Path file = Files.writeString(directory.resolve("matters.campaign.yaml"), further);
+        assertThat(Program.run("campaign", file.toString(), "--out=" + at("matters"))
+                        .code())
+                .isZero();
+        for (int part = 1; part <= 2; part++) {
+            String[] command = {"campaign", file.toString(), "--shard=" + part + "/2", "--out=" + at("matters-" + part)
+            };
+            assertThat(Program.run(command).code()).isZero();
+        }
+        Outcome merged = Program.run("merge", at("matters-2"), at("matters-1"), "--out", at("matters-merged"));
+
+        assertThat(merged.code()).as(merged.err()).isZero();
+        assertThat(bytes("matters-merged")).isEqualTo(bytes("matters"));
+        assertThat(directory.resolve("matters/campaign.json")).content().contains("\"sensitivity\"");
+        for (String name : List.of("sensitivity.csv", "report.html")) {
+            assertThat(directory.resolve("matters-merged").resolve(name))
+                    .hasSameTextualContentAs(directory.resolve("matters").resolve(name));
+        }
+        refused("no directory has the further cases 50 to 99", "merge", at("matters-1"), "--out=" + at("none"));
+    }
+
     @Test
     void everyCaseIsInExactlyOnePartAsItIsInTheWhole() throws IOException {
         List<String> rows = new ArrayList<>();

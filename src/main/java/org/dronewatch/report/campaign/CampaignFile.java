@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
+import org.dronewatch.campaign.FailedCases;
 import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
@@ -86,6 +87,13 @@ final class CampaignFile {
         node.put("n", variant.cases());
         node.put("failed", variant.failed());
         node.put("cut_short", variant.cutShort());
+        ArrayNode failures = node.putArray("failures");
+        for (FailedCases.Reason reason : variant.failures()) {
+            ObjectNode one = failures.addObject();
+            one.put("error", reason.words());
+            one.put("case", reason.example());
+            one.put("cases", reason.cases());
+        }
         for (Outcome outcome : Outcome.values()) {
             put(node, key(outcome), variant.proportion(outcome));
         }

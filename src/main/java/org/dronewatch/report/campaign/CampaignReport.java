@@ -74,6 +74,16 @@ final class CampaignReport {
                     new SensitivityBars(result.sensitivity().get()).html());
         }
         page.section("The worst case", worst.html(plan, command, pictures));
+        List<String> failures = CampaignWords.failures(result.summary());
+        if (!failures.isEmpty()) {
+            page.section(
+                    "Cases that failed",
+                    Html.element(
+                            "ul",
+                            failures.stream()
+                                    .map(line -> Html.plain("li", line + "."))
+                                    .collect(Collectors.joining())));
+        }
         page.section("What was run", new CampaignInputs(plan, command.isPresent()).html());
         page.end();
     }
@@ -90,7 +100,9 @@ final class CampaignReport {
                 .sum();
         if (failed > 0) {
             sentences.add(String.format(
-                    Locale.ROOT, "%,d runs failed and are not included in these figures; runs.csv says why.", failed));
+                    Locale.ROOT,
+                    "%,d runs failed and are not included in these figures; the reasons are at the end.",
+                    failed));
         }
         CampaignWords.cutShort(summary).ifPresent(sentences::add);
         return String.join(" ", sentences);

@@ -87,6 +87,21 @@ public final class CampaignWords {
                 : "; came within " + text(result.closest()) + " m of what is protected";
     }
 
+    /** Why cases failed, a line for each variant and reason. */
+    public static List<String> failures(CampaignSummary summary) {
+        List<String> lines = new ArrayList<>();
+        summary.variants().forEach((name, variant) -> variant.failures()
+                .forEach(reason -> lines.add(String.format(
+                        Locale.ROOT,
+                        "%,d %s of %s could not be run, such as case %d: %s",
+                        reason.cases(),
+                        reason.cases() == 1 ? "case" : "cases",
+                        name,
+                        reason.example(),
+                        reason.words()))));
+        return lines;
+    }
+
     /** That runs end too early, if some do. */
     public static Optional<String> cutShort(CampaignSummary summary) {
         String counts = summary.variants().entrySet().stream()

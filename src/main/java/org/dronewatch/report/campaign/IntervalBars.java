@@ -42,6 +42,20 @@ final class IntervalBars {
         this.unit = unit;
     }
 
+    /** The end of a scale that reaches a value, 0 or more, and has its ticks at round values. */
+    static double roundEnd(double most) {
+        if (!(most > 0.0)) {
+            return 1.0;
+        }
+        double power = Math.pow(10.0, Math.floor(Math.log10(most / TICKS)));
+        for (double step : new double[] {1.0, 2.0, 5.0}) {
+            if (step * power * TICKS >= most * (1.0 - 1e-9)) {
+                return step * power * TICKS;
+            }
+        }
+        return 10.0 * power * TICKS;
+    }
+
     void add(String words, double value, double low, double high, String colour) {
         bars.add(new Bar(words, value, low, high, colour));
     }

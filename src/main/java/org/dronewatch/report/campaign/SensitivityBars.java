@@ -65,7 +65,7 @@ final class SensitivityBars {
                 .mapToDouble(one -> one.effect().orElseThrow().magnitude())
                 .max()
                 .orElse(0.0);
-        IntervalBars bars = new IntervalBars("effects on the " + what, most > 0.0 ? most : 1.0, output.unit());
+        IntervalBars bars = new IntervalBars("effects on the " + what, IntervalBars.roundEnd(most), output.unit());
         for (Sensitivity.Influence one : influences) {
             MorrisEffect effect = one.effect().orElseThrow();
             String words = String.format(
