@@ -43,9 +43,9 @@ class RouteProofTest {
               notched: {kind: radar, position: [60, -40, 6], minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.7,
                 budget: {range: 85, crossSection: 0.01}, notch: {kind: high-pass, halfPowerSpeed: 4 m/s},
                 detection: {kind: chance, pulses: 8}}
-              watched: {kind: camera, position: [0, 0, 4], fov: 60 deg, width: 1280, height: 960, rate: 2,
+              watched: {kind: camera, position: [0, 0, 4], fov: 60 deg, width: 640, height: 480, rate: 1,
                 aim: {azimuth: 20 deg, elevation: 10 deg}, detection: {kind: target-task, task: detection, byChance: true}}
-              searching: {kind: camera, position: [30, 30, 4], fov: 20 deg, width: 1280, height: 960, rate: 4,
+              searching: {kind: camera, position: [30, 30, 4], fov: 20 deg, width: 640, height: 480, rate: 2,
                 detection: {kind: target-task, task: detection, byChance: true}, aim: {azimuth: 60 deg, elevation: 12 deg},
                 positioner: {cues: [fluctuating], search: {kind: sweep, width: 200 deg, speed: 60 deg/s}}}
               heat: {kind: thermal, position: [-30, -30, 4], fov: 40 deg, rate: 2, aim: {azimuth: 90 deg, elevation: 10 deg}, byChance: true}
@@ -53,7 +53,7 @@ class RouteProofTest {
             """;
 
     private static final int FLIGHTS = LongForm.count(7, 210);
-    private static final int RUNS = LongForm.count(100, 1000);
+    private static final int RUNS = LongForm.count(60, 1000);
 
     @TempDir
     private Path directory;
@@ -113,11 +113,11 @@ class RouteProofTest {
     @Test
     void theSameForAnyNumberOfThreads() {
         SceneSettings scene = randomFlight(new SplittableRandom(3));
-        RouteProof two = proof(scene, 60);
-        RouteProof alone = RouteProof.of(scene, models, 60, done -> {});
+        RouteProof two = proof(scene, 30);
+        RouteProof alone = RouteProof.of(scene, models, 30, done -> {});
 
         assertThat(alone).isEqualTo(two);
-        assertThat(two.plain()).isEqualTo(3);
+        assertThat(two.plain()).isEqualTo(2);
     }
 
     /** What a fixed radar does is not changed by cues, and a camera that is cued to the drone sees it longer. */
@@ -137,7 +137,7 @@ class RouteProofTest {
     void alertsAreRaisedAndInTimeAsOftenAsPredicted() {
         double response = 6.0;
         SplittableRandom random = new SplittableRandom(4);
-        int runs = LongForm.count(60, 2000);
+        int runs = LongForm.count(40, 2000);
         int undecided = 0;
         while (undecided < 2) {
             SceneSettings scene = randomFlight(random);
