@@ -26,6 +26,7 @@ import org.dronewatch.route.RouteArea;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -159,12 +160,18 @@ final class RouteCommand implements Callable<Integer> {
                     routes, settings.alert().response(), sector -> progress.accept(1), main.interruption()::letFinish);
         });
         Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
-        boolean isComplete = survey.isComplete() && prove(runner, inputs, survey, proofs);
-        return new RouteResults(survey, proofs, isComplete);
+        Map<Integer, Double> timely = new LinkedHashMap<>();
+        boolean isComplete = survey.isComplete() && prove(runner, inputs, survey, proofs, timely);
+        return new RouteResults(survey, proofs, timely, isComplete);
     }
 
     /** Flies the routes; false if this was interrupted. */
-    private boolean prove(SceneRunner runner, RouteInputs inputs, RouteSurvey survey, Map<Integer, RouteProof> proofs) {
+    private boolean prove(
+            SceneRunner runner,
+            RouteInputs inputs,
+            RouteSurvey survey,
+            Map<Integer, RouteProof> proofs,
+            Map<Integer, Double> timely) {
         if (proof == null) {
             return true;
         }
@@ -172,9 +179,13 @@ final class RouteCommand implements Callable<Integer> {
         try {
             return Progress.during("flights", (long) proof * survey.routes().size(), progress -> {
                 for (SectorRoute route : survey.routes()) {
-                    scenes.settings(route, survey)
-                            .ifPresent(scene -> proofs.put(
-                                    route.sector(), RouteProof.of(scene, runner.load(scene), proof, progress)));
+                    scenes.settings(route, survey).ifPresent(scene -> {
+                        FlownRoute flown = FlownRoute.of(scene, runner.load(scene));
+                        proofs.put(route.sector(), flown.prove(proof, progress));
+                        if (survey.response() > 0.0) {
+                            flown.interruption(survey.response()).ifPresent(p -> timely.put(route.sector(), p));
+                        }
+                    });
                 }
                 return true;
             });

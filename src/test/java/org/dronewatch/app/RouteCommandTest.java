@@ -88,6 +88,7 @@ class RouteCommandTest {
                         "by_sensor",
                         "p_in_time",
                         "critical_s",
+                        "p_i",
                         "proof");
         assertThat(first.get("points").get(0).propertyNames()).containsExactly("t", "x", "y", "z", "mode");
         for (JsonNode route : json.get("routes")) {
@@ -168,6 +169,8 @@ class RouteCommandTest {
             JsonNode proof = route.get("proof");
             assertThat(proof.propertyNames()).containsExactly("runs", "k", "low", "high", "predicted", "agrees");
             assertThat(proof.get("runs").asInt()).isEqualTo(20);
+            assertThat(route.get("p_i").asDouble())
+                    .isBetween(0.0, proof.get("predicted").asDouble());
             assertThat(proof.get("k").asInt())
                     .isEqualTo((int) Math.round(20 * proof.get("predicted").asDouble()));
             assertThat(proof.get("agrees").asBoolean()).isTrue();

@@ -61,6 +61,8 @@ final class RouteFile {
             node.putNull("p_in_time");
             node.putNull("critical_s");
         }
+        Double timely = results.timely().get(route.sector());
+        node.put("p_i", timely == null ? null : Numbers.rounded(timely));
         RouteProof proof = results.proofs().get(route.sector());
         if (proof == null) {
             node.putNull("proof");

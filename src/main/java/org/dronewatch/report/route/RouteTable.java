@@ -78,16 +78,25 @@ public final class RouteTable {
     private static List<String> proofs(RouteResults results) {
         List<String> lines = new ArrayList<>();
         lines.add("flown with many seeds, positioners searching:");
-        lines.add(text(PROOF, "from", "detected", "interval of 99 %", "predicted", "agrees"));
+        lines.add(text(PROOF, "from", "detected", "interval of 99 %", "predicted", "agrees")
+                + (results.timely().isEmpty() ? "" : "  alert in time"));
         results.proofs()
                 .forEach((sector, proof) -> lines.add(text(
-                        PROOF,
-                        CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS),
-                        proof.detections().count() + " of " + proof.detections().of(),
-                        RouteWords.percent(proof.interval().low()) + " to "
-                                + RouteWords.percent(proof.interval().high()),
-                        RouteWords.percent(proof.predicted()),
-                        proof.agrees() ? "yes" : "no")));
+                                PROOF,
+                                CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS),
+                                proof.detections().count() + " of "
+                                        + proof.detections().of(),
+                                RouteWords.percent(proof.interval().low()) + " to "
+                                        + RouteWords.percent(proof.interval().high()),
+                                RouteWords.percent(proof.predicted()),
+                                proof.agrees() ? "yes" : "no")
+                        + (results.timely().containsKey(sector)
+                                ? "  "
+                                        + text(
+                                                "%16s",
+                                                RouteWords.percent(
+                                                        results.timely().get(sector)))
+                                : "")));
         return lines;
     }
 
