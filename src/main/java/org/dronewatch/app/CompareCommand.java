@@ -9,7 +9,7 @@ import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseExecution;
-import org.dronewatch.campaign.KeptCases;
+import org.dronewatch.campaign.SummedCases;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
@@ -108,7 +108,7 @@ final class CompareCommand implements Callable<Integer> {
     }
 
     private CampaignResult inMemory(CampaignPlan plan) {
-        KeptCases kept = new KeptCases(plan);
+        SummedCases kept = new SummedCases(plan);
         if (!run(plan, kept)) {
             spec.commandLine()
                     .getErr()

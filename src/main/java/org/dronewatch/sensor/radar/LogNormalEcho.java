@@ -1,6 +1,8 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.Arrays;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 
 /**
@@ -23,10 +25,18 @@ final class LogNormalEcho {
 
     private static final double TOLERANCE_DB = 1e-10;
 
+    /** Ratios that were found: all cases of a campaign need the same few. */
+    private static final Map<Sought, Double> FOUND = new ConcurrentHashMap<>();
+
+    private static final int MOST_FOUND = 1000;
+
     private final SquareLawDetector detector;
     private final double spread;
     private final double[] excess;
     private final double[] weight;
+
+    /** What a ratio depends on. */
+    private record Sought(double falseAlarm, int pulses, double spread, double probability) {}
 
     /**
      * @param detector which adds up the pulses
@@ -78,6 +88,19 @@ final class LogNormalEcho {
      * @param probability of detection, above that of a false alarm and below 1
      */
     double required(double probability) {
+        Sought sought = new Sought(detector.falseAlarm(), detector.pulses(), spread, probability);
+        Double known = FOUND.get(sought);
+        if (known != null) {
+            return known;
+        }
+        double found = bisected(probability);
+        if (FOUND.size() < MOST_FOUND) {
+            FOUND.put(sought, found);
+        }
+        return found;
+    }
+
+    private double bisected(double probability) {
         double low = detector.required(probability, Fluctuation.STEADY) - excess(REACH);
         double high = detector.required(probability, Fluctuation.STEADY) - excess(-REACH);
         while (high - low > TOLERANCE_DB) {

@@ -59,6 +59,16 @@ final class SquareLawDetector {
         exceeding = Arrays.copyOf(found, count);
     }
 
+    /** Probability that noise alone exceeds the threshold. */
+    double falseAlarm() {
+        return falseAlarm;
+    }
+
+    /** How many pulses are added up. */
+    int pulses() {
+        return pulses;
+    }
+
     /**
      * Probability that the sum exceeds the threshold.
      *
