@@ -18,6 +18,12 @@ public final class AreaBounds {
 
     private static final double[] SIGNS = {-1.0, 1.0};
 
+    /** How often the square around a drone is divided into four. */
+    private static final int DIVISIONS = 4;
+
+    /** How many surfaces in front of the middle of a square are tried. */
+    private static final int SURFACES = 6;
+
     private final CameraObject camera;
     private final Visibility visibility;
 
@@ -45,8 +51,8 @@ public final class AreaBounds {
     }
 
     /**
-     * Whether the site certainly hides a drone: a single triangle lies in front of it and extends beyond its outline.
-     * Parameters as above.
+     * Whether the site certainly hides a drone: a triangle lies in front of it and extends beyond its outline, or
+     * triangles do so for the parts of a square around it. Parameters as above.
      */
     public boolean isHidden(Position at, double radius) {
         Position from = camera.position();
@@ -55,14 +61,41 @@ public final class AreaBounds {
         if (!bundle.isNarrow() || !(end > 0.0)) {
             return false;
         }
-        Position ahead = bundle.ahead;
-        if (!visibility.findFirstAlong(from.x(), from.y(), from.z(), ahead.x(), ahead.y(), ahead.z(), end)) {
+        return isHidden(bundle, 0.0, 0.0, 1.0, end, DIVISIONS);
+    }
+
+    /** Whether a part of the bundle is hidden: a square given by its middle and half of its side. */
+    private boolean isHidden(Bundle bundle, double side, double up, double size, double end, int divisions) {
+        Position from = camera.position();
+        Position middle = bundle.ray(side, up);
+        double last = end / middle.length();
+        boolean isBlocked =
+                visibility.findFirstAlong(from.x(), from.y(), from.z(), middle.x(), middle.y(), middle.z(), last);
+        if (!isBlocked) {
             return false;
         }
-        Surface surface = new Surface(visibility.world().mesh(), visibility.triangle(), from);
+        for (int i = 0; i < SURFACES && isBlocked; i++) {
+            if (isBehind(visibility.triangle(), bundle, side, up, size, end)) {
+                return true;
+            }
+            isBlocked = visibility.findNext();
+        }
+        if (divisions == 0) {
+            return false;
+        }
+        double half = 0.5 * size;
+        return isHidden(bundle, side - half, up - half, half, end, divisions - 1)
+                && isHidden(bundle, side + half, up - half, half, end, divisions - 1)
+                && isHidden(bundle, side - half, up + half, half, end, divisions - 1)
+                && isHidden(bundle, side + half, up + half, half, end, divisions - 1);
+    }
+
+    /** Whether a triangle is in front of a square of the bundle. */
+    private boolean isBehind(int triangle, Bundle bundle, double aside, double upwards, double size, double end) {
+        Surface surface = new Surface(visibility.world().mesh(), triangle, camera.position());
         for (double side : SIGNS) {
             for (double up : SIGNS) {
-                Position ray = bundle.ray(side, up);
+                Position ray = bundle.ray(aside + side * size, upwards + up * size);
                 double distance = surface.distance(ray);
                 double depth = distance * ray.dot(camera.outline().forward());
                 boolean isBefore = distance > 2.0 * Visibility.MARGIN
@@ -100,7 +133,7 @@ public final class AreaBounds {
             return half < LEAST_COSINE;
         }
 
-        /** The ray of a corner. */
+        /** The ray of a point of the square, from -1 to 1 to either side. */
         Position ray(double side, double up) {
             return ahead.plus(aside.times(side * half)).plus(above.times(up * half));
         }

@@ -8,6 +8,7 @@ import java.util.function.IntPredicate;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.SilhouetteTable;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.SightCone;
 import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
@@ -30,6 +31,8 @@ public final class DronePicture {
     private SilhouetteTable boundSilhouettes;
     private Position boundPlace;
     private boolean isBound;
+
+    private SightCone sight;
 
     /** The pictures of a camera in a temporary pose. */
     public DronePicture(CameraObject camera) {
@@ -73,7 +76,7 @@ public final class DronePicture {
      */
     public void draw(World world, Drone drone, IntPredicate enough) {
         setWorld(world);
-        dynamicView.draw(staticView, drone, enough);
+        dynamicView.draw(background(drone.origin(), drone.radius()), drone, enough);
     }
 
     /** The greatest number of pixels that can show a drone in a world. */
@@ -100,7 +103,7 @@ public final class DronePicture {
         if (silhouettes != boundSilhouettes || !at.equals(boundPlace)) {
             boundSilhouettes = silhouettes;
             boundPlace = at;
-            isBound = bounds.set(staticView, silhouettes, at);
+            isBound = bounds.set(background(at, silhouettes.radius()), silhouettes, at);
         }
         return isBound ? Optional.of(bounds) : Optional.empty();
     }
@@ -116,9 +119,15 @@ public final class DronePicture {
         return there.refine(dynamicView, drone, enough, isSufficient);
     }
 
+    /** What is behind a drone: nothing for a camera in a passing pose, if nothing can be in front of the drone. */
+    private Background background(Position at, double radius) {
+        return !isAtRest && sight.isClear(at, radius) ? Background.NOTHING : staticView;
+    }
+
     private void setWorld(World world) {
         if (staticView == null || !staticView.shows(world)) {
             boundPlace = null;
+            sight = new SightCone(world.tree(), camera.position());
             staticView = new StaticView(camera, world, images);
             dynamicView = new DynamicView(camera, world::newTileTracer);
         }

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.optics;
 
 import java.util.function.DoublePredicate;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.SilhouetteMask;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
@@ -20,7 +21,7 @@ public final class VisibleArea {
      * Number of rays over the square around a drone, as a Fibonacci lattice: no edge of a drone runs along its rows, as
      * edges run along those of a grid.
      */
-    private static final int RAYS = 987;
+    static final int RAYS = 987;
 
     private static final int STEP = 610;
 
@@ -41,6 +42,13 @@ public final class VisibleArea {
     private final double[] parts = new double[RAYS];
 
     private boolean isObstructed;
+
+    // The bundle of rays: its middle, which has length 1, its axes, and what a ray stands for in the plane 1 m away.
+    private Position ahead;
+    private Position aside;
+    private Position above;
+    private double half;
+    private double cellArea;
 
     /** Areas in the image of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
@@ -70,7 +78,16 @@ public final class VisibleArea {
      * @param enough whether an area is sufficient; if it is, every larger area must be as well
      */
     public double of(Drone drone, DoublePredicate enough) {
-        return of(drone, false, enough);
+        return of(drone, false, enough, null);
+    }
+
+    /**
+     * The same of a drone that nothing hides, or less if that is enough.
+     *
+     * @param silhouette knows many of the rays: its bounds must be {@linkplain SilhouetteArea#isOf those} of the drone
+     */
+    public double ofClear(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
+        return of(drone, true, enough, silhouette);
     }
 
     /** The area of a drone that would be in the image without obstructions, in pixels. */
@@ -80,10 +97,10 @@ public final class VisibleArea {
 
     /** The same, or less if that is enough; parameters as above. */
     public double inTheOpen(Drone drone, DoublePredicate enough) {
-        return of(drone, true, enough);
+        return of(drone, true, enough, null);
     }
 
-    private double of(Drone drone, boolean open, DoublePredicate enough) {
+    private double of(Drone drone, boolean open, DoublePredicate enough, SilhouetteArea silhouette) {
         isObstructed = false;
         Position from = camera.position();
         Position at = drone.origin();
@@ -99,25 +116,22 @@ public final class VisibleArea {
                     ? 0.0
                     : (double) camera.width() * camera.height();
         }
-        Position ahead = vector.times(1.0 / range);
-        Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
-        Position aside = ahead.cross(top).unit();
-        Position above = aside.cross(ahead);
-        // What the drone's bounding sphere covers 1 m in front of the camera.
-        double half = reach / Math.sqrt(range * range - reach * reach);
-        double cellArea = 4.0 * half * half / RAYS;
+        setBundle(vector, range, halfWidth(range, reach));
         drone.worldToModel(toModel);
         RayTracer model = new StackTraversal(drone.tree());
         double found = 0.0;
         double asked = 0.0;
         for (int number = 0; number < RAYS; number++) {
             int i = number * STRIDE % RAYS;
-            double u = half * (2.0 * (i + 0.5) / RAYS - 1.0);
-            double v = half * (2.0 * ((long) i * STEP % RAYS + 0.5) / RAYS - 1.0);
+            double u = half * across(i);
+            double v = half * upwards(i);
             double x = v * above.x() + (u * aside.x() + ahead.x());
             double y = v * above.y() + (u * aside.y() + ahead.y());
             double z = v * above.z() + (u * aside.z() + ahead.z());
-            parts[i] = seen(model, x, y, z, open) ? pixels(x, y, z, cellArea) : 0.0;
+            byte kind = silhouette == null ? SilhouetteMask.LIKELY : silhouette.kind(i);
+            boolean isSeen =
+                    kind == SilhouetteMask.INSIDE || kind != SilhouetteMask.OUTSIDE && seen(model, x, y, z, open);
+            parts[i] = isSeen ? pixels(x, y, z) : 0.0;
             found += parts[i];
             if (found > asked) {
                 if (enough.test(found)) {
@@ -134,14 +148,49 @@ public final class VisibleArea {
         return area;
     }
 
+    /** What the drone's bounding sphere covers 1 m in front of the camera: half of a square's side, m. */
+    static double halfWidth(double range, double reach) {
+        return reach / Math.sqrt(range * range - reach * reach);
+    }
+
+    /** The position of a ray of the bundle to the side, from -1 to 1. */
+    static double across(int ray) {
+        return 2.0 * (ray + 0.5) / RAYS - 1.0;
+    }
+
+    /** Its position upwards, from -1 to 1. */
+    static double upwards(int ray) {
+        return 2.0 * ((long) ray * STEP % RAYS + 0.5) / RAYS - 1.0;
+    }
+
+    /** Sets the bundle of rays around a vector from the camera. */
+    void setBundle(Position vector, double range, double halfWidth) {
+        ahead = vector.times(1.0 / range);
+        Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
+        aside = ahead.cross(top).unit();
+        above = aside.cross(ahead);
+        half = halfWidth;
+        cellArea = 4.0 * half * half / RAYS;
+    }
+
+    /** How many pixels a ray of the bundle stands for, if it shows the drone. */
+    double part(int ray) {
+        double u = half * across(ray);
+        double v = half * upwards(ray);
+        return pixels(
+                v * above.x() + (u * aside.x() + ahead.x()),
+                v * above.y() + (u * aside.y() + ahead.y()),
+                v * above.z() + (u * aside.z() + ahead.z()));
+    }
+
     private boolean seen(RayTracer model, double x, double y, double z, boolean open) {
-        double ahead = along(outline.forward(), x, y, z);
-        if (ahead <= 0.0) {
+        double depth = along(outline.forward(), x, y, z);
+        if (depth <= 0.0) {
             return false;
         }
         Position at = camera.position();
         Matrix4d m = toModel;
-        double start = camera.near() / ahead;
+        double start = camera.near() / depth;
         boolean hit = model.closestHit(
                 m.m00 * at.x() + m.m01 * at.y() + m.m02 * at.z() + m.m03,
                 m.m10 * at.x() + m.m11 * at.y() + m.m12 * at.z() + m.m13,
@@ -150,7 +199,7 @@ public final class VisibleArea {
                 m.m10 * x + m.m11 * y + m.m12 * z,
                 m.m20 * x + m.m21 * y + m.m22 * z,
                 start,
-                camera.far() / ahead);
+                camera.far() / depth);
         boolean isSeen = hit && (open || isFree(start, x, y, z, model.distance()));
         isObstructed |= hit && !isSeen;
         return isSeen;
@@ -169,17 +218,14 @@ public final class VisibleArea {
 
     /**
      * How many pixels a ray of the bundle stands for; none outside the image.
-     *
-     * @param cellArea area of the ray's cell in the plane across the direction to the drone, 1 m in front of the
-     *     camera, m2
      */
-    private double pixels(double rayX, double rayY, double rayZ, double cellArea) {
-        double ahead = along(outline.forward(), rayX, rayY, rayZ);
-        if (ahead <= 0.0) {
+    private double pixels(double rayX, double rayY, double rayZ) {
+        double depth = along(outline.forward(), rayX, rayY, rayZ);
+        if (depth <= 0.0) {
             return 0.0;
         }
-        double x = along(outline.right(), rayX, rayY, rayZ) / ahead;
-        double y = along(outline.up(), rayX, rayY, rayZ) / ahead;
+        double x = along(outline.right(), rayX, rayY, rayZ) / depth;
+        double y = along(outline.up(), rayX, rayY, rayZ) / depth;
         double focal = camera.focalLength();
         double fromMiddle = Math.abs(x - outline.middleRight());
         double overMiddle = Math.abs(y - outline.middleUp());

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoublePredicate;
 import java.util.function.DoubleToIntFunction;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
@@ -24,13 +25,11 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
-import org.dronewatch.sensor.optics.AreaBounds;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ImageSpeed;
 import org.dronewatch.sensor.optics.ImageTransfer;
 import org.dronewatch.sensor.optics.VisibleArea;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
@@ -42,16 +41,14 @@ import org.dronewatch.world.World;
  * need not be resolved. One thread at a time.
  */
 public final class ThermalSensor implements BoundingSensor {
-    private static final Position AT_REST = new Position(0, 0, 0);
-
     private final ThermalSettings settings;
     private final Optional<SpotDetector> spots;
     private Optional<Pointing> pointing = Optional.empty();
     private VisibleArea area;
     private Cover cover;
     private Outline outline;
-    private AreaBounds bounds;
     private ThermalSignal signals;
+    private ThermalBounds bounds;
 
     /** A camera with the given settings. */
     public ThermalSensor(ThermalSettings settings) {
@@ -72,7 +69,6 @@ public final class ThermalSensor implements BoundingSensor {
                     new CameraObject(pointing.map(settings::pointed).orElse(settings));
             area = new VisibleArea(camera, world);
             outline = camera.outline();
-            bounds = new AreaBounds(camera, world);
             signals = new ThermalSignal(
                     settings,
                     spots,
@@ -80,6 +76,7 @@ public final class ThermalSensor implements BoundingSensor {
                     camera.focalLength(),
                     world.light().cn2());
             cover = new Cover(world, settings.position());
+            bounds = new ThermalBounds(area, signals, cover);
         }
     }
 
@@ -103,7 +100,7 @@ public final class ThermalSensor implements BoundingSensor {
     }
 
     private boolean isDetectedInTheOpen(Drone drone) {
-        return signals.of(drone, bounds.most(drone.origin(), drone.radius())).isDetected()
+        return bounds.most(drone).isDetected()
                 && signal(drone, area.inTheOpen(drone, pixels -> signal(drone, pixels)
                                 .isDetected()))
                         .isDetected();
@@ -119,12 +116,13 @@ public final class ThermalSensor implements BoundingSensor {
     public Assessment assessCoarsely(
             World world, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom, double high) {
         turn(world, where);
-        double most = signal(drone, bounds.most(drone.origin(), drone.radius())).probability();
+        double most = bounds.most(drone).probability();
         double sufficient = most < 1.0 ? high : 1.0;
-        double pixels = area.of(drone, found -> {
+        DoublePredicate enough = found -> {
             Signal signal = signal(drone, found);
             return signal.probability() >= sufficient && signal.isDetected();
-        });
+        };
+        double pixels = bounds.area(drone, enough);
         Signal signal = signal(drone, pixels);
         // Without an obstruction, it would not be detected in the open either.
         boolean isObstructed = area.isObstructed();
@@ -135,42 +133,18 @@ public final class ThermalSensor implements BoundingSensor {
                         : explainMiss(drone, () -> pixels == 0.0, () -> isObstructed && isDetectedInTheOpen(drone)));
     }
 
-    /** Those of a drone that is outside the image, that one triangle of the site hides, or that is too weak. */
     @Override
     public Optional<AssessmentBounds> boundAtAllHeadings(
             World world, Drone drone, Position at, Optional<Pointing> where) {
         turn(world, where);
-        Drone there = drone.at(new FlightState(at, AT_REST, 0.0));
-        double radius = there.radius();
-        double nothing = signal(there, 0.0).probability();
-        if (area.camera().isOutside(at.x(), at.y(), at.z(), radius)) {
-            return bounds(nothing, nothing, Cause.OUT_OF_VIEW);
-        }
-        if (!outline.contains(at.minus(settings.position()))) {
-            return Optional.empty();
-        }
-        Optional<Obstacle> before = cover.ofPoint(at);
-        if (before.isPresent()) {
-            return bounds.isHidden(at, radius)
-                    ? bounds(
-                            nothing,
-                            nothing,
-                            Cause.hiddenBy(before.get().model().role()))
-                    : Optional.empty();
-        }
-        Signal most = signals.atRest(there, bounds.most(at, radius));
-        return most.isDetected() ? Optional.empty() : bounds(nothing, most.probability(), Cause.TOO_WEAK);
+        return bounds.atAllHeadings(drone, at);
     }
 
-    private static Optional<AssessmentBounds> bounds(double least, double greatest, Cause cause) {
-        return Optional.of(new AssessmentBounds(least, greatest, cause));
-    }
-
-    /** Headings differ. */
     @Override
     public Optional<AssessmentBounds> bound(
             World world, Drone drone, FlightState state, Optional<Pointing> where, DoubleToIntFunction steps) {
-        return Optional.empty();
+        turn(world, where);
+        return bounds.of(drone, state, steps);
     }
 
     /** A drone that is outside the image however it turns has no area; the cause depends on its position alone. */

@@ -20,6 +20,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.AssessmentBounds;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Look;
@@ -229,17 +230,28 @@ class ThermalSensorTest {
         ThermalSensor exact = settings.create();
         ThermalSensor quick = settings.create();
         Map<Cause, Integer> bounded = new EnumMap<>(Cause.class);
+        Drone plate = plateDrone(0.5, 0.3, 5, new FlightState(REST, REST, 0.0));
+        int[] decided = new int[2];
         for (int i = 0; i < 400; i++) {
             double range = 20.0 * Math.exp(random.nextDouble() * 5.0);
             Position at = new Position(
                     0.35 * range * (random.nextDouble() - 0.5), range, 0.28 * range * (random.nextDouble() - 0.5));
             Position velocity = new Position(10.0 * random.nextDouble(), 0.0, 0.0);
-            Drone drone = plateDrone(0.5, 0.3, 5, new FlightState(at, velocity, 6.0 * random.nextDouble()));
+            FlightState state = new FlightState(at, velocity, 6.0 * random.nextDouble());
+            Drone drone = plate.at(state);
             Assessment all = exact.assess(wall, drone, Optional.empty(), random);
+            Optional<AssessmentBounds> inState =
+                    quick.bound(wall, plate, state, Optional.empty(), p -> (int) (250 * p));
+            // The silhouette that was looked up serves this, too.
             Assessment some = quick.assessCoarsely(wall, drone, Optional.empty(), random, 1.0);
             String as = "seed %d, %s".formatted(seed, at);
             assertThat(some.cause()).as(as).isEqualTo(all.cause());
             assertThat(some.probability()).as(as).isEqualTo(all.probability());
+            inState.ifPresent(bounds -> {
+                decided[bounds.cause() == Cause.DETECTED ? 1 : 0]++;
+                assertThat(all.cause()).as(as).isEqualTo(bounds.cause());
+                assertThat(all.probability()).as(as).isBetween(bounds.least(), bounds.greatest());
+            });
             quick.boundAtAllHeadings(wall, drone, at, Optional.empty()).ifPresent(bounds -> {
                 bounded.merge(bounds.cause(), 1, Integer::sum);
                 assertThat(all.cause()).as(as).isEqualTo(bounds.cause());
@@ -249,5 +261,6 @@ class ThermalSensorTest {
         assertThat(bounded)
                 .as("seed %d", seed)
                 .containsKeys(Cause.OUT_OF_VIEW, Cause.HIDDEN_BY_BUILDING, Cause.TOO_WEAK);
+        assertThat(Math.min(decided[0], decided[1])).as("seed %d", seed).isPositive();
     }
 }

@@ -1,0 +1,106 @@
+package org.dronewatch.sensor.thermal;
+
+import java.util.Optional;
+import java.util.function.DoublePredicate;
+import java.util.function.DoubleToIntFunction;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.SightCone;
+import org.dronewatch.sensor.AssessmentBounds;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Cover;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.optics.AreaBounds;
+import org.dronewatch.sensor.optics.SilhouetteArea;
+import org.dronewatch.sensor.optics.VisibleArea;
+import org.dronewatch.world.Obstacle;
+
+/** Bounds on the assessments of a thermal camera, from bounds on a drone's area. One thread at a time. */
+final class ThermalBounds {
+    private static final Position AT_REST = new Position(0, 0, 0);
+
+    private final VisibleArea area;
+    private final ThermalSignal signals;
+    private final Cover cover;
+    private final Position camera;
+    private final Outline.Frustum outline;
+    private final AreaBounds bounds;
+    private final SilhouetteArea silhouette;
+    private final SightCone sight;
+
+    ThermalBounds(VisibleArea area, ThermalSignal signals, Cover cover) {
+        this.area = area;
+        this.signals = signals;
+        this.cover = cover;
+        this.camera = area.camera().position();
+        this.outline = area.camera().outline();
+        this.bounds = new AreaBounds(area.camera(), area.world());
+        this.silhouette = new SilhouetteArea(area);
+        this.sight = new SightCone(area.world().tree(), camera);
+    }
+
+    /** The signal of a drone is at most this. */
+    Signal most(Drone drone) {
+        return signals.of(drone, bounds.most(drone.origin(), drone.radius()));
+    }
+
+    /** Those of a drone that is outside the image, that single triangles of the site hide, or that is too weak. */
+    Optional<AssessmentBounds> atAllHeadings(Drone drone, Position at) {
+        Drone there = drone.at(new FlightState(at, AT_REST, 0.0));
+        double radius = there.radius();
+        double nothing = signals.of(there, 0.0).probability();
+        if (area.camera().isOutside(at.x(), at.y(), at.z(), radius)) {
+            return bounds(nothing, nothing, Cause.OUT_OF_VIEW);
+        }
+        if (!isInOutline(at)) {
+            return Optional.empty();
+        }
+        Optional<Obstacle> before = cover.ofPoint(at);
+        if (before.isPresent()) {
+            return bounds.isHidden(at, radius)
+                    ? bounds(
+                            nothing,
+                            nothing,
+                            Cause.hiddenBy(before.get().model().role()))
+                    : Optional.empty();
+        }
+        Signal most = signals.atRest(there, bounds.most(at, radius));
+        return most.isDetected() ? Optional.empty() : bounds(nothing, most.probability(), Cause.TOO_WEAK);
+    }
+
+    /** Those of a level drone that nothing hides, from the silhouette of its model. */
+    Optional<AssessmentBounds> of(Drone drone, FlightState state, DoubleToIntFunction steps) {
+        if (!sight.isClear(state.position(), drone.radius())) {
+            return Optional.empty();
+        }
+        Drone there = drone.at(state);
+        if (!silhouette.bound(there, state)) {
+            return Optional.empty();
+        }
+        Signal low = signals.of(there, silhouette.least());
+        Signal high = signals.of(there, silhouette.most());
+        if (steps.applyAsInt(low.probability()) != steps.applyAsInt(high.probability())
+                || low.isDetected() != high.isDetected()) {
+            return Optional.empty();
+        }
+        Cause missed = isInOutline(state.position()) ? Cause.TOO_WEAK : Cause.OUT_OF_VIEW;
+        return bounds(low.probability(), high.probability(), low.isDetected() ? Cause.DETECTED : missed);
+    }
+
+    private boolean isInOutline(Position at) {
+        return outline.contains(at.minus(camera));
+    }
+
+    private static Optional<AssessmentBounds> bounds(double least, double greatest, Cause cause) {
+        return Optional.of(new AssessmentBounds(least, greatest, cause));
+    }
+
+    /** The area of a drone as {@link VisibleArea#of(Drone, DoublePredicate)}; faster in a state just bounded. */
+    double area(Drone drone, DoublePredicate enough) {
+        return silhouette.isOf(drone) && sight.isClear(drone.origin(), drone.radius())
+                ? area.ofClear(drone, silhouette, enough)
+                : area.of(drone, enough);
+    }
+}
