@@ -48,7 +48,7 @@ class PackagedRouteTest {
             : List.of(new Site("scenes/meadow.yaml", "intruder", 3000, 150));
 
     private static final int RANDOM = LongForm.count(2, 20);
-    private static final int RUNS = LongForm.count(100, 1000);
+    private static final int RUNS = LongForm.count(40, 1000);
     private static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0);
 
     private final List<String> outside = new ArrayList<>();
