@@ -162,10 +162,10 @@ class RouteCommandTest {
     /** Flown with many seeds, the radar and the receiver, which do not depend on chance, detect it always or never. */
     @Test
     void aProofIsPrintedAndRepeated() throws IOException {
-        Outcome proved = route("2", ".", "--proof=20");
+        Outcome proved = route("2", "proved", "--proof=20");
         assertThat(proved.code()).as(proved.err()).isZero();
         assertThat(proved.out()).contains("flown with many seeds, positioners searching:");
-        for (JsonNode route : read("route.json").get("routes")) {
+        for (JsonNode route : read("proved/route.json").get("routes")) {
             JsonNode proof = route.get("proof");
             assertThat(proof.propertyNames()).containsExactly("runs", "k", "low", "high", "predicted", "agrees");
             assertThat(proof.get("runs").asInt()).isEqualTo(20);
@@ -176,7 +176,7 @@ class RouteCommandTest {
             assertThat(proof.get("agrees").asBoolean()).isTrue();
         }
         Outcome again =
-                Program.run("again", directory.resolve("provenance.json").toString());
+                Program.run("again", directory.resolve("proved/provenance.json").toString());
         assertThat(again.code()).as(again.out() + again.err()).isZero();
         assertThat(again.out()).contains("same       route.json", "same       routes.png", "same       profile.png");
     }
