@@ -10,6 +10,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
@@ -28,6 +29,7 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
@@ -50,6 +52,11 @@ public class ShoeboxReading {
     @Param({"0", "0.1"})
     public double scattering;
 
+    /** Threads of a reading: one, or as many as the machine has processors, as the program has by default. */
+    @Param({"one", "all"})
+    public String threads;
+
+    private Workers workers;
     private AcousticSensor microphone;
     private World world;
     private Drone drone;
@@ -72,11 +79,18 @@ public class ShoeboxReading {
                         EnergyModel.DEFAULT.withRays(30_000).withAccuracy(0.0).withRoulette(1e-6))
                 .create();
         random = new SplittableRandom(1);
+        workers = new Workers("one".equals(threads) ? 1 : Runtime.getRuntime().availableProcessors());
+    }
+
+    /** Stops the threads. */
+    @TearDown
+    public void stop() {
+        workers.close();
     }
 
     /** One look. */
     @Benchmark
     public EnergyReading read() {
-        return microphone.read(world, drone, random);
+        return workers.call(() -> microphone.read(world, drone, random));
     }
 }

@@ -94,6 +94,16 @@ public final class TracingIndex {
     }
 
     /**
+     * A new packet of incoherent rays that are traced together, or empty where that is not faster: it is in meshes of a
+     * few triangles, such as an empty room, where the processor's vectors can be used.
+     */
+    public Optional<RayPacket> newRayPacket() {
+        return few.isPresent() && traversal == RayTraversal.FASTEST && suitsVectors()
+                ? Optional.of(new FewTrianglesPacket(tree.triangles(), newIncoherentRayTracer()))
+                : Optional.empty();
+    }
+
+    /**
      * Whether incoherent rays have a BVH: only if the processor's vectors can be used, and the mesh has more than a few
      * triangles, all of them near enough to the origin to be bounded in single precision.
      */

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.dronewatch.buildings.land.LandRaster;
+import org.dronewatch.bvh.RayPacket;
 import org.dronewatch.bvh.RayTraversal;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.AABB;
@@ -347,6 +348,11 @@ public final class World {
      */
     public RayTracer newIncoherentRayTracer() {
         return index.newIncoherentRayTracer();
+    }
+
+    /** A packet of incoherent rays that are traced together, for the use of one thread; empty if that is not faster. */
+    public Optional<RayPacket> newRayPacket() {
+        return index.newRayPacket();
     }
 
     /**

@@ -54,10 +54,7 @@ final class Air {
             return sum;
         }
         BandFactors.multiplyByExponentials(energies, exponents, metre - distance, table, BANDS * metre);
-        for (int band = 0; band < BANDS; band++) {
-            sum += energies[band];
-        }
-        return sum;
+        return BandFactors.sum(energies);
     }
 
     /** Speed of sound, m/s. */

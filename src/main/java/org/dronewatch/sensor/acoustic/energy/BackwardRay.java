@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
+import org.dronewatch.bvh.RayPacket;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
@@ -84,45 +85,16 @@ final class BackwardRay {
     }
 
     /**
-     * Follows one ray to its end, looking for the target.
+     * Starts one ray.
      *
      * @param near where a ray from the target was scattered
-     * @return the number of segments traced
      */
-    int follow(Ends both, ScatteredSound near, RandomGenerator chance, RayRecorder listener) {
+    void start(Ends both, ScatteredSound near, RandomGenerator chance, RayRecorder listener) {
         ends = both;
         scattered = near;
         random = chance;
         recorder = listener;
         traced = 0;
-
-        start();
-        while (true) {
-            boolean hit = ray.meets(traversal);
-            traced++;
-            double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
-            if (fromMirror && !arrival.isExact()) {
-                countPassing(distance);
-            }
-            recordFlight(Math.min(distance, DRAWN));
-            if (!hit) {
-                energy.escape();
-                return traced;
-            }
-            energy.fly(distance);
-            ray.travelled += distance;
-            if (ray.order >= model.maxOrder()) {
-                energy.giveUp();
-                return traced;
-            }
-            meet(traversal.triangle(), distance);
-            if (!energy.playRoulette(random)) {
-                return traced;
-            }
-        }
-    }
-
-    private void start() {
         ray.originX = ends.start().x();
         ray.originY = ends.start().y();
         ray.originZ = ends.start().z();
@@ -133,6 +105,49 @@ final class BackwardRay {
         ray.medium = AcousticRay.AIR;
         fromMirror = false;
         arrival.start(ends, ofStart, ray);
+    }
+
+    /** Traces the next segment and follows the ray to its end; returns whether it goes on. */
+    boolean goOn() {
+        boolean hit = ray.meets(traversal);
+        return goOn(hit, traversal.triangle(), traversal.distance());
+    }
+
+    /** Puts the next segment into a packet. */
+    void put(RayPacket packet, int number) {
+        packet.set(number, ray.originX, ray.originY, ray.originZ, ray.directionX, ray.directionY, ray.directionZ);
+    }
+
+    /**
+     * Follows the ray along its next segment.
+     *
+     * @param hit whether the segment ends at a triangle
+     * @return whether the ray goes on from there
+     */
+    boolean goOn(boolean hit, int triangle, double length) {
+        traced++;
+        double distance = hit ? length : Double.POSITIVE_INFINITY;
+        if (fromMirror && !arrival.isExact()) {
+            countPassing(distance);
+        }
+        recordFlight(Math.min(distance, DRAWN));
+        if (!hit) {
+            energy.escape();
+            return false;
+        }
+        energy.fly(distance);
+        ray.travelled += distance;
+        if (ray.order >= model.maxOrder()) {
+            energy.giveUp();
+            return false;
+        }
+        meet(triangle, distance);
+        return energy.playRoulette(random);
+    }
+
+    /** The number of segments traced since the start. */
+    int traced() {
+        return traced;
     }
 
     private void countPassing(double end) {

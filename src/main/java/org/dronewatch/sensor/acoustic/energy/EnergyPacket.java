@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
+import org.dronewatch.sensor.acoustic.propagation.BandFactors;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
 
@@ -62,11 +63,7 @@ final class EnergyPacket {
     }
 
     private void add() {
-        double sum = 0.0;
-        for (double inBand : energy) {
-            sum += inBand;
-        }
-        all = sum;
+        all = BandFactors.sum(energy);
     }
 
     /** Deducts what the air absorbs over a distance, m. */

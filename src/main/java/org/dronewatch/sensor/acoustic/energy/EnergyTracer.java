@@ -4,13 +4,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
-import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -35,14 +32,11 @@ import org.dronewatch.world.World;
  * threads. Used by one caller at a time.
  */
 public final class EnergyTracer {
-    /** Rays before the first check of the standard error, which is unreliable for a few. */
-    static final int FEWEST = 1000;
-
     /**
-     * Rays from one check of the standard error to the next: stopping at the earliest opportunity would favour low
-     * values.
+     * Rays before the first check of the standard error, which is unreliable for a few. The next check is a whole batch
+     * later: stopping at the earliest opportunity would favour low values.
      */
-    private static final int BATCH = 500;
+    static final int FEWEST = 1000;
 
     /** If rays contribute less than this fraction of what is heard, their number does not matter. */
     private static final double INSIGNIFICANT = 0.1;
@@ -67,10 +61,7 @@ public final class EnergyTracer {
     private final ExactPaths exact;
     private final EnergyTally tally;
     private final EnergyLedger ledger = new EnergyLedger();
-    private final Supplier<RayBatch> batches;
-
-    /** One for each batch that is traced at the same time. */
-    private final List<RayBatch> team = new ArrayList<>();
+    private final BatchTeams batches;
 
     /**
      * A tracer to one sensor.
@@ -93,7 +84,7 @@ public final class EnergyTracer {
                 : 1.0;
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
-        this.batches = () -> new RayBatch(model, radius, world, planes, surfaces, air);
+        this.batches = new BatchTeams(world, () -> new RayBatch(model, radius, world, planes, surfaces, air));
     }
 
     /**
@@ -110,29 +101,39 @@ public final class EnergyTracer {
         Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
-        int atOnce = recorder == RayRecorder.NONE ? Workers.available() : 1;
-        while (team.size() < atOnce) {
-            team.add(batches.get());
-        }
+        int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
+        int together = recorder == RayRecorder.NONE ? batches.mostTogether() : 1;
         long traced = 0;
         int from = 0;
         while (from < model.rays() && !isAccurate(source, from)) {
-            int first = from;
-            int wave = Math.min(atOnce, (model.rays() - first + BATCH - 1) / BATCH);
-            Workers.forEach(wave, i -> {
-                int start = first + i * BATCH;
-                int count = Math.min(BATCH, model.rays() - start);
-                team.get(i).trace(ends, count, new SplittableRandom(Draws.mix(seed, start)), recorder);
-            });
+            int left = batches(model.rays() - from);
+            int wave = Math.min(left, Math.max(threads, Math.min(threads * together, likely(source, from))));
+            batches.trace(wave, threads, ends, seed, from, model.rays(), recorder);
             for (int i = 0; i < wave && !isAccurate(source, from); i++) {
-                RayBatch batch = team.get(i);
+                RayBatch batch = batches.get(i);
                 tally.add(batch.tally());
                 ledger.add(batch.ledger());
                 traced += batch.traced();
-                from = Math.min(from + BATCH, model.rays());
+                from = Math.min(from + BatchTeams.BATCH, model.rays());
             }
         }
         return reading(source, traced);
+    }
+
+    /** The number of batches that will make the reading accurate, as far as can be seen from the rays so far. */
+    private int likely(SoundSource source, int rays) {
+        if (!(model.accuracy() > 0.0)) {
+            return Integer.MAX_VALUE;
+        }
+        if (rays < FEWEST) {
+            return batches(FEWEST - rays);
+        }
+        double excess = errorLevel(decisive(source)) / model.accuracy();
+        return batches(rays * (excess * excess - 1.0));
+    }
+
+    private static int batches(double rays) {
+        return (int) Math.ceil(rays / BatchTeams.BATCH);
     }
 
     /** Sets the noise against which sound must be detected: it determines which band is the best one. */

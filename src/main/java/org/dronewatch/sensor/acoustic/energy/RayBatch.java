@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
+import org.dronewatch.bvh.RayPacket;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
@@ -19,6 +20,10 @@ final class RayBatch {
     private final DiffuseConnection connection;
     private final ScatteredSound scattered;
     private final AcousticRay scratch = new AcousticRay();
+    private Ends ends;
+    private RandomGenerator random;
+    private RayRecorder recorder;
+    private int left;
     private long traced;
 
     RayBatch(EnergyModel model, double radius, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
@@ -40,8 +45,12 @@ final class RayBatch {
         this.scattered = new ScatteredSound(world, planes, surfaces, ofTarget, ofStart, air);
     }
 
-    /** Traces a number of rays; discards the results of the previous ones. */
-    void trace(Ends ends, int rays, RandomGenerator random, RayRecorder recorder) {
+    /** Begins to trace a number of rays, 1 or more; discards the results of the previous ones. */
+    void begin(Ends both, int rays, RandomGenerator chance, RayRecorder listener) {
+        ends = both;
+        random = chance;
+        recorder = listener;
+        left = rays;
         tally.clear();
         ledger.clear();
         traced = 0;
@@ -49,11 +58,46 @@ final class RayBatch {
         ofTarget.surround(ends.target(), known);
         ofStart.surround(ends.start(), known);
         connection.seek(ends, planes);
-        for (int i = 0; i < rays; i++) {
-            traced += scattered.follow(ends, model.maxOrder(), random);
-            traced += connection.addFrom(scattered, scratch);
-            traced += ray.follow(ends, scattered, random, recorder);
-            tally.endRay();
+        startRay();
+    }
+
+    private void startRay() {
+        traced += scattered.follow(ends, model.maxOrder(), random);
+        traced += connection.addFrom(scattered, scratch);
+        ray.start(ends, scattered, random, recorder);
+    }
+
+    /** Whether all rays have ended. */
+    boolean isDone() {
+        return left == 0;
+    }
+
+    /** Traces all rays to their ends. */
+    void finish() {
+        while (!isDone()) {
+            count(ray.goOn());
+        }
+    }
+
+    /** Puts the next segment into a packet. */
+    void put(RayPacket packet, int number) {
+        ray.put(packet, number);
+    }
+
+    /** Goes on from the end of the segment that was put into a packet. */
+    void take(RayPacket packet, int number) {
+        count(ray.goOn(packet.isHit(number), packet.triangle(number), packet.distance(number)));
+    }
+
+    private void count(boolean goesOn) {
+        if (goesOn) {
+            return;
+        }
+        traced += ray.traced();
+        tally.endRay();
+        left--;
+        if (left > 0) {
+            startRay();
         }
     }
 

@@ -54,6 +54,10 @@ final class ReceiverSphere {
     private Position centre;
     private double widest;
     private double wanted;
+
+    /** The volume within the radius for rays from nearby, m3. */
+    private double smallestVolume;
+
     /** The square of the radius for the longest rays, which is the largest. */
     private double farthestSquared;
 
@@ -102,6 +106,7 @@ final class ReceiverSphere {
                     farthest);
             free[i] = cut ? tracer.distance() : Double.POSITIVE_INFINITY;
         }
+        smallestVolume = volume(radius);
         widest = Math.min(WIDEST, ROOM * Math.cbrt(volume(WIDEST) / ball(1.0)));
         double farthestReach = reach(Double.POSITIVE_INFINITY);
         farthestSquared = farthestReach * farthestReach;
@@ -134,10 +139,11 @@ final class ReceiverSphere {
         double y = centre.y() - ray.originY;
         double z = centre.z() - ray.originZ;
         double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-        double besideSquared = Math.max(0.0, x * x + y * y + z * z - middle * middle);
-        if (besideSquared >= farthestSquared) {
+        double difference = x * x + y * y + z * z - middle * middle;
+        if (difference >= farthestSquared) {
             return false;
         }
+        double besideSquared = Math.max(0.0, difference);
         // To the centre itself, so that the sphere is the same for all rays over these walls.
         double along = leg.length() + middle;
         length = Math.sqrt(along * along + besideSquared);
@@ -152,7 +158,7 @@ final class ReceiverSphere {
             return false;
         }
         at = entry + random.nextDouble() * (exit - entry);
-        fraction = (exit - entry) / volume(reach);
+        fraction = (exit - entry) / (reach == radius ? smallestVolume : volume(reach));
         rise = -ray.directionZ;
         riseFromBeginning = leg.riseFromBeginning();
         if (!isSeen(ray, at)) {

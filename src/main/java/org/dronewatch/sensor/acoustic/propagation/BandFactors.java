@@ -49,4 +49,10 @@ public final class BandFactors {
             values[band] *= factors[row + band] * series;
         }
     }
+
+    /** The sum over all bands, in pairs: one addition need not wait for seven others. */
+    public static double sum(double[] values) {
+        return ((values[0] + values[1]) + (values[2] + values[3]))
+                + ((values[4] + values[5]) + (values[6] + values[7]));
+    }
 }

@@ -16,6 +16,8 @@ import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * How the rays of the energy model are traced: where they end, what they count, and that chance and threads change
@@ -138,5 +140,24 @@ class EnergyTracerTest {
             }
         }
         assertThat(alone.standardError()).isLessThan(0.12);
+    }
+
+    /** Rays are recorded one by one; otherwise those of small rooms are traced in packets. */
+    @ParameterizedTest
+    @CsvSource({"0.0, 0.0, 2100", "0.3, 0.0, 2100", "0.3, 0.15, 40000"})
+    void raysInPacketsGiveTheSameAsRaysAlone(double scattering, double accuracy, int rays) {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, scattering));
+        EnergyModel model = EnergyModel.DEFAULT.withRays(rays).withAccuracy(accuracy);
+        Position sensor = new Position(7, 5, 1.7);
+        SoundSource sound = Sites.broadband(SOURCE);
+        EnergyReading together = Sites.read(model, room, sound, sensor, 5);
+        RayRecorder recorder = (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {};
+        EnergyReading alone =
+                new EnergyTracer(model, sensor, 0.4, room).trace(sound, new SplittableRandom(5), recorder);
+        assertThat(together.reverberant()).isEqualTo(alone.reverberant());
+        assertThat(together.audit()).isEqualTo(alone.audit());
+        assertThat(together.traced()).isEqualTo(alone.traced());
+        assertThat(together.standardError()).isEqualTo(alone.standardError());
+        assertThat(together.decay().levels()).isEqualTo(alone.decay().levels());
     }
 }

@@ -1,0 +1,69 @@
+package org.dronewatch.bvh;
+
+import org.dronewatch.kdtree.RayTracer;
+
+/**
+ * Four rays, unrelated to each other, that are traced together. Each hits what it hits alone (see
+ * {@link TracingIndex#newIncoherentRayTracer()}), at the same distance. For the use of one thread.
+ */
+public abstract class RayPacket {
+    /** Number of rays. */
+    public static final int RAYS = 4;
+
+    private final int[] numbers;
+    private final boolean[] hits = new boolean[RAYS];
+    private final double[] distances = new double[RAYS];
+    private final int[] hitTriangles = new int[RAYS];
+
+    /**
+     * A packet for a mesh.
+     *
+     * @param numbers of its triangles, in leaf order
+     */
+    RayPacket(int[] numbers) {
+        this.numbers = numbers;
+    }
+
+    /**
+     * Sets one of the rays.
+     *
+     * @param ray its number, 0 to 3
+     * @param ox x of its origin, m
+     * @param oy its y, m
+     * @param oz its z, m
+     * @param dx x of its direction, a unit vector
+     * @param dy its y
+     * @param dz its z
+     */
+    public abstract void set(int ray, double ox, double oy, double oz, double dx, double dy, double dz);
+
+    /** Finds the nearest triangle along each ray. */
+    public abstract void trace();
+
+    final void keep(int ray, boolean isHit, int index, double distance) {
+        hits[ray] = isHit;
+        distances[ray] = distance;
+        hitTriangles[ray] = numbers[index];
+    }
+
+    final void keep(int ray, boolean isHit, RayTracer tracer) {
+        hits[ray] = isHit;
+        distances[ray] = tracer.distance();
+        hitTriangles[ray] = tracer.triangle();
+    }
+
+    /** Whether a ray hits anything. */
+    public final boolean isHit(int ray) {
+        return hits[ray];
+    }
+
+    /** How far from its origin a ray hits a triangle, m; undefined if it hits none. */
+    public final double distance(int ray) {
+        return distances[ray];
+    }
+
+    /** The number of the triangle that a ray hits; undefined if it hits none. */
+    public final int triangle(int ray) {
+        return hitTriangles[ray];
+    }
+}
