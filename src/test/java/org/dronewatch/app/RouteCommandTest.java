@@ -165,6 +165,7 @@ class RouteCommandTest {
         Outcome proved = route("2", "proved", "--proof=20");
         assertThat(proved.code()).as(proved.err()).isZero();
         assertThat(proved.out()).contains("flown with many seeds, positioners searching:");
+        assertThat(proved.err()).contains("no scenes of the routes are written: world.models.0.file: ");
         for (JsonNode route : read("proved/route.json").get("routes")) {
             JsonNode proof = route.get("proof");
             assertThat(proof.propertyNames()).containsExactly("runs", "k", "low", "high", "predicted", "agrees");
@@ -240,15 +241,13 @@ class RouteCommandTest {
                 "route",
                 directory.resolve("site.yaml").toString(),
                 "--side=400",
-                option.startsWith("--cell") ? "--threads=1" : "--cell=40",
-                option.startsWith("--heights") ? "--threads=1" : "--heights=10",
+                option.startsWith("--cell") ? "--seed=1" : "--cell=40",
+                option.startsWith("--heights") ? "--seed=2" : "--heights=10",
                 option,
-                "--out=" + directory.resolve(name));
+                // Pictures take time.
+                code == 0 ? "--threads=2" : "--out=" + directory.resolve(name));
         assertThat(other.code()).as(other.err()).isEqualTo(code);
-        assertThat(Files.exists(directory.resolve(name).resolve("route.json"))).isEqualTo(code == 0);
-        if (code == 0) {
-            assertThat(other.err()).contains("no scenes of the routes are written: world.models.0.file: ");
-        } else {
+        if (code == 2) {
             assertThat(other.err().lines().filter(line -> !line.startsWith("read ")))
                     .hasSize(1);
             assertThat(directory.resolve(name)).doesNotExist();
