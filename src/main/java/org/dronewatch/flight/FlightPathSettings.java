@@ -79,16 +79,7 @@ public interface FlightPathSettings {
 
         @Override
         public FlightPath create(double speed, double acceleration, Ground ground) {
-            Position leg = to.minus(from);
-            double length = leg.length();
-            Position direction = leg.times(1.0 / length);
-            double heading = headingOf(leg);
-            return time -> {
-                double flown = speed * time;
-                return flown < length
-                        ? new FlightState(from.plus(direction.times(flown)), direction.times(speed), heading)
-                        : new FlightState(to, new Position(0, 0, 0), heading);
-            };
+            return new ApproachPath(from, to, headingOf(to.minus(from)), speed);
         }
     }
 
