@@ -41,6 +41,7 @@ public final class CampaignPlan implements Cases {
     private final SiteMemory memory = new SiteMemory(Runtime.getRuntime().maxMemory() / MEMORY_SHARE);
     private final Map<String, CampaignVariant> variants = new LinkedHashMap<>();
     private final Map<String, Quantity> quantities = new LinkedHashMap<>();
+    private final VariedFiles varied = new VariedFiles();
 
     /**
      * Reads the scenes of all variants, loads their models, and checks that the least and greatest values of all
@@ -94,9 +95,12 @@ public final class CampaignPlan implements Cases {
             throw new InputException(e.getMessage(), e);
         }
         for (String path : table.paths()) {
-            if (settings.vary().containsKey(path)) {
-                throw new InputException("vary." + path + ": is also a column of "
-                        + settings.table().orElseThrow());
+            for (String drawn : settings.vary().keySet()) {
+                if (VariedPaths.overlap(path, drawn)) {
+                    throw new InputException("vary." + drawn + ": "
+                            + (path.equals(drawn) ? "is also" : "overlaps '" + path + "',") + " a column of "
+                            + settings.table().orElseThrow());
+                }
             }
         }
     }
@@ -108,7 +112,7 @@ public final class CampaignPlan implements Cases {
                 Quantity quantity = new SettingsPath(path).quantity(variant.settings());
                 quantities.put(path, quantity);
                 for (String value : variation.extremes(quantity)) {
-                    variant.with(variant.settings(), path, value);
+                    varied.read(variant, variant.with(variant.settings(), path, value), value);
                 }
             } catch (IllegalArgumentException | InputException e) {
                 throw new InputException("vary." + path + of(variant) + ": " + e.getMessage(), e);
@@ -132,7 +136,7 @@ public final class CampaignPlan implements Cases {
     private void check(CampaignVariant variant, String path, String value, String location) {
         try {
             new SettingsPath(path).read(variant.settings());
-            variant.with(variant.settings(), path, value);
+            varied.read(variant, variant.with(variant.settings(), path, value), value);
         } catch (IllegalArgumentException | InputException e) {
             throw new InputException(location + of(variant) + ": " + e.getMessage(), e);
         }
@@ -169,6 +173,11 @@ public final class CampaignPlan implements Cases {
     /** SHA-256 of the table; empty without one. */
     public Optional<String> tableHash() {
         return settings.table().map(name -> table.hash());
+    }
+
+    /** SHA-256 of what the values of settings name, besides the models of the variants; in a fixed order. */
+    public List<String> variedHashes() {
+        return varied.hashes();
     }
 
     /** The variant whose outcomes decide when the campaign ends, if they do. */

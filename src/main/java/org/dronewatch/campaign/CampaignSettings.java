@@ -63,6 +63,7 @@ public record CampaignSettings(
             throw new IllegalArgumentException("variants has " + variants.size() + " entries, must have at most 100");
         }
         vary.forEach(CampaignSettings::checkVariation);
+        checkVaried(vary.keySet());
         for (Map.Entry<String, Map<String, String>> variant : variants.entrySet()) {
             checkVariant(variant.getKey(), variant.getValue(), vary.keySet());
         }
@@ -155,10 +156,23 @@ public record CampaignSettings(
         }
     }
 
+    private static void checkVaried(Collection<String> paths) {
+        try {
+            VariedPaths.check(paths);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("vary." + e.getMessage(), e);
+        }
+    }
+
     private static void checkVariant(String name, Map<String, String> changes, Collection<String> vary) {
         if (!name.matches("[A-Za-z0-9][\\w.-]{0,63}")) {
             throw new IllegalArgumentException("variants." + name + ": a name must have 1 to 64 letters, digits,"
                     + " dots, hyphens and underscores, and begin with a letter or digit");
+        }
+        try {
+            changes.keySet().forEach(VariedPaths::checkSeed);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("variants." + name + "." + e.getMessage(), e);
         }
         checkFixed(name, changes, vary);
     }
@@ -167,8 +181,7 @@ public record CampaignSettings(
     static void checkFixed(String name, Map<String, String> changes, Collection<String> vary) {
         for (String path : changes.keySet()) {
             for (String varied : vary) {
-                boolean overlap = varied.equals(path) || varied.startsWith(path + ".") || path.startsWith(varied + ".");
-                if (overlap) {
+                if (VariedPaths.overlap(path, varied)) {
                     throw new IllegalArgumentException("variants." + name + ": '" + path + "' would override '" + varied
                             + "', which varies from case to case");
                 }

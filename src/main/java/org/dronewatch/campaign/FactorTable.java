@@ -89,10 +89,21 @@ final class FactorTable {
                         + (paths.size() + 1)
                         + (path.isEmpty() ? " has no path" : ": " + PlainText.value(path) + " appears twice"));
             }
+            checkPath(path, record.getStartingLineNumber());
             paths.add(path);
         }
         if (paths.size() > MOST_COLUMNS) {
             throw new InputException(name + ":1: " + paths.size() + " columns, must have at most " + MOST_COLUMNS);
+        }
+    }
+
+    private void checkPath(String path, long line) {
+        try {
+            VariedPaths.checkSeed(path);
+            VariedPaths.checkApart(path, paths);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(
+                    name + ":" + line + ": column " + (paths.size() + 1) + ": " + PlainText.line(e.getMessage()), e);
         }
     }
 

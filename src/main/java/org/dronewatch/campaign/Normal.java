@@ -43,14 +43,21 @@ public record Normal(String mean, String deviation, Optional<String> from, Optio
         double low = from.map(text -> Variation.parsed("from", quantity, text)).orElse(middle - FARTHEST * width);
         double high = to.map(text -> Variation.parsed("to", quantity, text)).orElse(middle + FARTHEST * width);
         Variation.requireOrder("from", low, "to", high);
-        double below = cumulative((low - middle) / width);
-        double within = cumulative((high - middle) / width) - below;
-        if (!(within > 0.0)) {
+        if (!Double.isFinite(low) || !Double.isFinite(high)) {
+            throw new IllegalArgumentException("mean " + middle + " and deviation " + width
+                    + " give values beyond the range of numbers; state smaller ones, or from and to");
+        }
+        // Beyond the mean, probabilities near 1 have no digits left: the other tail, mirrored, has them all.
+        boolean isMirrored = low > middle;
+        double side = isMirrored ? -1.0 : 1.0;
+        double near = cumulative(side * (low - middle) / width);
+        double far = cumulative(side * (high - middle) / width);
+        if (near == far) {
             throw new IllegalArgumentException("from " + low + " and to " + high + " leave out all of a normal"
                     + " distribution about " + middle + " with the deviation " + width);
         }
         // Rounding in the inverse must not carry a value past a limit.
-        return u -> Math.max(low, Math.min(high, middle + width * quantile(below + within * u)));
+        return u -> Math.max(low, Math.min(high, middle + side * width * quantile(near + (far - near) * u)));
     }
 
     private static double cumulative(double z) {

@@ -188,6 +188,34 @@ class CampaignCommandTest {
         }
     }
 
+    /** So do the files that values of settings name. */
+    @Test
+    void aCampaignWhoseVaryingModelHasChangedIsNotCompleted() throws IOException {
+        Path changing = Files.createDirectory(directory.resolve("varying"));
+        Path file = CampaignSite.in(
+                changing,
+                """
+                scene: site.yaml
+                vary: {drones.intruder.model: {values: [one.obj, two.obj]}}
+                runs: 4
+                """);
+        Path two = changing.resolve("two.obj");
+        for (String name : List.of("one.obj", "two.obj")) {
+            Files.writeString(changing.resolve(name), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        }
+        String[] command = {"campaign", file.toString(), "--out=" + changing.resolve("out"), "--resume"};
+        assertThat(Program.run(command).code()).isZero();
+        assertThat(Program.run(command).code()).isZero();
+        String before = Files.readString(two);
+
+        Files.writeString(two, before.replace("0 1 0", "0 2 0"));
+        refused(Program.run(command), "holds another campaign: name another directory");
+        Files.delete(two);
+        refused(Program.run(command), "holds another campaign: name another directory");
+        Files.writeString(two, before);
+        assertThat(Program.run(command).code()).isZero();
+    }
+
     /** Whatever the results depend on. */
     @Test
     void aCampaignOfWhichAnythingHasChangedIsNotCompleted() throws IOException {

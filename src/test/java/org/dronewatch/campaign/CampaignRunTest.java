@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -116,6 +117,33 @@ class CampaignRunTest {
         });
         assertThat(summary.variants().get("blind").cutShort()).isBetween(1, 11);
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    /** Cases draw their seeds from the campaign's; a value that another overrides would never be flown. */
+    @Test
+    void whatWouldBeOverriddenIsRefused() {
+        refusedBeside(
+                "vary: {run.seed: {values: [11, 12]}}",
+                "2:18: vary: run.seed: cannot be set, because each case has its own");
+        refusedBeside(
+                "variants: {a: {run.seed: 5}}",
+                "2:26: variants: a.run.seed: cannot be set, because each case has its own");
+        refusedBeside(
+                "vary: {drones.intruder.flight.target.x: {values: [1]}, drones.intruder.flight.target: {values: [a]}}",
+                "vary: drones.intruder.flight.target: overlaps 'drones.intruder.flight.target.x', which varies as well");
+    }
+
+    private static void refusedBeside(String lines, String message) {
+        try {
+            assertThatThrownBy(() -> CampaignSite.plan(directory, "scene: site.yaml\n" + lines + "\n"))
+                    .isInstanceOf(InputException.class)
+                    .message()
+                    .contains("attacks.campaign.yaml:", message)
+                    .doesNotContain("\n");
+            CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test

@@ -75,6 +75,8 @@ class FactorTableTest {
         wrong("a,b\n1,\n", "factors.csv:2: b: is empty");
         wrong("a,a\n1,2\n", "factors.csv:1: column 2: a appears twice");
         wrong("a,\n1,2\n", "factors.csv:1: column 2 has no path");
+        wrong("a.b,a\n1,2\n", "factors.csv:1: column 2: a: overlaps 'a.b', which varies as well");
+        wrong("a,run.seed\n1,2\n", "factors.csv:1: column 2: run.seed: cannot be set, because each case has its own");
         wrong("a\n", "factors.csv: must have a line with the paths of settings and at least one row");
         wrong("", "factors.csv: must have a line");
         wrong("a\n\"1\n", "factors.csv");
@@ -94,6 +96,9 @@ class FactorTableTest {
         refused("table: ../factors.csv", "must lie beside the campaign file or below it");
         refused("table: nowhere.csv", "no such file");
         refused("table: factors.csv\nvary: {drones.intruder.speed: {values: [1]}}", "is also a column of factors.csv");
+        refused(
+                "table: factors.csv\nvary: {drones.intruder.flight: {values: [1]}}",
+                "vary.drones.intruder.flight: overlaps 'drones.intruder.flight.bearing', a column of factors.csv");
         refused("table: factors.csv\nvariants: {a: {drones.intruder.speed: 1}}", "which varies from case to case");
         Path elsewhere = Files.writeString(other.resolve("t.csv"), ROWS);
         Files.createSymbolicLink(directory.resolve("link.csv"), elsewhere);

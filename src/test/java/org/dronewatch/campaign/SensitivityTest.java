@@ -116,7 +116,8 @@ class SensitivityTest {
     void whatCannotBeEstimatedIsRefused() throws IOException {
         assertThat(plan("{method: none}").sensitivity()).isEmpty();
         assertThatThrownBy(() -> plan("{method: sobol, base: 1}")).hasMessageContaining("base");
-        assertThatThrownBy(() -> plan("{method: sobol, variant: other}")).hasMessageContaining("there is scene");
+        assertThatThrownBy(() -> plan("{method: sobol, variant: other}"))
+                .hasMessageContaining("the campaign has scene");
         Files.writeString(directory.resolve("speeds.csv"), "drones.intruder.speed\n12 m/s\n");
         assertThatThrownBy(() -> plan("{method: sobol}\ntable: speeds.csv"))
                 .hasMessage("sensitivity: needs settings whose values are drawn, not those of the table speeds.csv");

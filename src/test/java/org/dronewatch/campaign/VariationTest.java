@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.apache.commons.numbers.gamma.Erfc;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
@@ -94,6 +95,42 @@ class VariationTest {
         assertThatThrownBy(() -> metres(normal(new Normal("0", "1", Optional.of("40"), Optional.of("50"))), 0.5))
                 .hasMessage("from 40.0 and to 50.0 leave out all of a normal distribution about 0.0 with the"
                         + " deviation 1.0");
+    }
+
+    /** A normal distribution above its mean has the mean (phi(a) - phi(b)) / (Q(a) - Q(b)), by Q(z) = P(Z > z). */
+    @ParameterizedTest
+    @CsvSource({"3.1, 3.5", "8.1, 8.5", "12, 30", "20, 20.01", "-8.5, -8.1"})
+    void normalValuesFarFromTheMeanKeepTheirDigits(double a, double b) {
+        Variation tail = normal(new Normal("1", "1", Optional.of("" + (1.0 + a)), Optional.of("" + (1.0 + b))));
+        int count = 20_000;
+        double sum = 0.0;
+        double before = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            double value = Double.parseDouble(tail.value(Quantity.NUMBER, (i + 0.5) / count));
+            assertThat(value).isBetween(1.0 + a, 1.0 + b).isGreaterThanOrEqualTo(before);
+            before = value;
+            sum += value;
+        }
+        double near = Math.abs(a) < Math.abs(b) ? Math.abs(a) : Math.abs(b);
+        double far = Math.max(Math.abs(a), Math.abs(b));
+        double mean = (density(near) - density(far)) / (beyond(near) - beyond(far));
+
+        assertThat(sum / count).isCloseTo(1.0 + Math.signum(a) * mean, within(1e-5));
+    }
+
+    private static double density(double z) {
+        return Math.exp(-z * z / 2.0) / Math.sqrt(2.0 * Math.PI);
+    }
+
+    private static double beyond(double z) {
+        return 0.5 * Erfc.value(z / Math.sqrt(2.0));
+    }
+
+    @Test
+    void aNormalDistributionThatLeavesTheRangeOfNumbersIsRefused() {
+        assertThatThrownBy(() -> normal(Normal.of("1e308", "1e308")).value(Quantity.NUMBER, 0.5))
+                .hasMessage("mean 1.0E308 and deviation 1.0E308 give values beyond the range of numbers; state smaller"
+                        + " ones, or from and to");
     }
 
     @Test

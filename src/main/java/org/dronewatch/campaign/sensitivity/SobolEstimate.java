@@ -6,10 +6,12 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Sobol indices from the results of a {@link SaltelliDesign}, by Jansen's estimators (Jansen, Computer Physics
- * Communications 117, 1999): with the results a of the first and b of the second values and c where factor i alone has
- * its second, the first-order index is 1 - mean((b - c)^2) / (2 V) and the total index mean((a - c)^2) / (2 V), where V
- * is the variance of all a and b.
+ * Sobol indices from the results of a {@link SaltelliDesign}, with the results a of the first and b of the second
+ * values and c where factor i alone has its second. The first-order index is mean((b - m) (c - a)) / V (Saltelli et
+ * al., Computer Physics Communications 181, 2010, table 2, estimator b) and the total index mean((a - c)^2) / (2 V)
+ * (Jansen, Computer Physics Communications 117, 1999), where m and V are the mean and the variance of all a and b.
+ * Both are exactly 0 for a factor without influence. Subtracting m does not change what the first estimates, since c
+ * - a is 0 on average, but it keeps a large mean from making it noisy.
  */
 public final class SobolEstimate {
     private static final double CONFIDENCE = 0.95;
@@ -65,13 +67,13 @@ public final class SobolEstimate {
             double[] result = groups[group];
             squares += square(result[0] - mean) + square(result[1] - mean);
             for (int i = 0; i < factors; i++) {
-                into[i] += square(result[1] - result[SaltelliDesign.BOTH + i]);
+                into[i] += (result[1] - mean) * (result[SaltelliDesign.BOTH + i] - result[0]);
                 into[factors + i] += square(result[0] - result[SaltelliDesign.BOTH + i]);
             }
         }
         // Both means have chosen.length terms, and the variance is that of twice as many results.
         for (int i = 0; i < factors; i++) {
-            into[i] = 1.0 - into[i] / squares;
+            into[i] = 2.0 * into[i] / squares;
             into[factors + i] /= squares;
         }
         return squares > 0.0;

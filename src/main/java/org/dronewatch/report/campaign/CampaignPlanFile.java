@@ -50,6 +50,7 @@ final class CampaignPlanFile {
         StringBuilder all = new StringBuilder(ProgramVersion.text()).append('\n');
         all.append(CanonicalSettings.of(plan.settings()));
         plan.tableHash().ifPresent(hash -> all.append(hash).append('\n'));
+        plan.variedHashes().forEach(hash -> all.append(hash).append('\n'));
         for (String variant : plan.variants()) {
             all.append(variant).append('\n').append(CanonicalSettings.of(plan.shared(variant)));
             plan.files(variant)
