@@ -194,11 +194,11 @@ final class CampaignCommand implements Callable<Integer> {
             interruption.letFinish();
             CampaignResult result = files.finish(Optional.of(caseCommand()));
             CampaignLines.print(plan, result, spec.commandLine().getOut());
-            CampaignLines.warn(result.summary(), err);
+            int failure = CampaignLines.warn(result.summary(), err);
             if (report != null) {
                 report.write(stream -> files.writeJunit(result, stream));
             }
-            code = whole && part.isAll() ? expected(plan, result) : 0;
+            code = whole && part.isAll() ? Math.max(failure, expected(plan, result)) : 0;
             if (!whole) {
                 err.println("interrupted: --resume runs the cases that are missing");
             }

@@ -62,10 +62,19 @@ final class CampaignLines {
         plan.settings().until().ifPresent(until -> printPrecision(plan, until, result.stopping(), out));
     }
 
-    /** What to doubt about the results. */
-    static void warn(CampaignSummary summary, PrintWriter err) {
+    /**
+     * Prints what to doubt about the results.
+     *
+     * @return the exit code: that of a failure if no case could be run
+     */
+    static int warn(CampaignSummary summary, PrintWriter err) {
         CampaignWords.failures(summary).forEach(line -> err.println("warning: " + line));
         CampaignWords.cutShort(summary).ifPresent(line -> err.println("warning: " + line));
+        if (summary.isAllFailed()) {
+            err.println("no case could be run: " + CampaignWords.mostFrequentFailure(summary));
+            return Main.FAILED;
+        }
+        return 0;
     }
 
     private static void printPrecision(CampaignPlan plan, UntilSettings until, Stopping stopping, PrintWriter out) {

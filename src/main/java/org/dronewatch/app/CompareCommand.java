@@ -103,8 +103,7 @@ final class CompareCommand implements Callable<Integer> {
         CampaignResult result = out == null ? inMemory(plan) : inDirectory(plan, PathWord.of("--out", out));
         CampaignLines.print(plan, result, target);
         CampaignLines.printDeciding(plan, result.summary(), target);
-        CampaignLines.warn(result.summary(), spec.commandLine().getErr());
-        return 0;
+        return CampaignLines.warn(result.summary(), spec.commandLine().getErr());
     }
 
     private CampaignResult inMemory(CampaignPlan plan) {

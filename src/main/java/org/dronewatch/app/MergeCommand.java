@@ -63,17 +63,18 @@ final class MergeCommand implements Callable<Integer> {
         checkWhole("cases", plan, there);
         plan.sensitivity().ifPresent(further -> checkWhole("further cases", further, there));
         Path directory = PathWord.of("--out ", out);
+        int code;
         try (CampaignFiles files = new CampaignFiles(plan, directory, false)) {
             files.writeProvenance(part.campaign().provenance(plan, part.wordsOfAll(directory)));
             copy(plan, there, files.chunks());
             plan.sensitivity().ifPresent(further -> copy(further, there, files.chunks(further)));
             CampaignResult result = files.finish(Optional.of(part.campaign().caseCommand()));
             CampaignLines.print(plan, result, spec.commandLine().getOut());
-            CampaignLines.warn(result.summary(), spec.commandLine().getErr());
+            code = CampaignLines.warn(result.summary(), spec.commandLine().getErr());
         }
         PrintWriter err = spec.commandLine().getErr();
         err.println("results in " + directory);
-        return 0;
+        return code;
     }
 
     private static void copy(Cases cases, List<CampaignPart> there, CampaignRun.Chunks target) {

@@ -84,7 +84,7 @@ public final class CampaignPlan implements Cases {
             variant.models().share(memory);
             variants.put(name, variant);
         });
-        sensitivity();
+        new AskedOutcomes(this).check();
     }
 
     /** The table, too, may not hold what a variant sets, or what is drawn. */

@@ -48,6 +48,12 @@ public final class CampaignSummary {
         return Collections.unmodifiableMap(variants);
     }
 
+    /** Whether there are cases, but none of any variant could be run. */
+    public boolean isAllFailed() {
+        return variants.values().stream().allMatch(one -> one.failed() == one.cases())
+                && variants.values().stream().anyMatch(one -> one.cases() > 0);
+    }
+
     /** All pairs of variants, by each outcome that makes sense for both. */
     public List<VariantComparison> comparisons() {
         return comparisons.stream().filter(VariantComparison::isKnown).toList();

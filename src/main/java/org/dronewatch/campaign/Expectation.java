@@ -9,11 +9,12 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.statistics.Proportion;
 
 /**
- * What a campaign is expected to show: that the interval of a probability lies above a limit.
+ * What a campaign is expected to show: that the interval of a probability lies above a limit. That is the 95 %
+ * confidence interval or, of the probability that decided how many cases were run, the one that the rule guarantees.
  *
  * @param of the outcome whose probability it is
  * @param variant the variant; the first by default
- * @param low the least lower bound of the 95 % confidence interval
+ * @param low the least lower bound of the interval
  */
 public record Expectation(
         Outcome of, Optional<String> variant, @In(value = Quantity.NUMBER, from = 0, to = 1) double low) {
@@ -41,8 +42,17 @@ public record Expectation(
 
     /** Whether the campaign shows it. */
     public boolean isMet(CampaignPlan plan, CampaignSummary summary) {
-        return proportion(plan, summary)
-                .map(one -> one.wilson(SequentialRule.CONFIDENCE).low() >= low)
-                .orElse(false);
+        return interval(plan, summary).map(one -> one.low() >= low).orElse(false);
+    }
+
+    /** The interval by which it is judged; empty if the outcome makes no sense in any case. */
+    public Optional<Proportion.Interval> interval(CampaignPlan plan, CampaignSummary summary) {
+        return proportion(plan, summary).map(one -> plan.settings()
+                .until()
+                .filter(until -> until.of() == of && plan.observed().equals(variantIn(plan)))
+                .map(UntilSettings::rule)
+                .filter(rule -> rule.stops(one))
+                .map(rule -> rule.interval(one))
+                .orElseGet(() -> one.wilson(SequentialRule.CONFIDENCE)));
     }
 }

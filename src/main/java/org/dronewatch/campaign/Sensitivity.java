@@ -74,8 +74,12 @@ public final class Sensitivity {
         return failed;
     }
 
-    /** The influences, in the order of the campaign and chance last; empty if the result does not vary. */
-    public List<Influence> influences() {
+    /** Whether there are results from which influences can be estimated: two groups in which no case failed. */
+    public boolean isEstimable() {
+        return whole().size() > 1;
+    }
+
+    private Map<Integer, double[]> whole() {
         Map<Integer, double[]> whole = new TreeMap<>();
         groups.forEach((number, group) -> {
             boolean isWhole = true;
@@ -86,11 +90,18 @@ public final class Sensitivity {
                 whole.put(number, group);
             }
         });
+        return whole;
+    }
+
+    /** The influences, in the order of the campaign and chance last; empty if the result does not vary. */
+    public List<Influence> influences() {
+        Map<Integer, double[]> whole = whole();
         List<Influence> influences = new ArrayList<>();
         List<String> paths = cases.paths();
         if (cases.design() instanceof MorrisDesign morris) {
             List<MorrisEffect> effects = new MorrisEstimate(morris, whole).effects();
-            for (int i = 0; i < effects.size(); i++) {
+            boolean varies = effects.stream().anyMatch(effect -> effect.magnitude() > 0.0);
+            for (int i = 0; varies && i < effects.size(); i++) {
                 influences.add(new Influence(paths.get(i), Optional.empty(), Optional.of(effects.get(i))));
             }
         } else {

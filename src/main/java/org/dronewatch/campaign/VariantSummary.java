@@ -82,7 +82,7 @@ public final class VariantSummary {
         return failed;
     }
 
-    /** Why. */
+    /** Why, in the order in which the reasons occurred. */
     public List<FailedCases.Reason> failures() {
         return failures.reasons();
     }

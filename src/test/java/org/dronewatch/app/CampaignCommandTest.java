@@ -316,6 +316,31 @@ class CampaignCommandTest {
         assertThat(document.getElementsByTagName("failure").getLength()).isEqualTo(2);
     }
 
+    /** The results are kept, but nobody takes them for a success. */
+    @Test
+    void aCampaignOfWhichNoCaseCouldBeRunFails() throws IOException {
+        Path file = Files.writeString(
+                directory.resolve("none.campaign.yaml"),
+                """
+                scene: site.yaml
+                vary:
+                  drones.intruder.flight.distance: {values: [300 m]}
+                  drones.intruder.flight.standoff: {values: [400 m, 500 m]}
+                runs: 4
+                """);
+        Path out = directory.resolve("none-run");
+
+        Outcome none = Program.run("campaign", file.toString(), "--out=" + out, "--set=alert.response=0 s");
+
+        assertThat(none.code()).isEqualTo(1);
+        assertThat(none.err())
+                .contains("warning: 4 cases of scene could not be run")
+                .containsPattern("no case could be run: .*standoff");
+        assertThat(Files.readString(out.resolve("report.html")))
+                .contains("No case could be run.")
+                .doesNotContain("In time means");
+    }
+
     /** Whatever the values draw: the others are run, and the counts say how many were not, and why. */
     @Test
     void aCaseThatFailsHasItsRowAndTheRestGoesOn() throws IOException {

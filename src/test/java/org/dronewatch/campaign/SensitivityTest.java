@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -110,6 +111,59 @@ class SensitivityTest {
         assertThat(sensitivity.failed()).isEqualTo(1);
         assertThat(sensitivity.isComplete()).isFalse();
         assertThat(sensitivity.influences()).isEmpty();
+    }
+
+    /** No factor has an effect on what never changes, by either method. */
+    @Test
+    void whatIsTheSameInAllCasesHasNoInfluences() throws IOException {
+        for (String method : List.of("sobol", "morris")) {
+            SensitivityCases cases = plan("{method: " + method + ", base: 3, output: range_m}")
+                    .sensitivity()
+                    .orElseThrow();
+            Sensitivity sensitivity = of(cases);
+
+            assertThat(sensitivity.isComplete()).isTrue();
+            assertThat(sensitivity.isEstimable()).isTrue();
+            assertThat(sensitivity.influences()).as(method).isEmpty();
+        }
+    }
+
+    /** Nothing is protected without a zone, and no time is required without a response. */
+    @Test
+    void whatIsNotKnownInAnyCaseIsRefused() throws IOException {
+        Path site = directory.resolve("site.yaml");
+        CampaignSite.in(directory, FACTORS);
+        String text = Files.readString(site);
+        String sobol = FACTORS + "sensitivity: {method: sobol, output: %s}\n";
+        String until = FACTORS.replace("runs: 2", "until: {of: in_time, halfWidth: 0.2}");
+
+        Files.writeString(site, text.replaceFirst("(?s)alert:.*run:", "run:"));
+        for (String output : List.of("warning_s", "in_time")) {
+            refused(
+                    String.format(sobol, output),
+                    "sensitivity.output: " + output + " is not known in any case, because the scene site protects"
+                            + " nothing (alert.protect)");
+        }
+        refused(until, "until.of: in_time is not known in any case, because the scene site protects nothing");
+        assertThat(read(String.format(sobol, "range_m")).sensitivity()).isPresent();
+
+        Files.writeString(site, text.replace("response: 12 s", "response: 0 s"));
+        refused(until, "because the scene site states no response time (alert.response)");
+        assertThat(read(String.format(sobol, "warning_s")).sensitivity()).isPresent();
+        assertThat(read(until.replace("vary:", "vary:\n  alert.response: {values: [0 s, 9 s]}"))
+                        .size())
+                .isPositive();
+    }
+
+    private CampaignPlan read(String campaign) throws IOException {
+        Path file = Files.writeString(directory.resolve("asked.campaign.yaml"), campaign);
+        return new CampaignPlan(CampaignReader.read(file), directory, note -> {});
+    }
+
+    private void refused(String campaign, String message) {
+        assertThatThrownBy(() -> read(campaign))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(message);
     }
 
     @Test

@@ -10,8 +10,8 @@ import java.util.SplittableRandom;
  * values and c where factor i alone has its second. The first-order index is mean((b - m) (c - a)) / V (Saltelli et
  * al., Computer Physics Communications 181, 2010, table 2, estimator b) and the total index mean((a - c)^2) / (2 V)
  * (Jansen, Computer Physics Communications 117, 1999), where m and V are the mean and the variance of all a and b.
- * Both are exactly 0 for a factor without influence. Subtracting m does not change what the first estimates, since c
- * - a is 0 on average, but it keeps a large mean from making it noisy.
+ * Both are exactly 0 for a factor without influence. Subtracting m does not change what the first
+ * estimates, since the mean of c - a is 0, but it keeps a large mean from making it noisy.
  */
 public final class SobolEstimate {
     private static final double CONFIDENCE = 0.95;

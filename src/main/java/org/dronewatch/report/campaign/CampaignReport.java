@@ -133,14 +133,16 @@ final class CampaignReport {
 
     /** What in time means; empty where that does not matter. */
     private String response() {
-        List<String> responses = plan.variants().stream()
-                .map(name -> ReadableNumbers.number(plan.shared(name).alert().response()))
+        List<Double> responses = plan.variants().stream()
+                .map(name -> plan.shared(name).alert().response())
                 .distinct()
                 .toList();
-        return headline == Outcome.IN_TIME && responses.size() == 1
+        boolean isOne =
+                responses.size() == 1 && responses.get(0) > 0.0 && !plan.paths().contains("alert.response");
+        return headline == Outcome.IN_TIME && isOne
                 ? Html.plain(
                         "p",
-                        "In time means at least " + responses.get(0)
+                        "In time means at least " + ReadableNumbers.number(responses.get(0))
                                 + " s (alert.response) before the drone can reach what is protected.")
                 : "";
     }
@@ -158,7 +160,10 @@ final class CampaignReport {
         return one.isMet(plan, summary)
                 ? "Met: " + ShareWords.name(one.of()) + " of " + one.variantIn(plan) + ", lower bound at least "
                         + one.low() + ": "
-                        + ShareWords.withInterval(one.proportion(plan, summary).orElseThrow()) + "."
+                        + ShareWords.withInterval(
+                                one.proportion(plan, summary).orElseThrow(),
+                                one.interval(plan, summary).orElseThrow())
+                        + "."
                 : "Not met: " + CampaignWords.missed(plan, one, summary) + ".";
     }
 }

@@ -12,6 +12,7 @@ import org.dronewatch.campaign.CampaignQuantity;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Expectation;
+import org.dronewatch.campaign.FailedCases;
 import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
@@ -29,7 +30,7 @@ public final class CampaignWords {
         List<Sensitivity.Influence> influences = ordered(sensitivity);
         List<String> lines = new ArrayList<>();
         if (influences.isEmpty()) {
-            return List.of("what explains the " + what + ": nothing, because it is the same in all cases");
+            return List.of("what explains the " + what + ": " + withoutInfluences(sensitivity));
         }
         boolean isSobol = influences.get(0).index().isPresent();
         lines.add(
@@ -51,6 +52,17 @@ public final class CampaignWords {
                     String.format(Locale.ROOT, "  %,d cases failed; their groups are left out", sensitivity.failed()));
         }
         return lines;
+    }
+
+    /** Why there are no influences, as a clause. */
+    static String withoutInfluences(Sensitivity sensitivity) {
+        return sensitivity.isEstimable()
+                ? "nothing, because it is the same in all cases"
+                : String.format(
+                        Locale.ROOT,
+                        "not known, because %,d of the %,d further cases failed",
+                        sensitivity.failed(),
+                        sensitivity.cases());
     }
 
     /** The influences, the strongest first and chance last. */
@@ -102,6 +114,15 @@ public final class CampaignWords {
         return lines;
     }
 
+    /** The reason for which most cases failed; of several, the first. Empty if none did. */
+    public static String mostFrequentFailure(CampaignSummary summary) {
+        return summary.variants().values().stream()
+                .flatMap(variant -> variant.failures().stream())
+                .reduce((one, other) -> other.cases() > one.cases() ? other : one)
+                .map(FailedCases.Reason::words)
+                .orElse("");
+    }
+
     /** That runs end too early, if some do. */
     public static Optional<String> cutShort(CampaignSummary summary) {
         String counts = summary.variants().entrySet().stream()
@@ -133,7 +154,7 @@ public final class CampaignWords {
                         Locale.ROOT,
                         "%s: lower bound %.4f, must be at least %s (%,d of %,d cases)",
                         what,
-                        one.wilson(CampaignFile.CONFIDENCE).low(),
+                        expected.interval(plan, summary).orElseThrow().low(),
                         expected.low(),
                         one.count(),
                         one.of()))

@@ -22,7 +22,8 @@ final class SensitivityBars {
     String html() {
         List<Sensitivity.Influence> influences = CampaignWords.ordered(sensitivity);
         if (influences.isEmpty()) {
-            return Html.plain("p", "Nothing explains the " + what + ": it is the same in all cases.");
+            return Html.plain(
+                    "p", "What explains the " + what + ": " + CampaignWords.withoutInfluences(sensitivity) + ".");
         }
         String left = sensitivity.failed() > 0
                 ? String.format(

@@ -44,7 +44,11 @@ final class ShareWords {
 
     /** {@code 92.0 % (90.2 to 93.5)}. */
     static String withInterval(Proportion share) {
-        Proportion.Interval interval = share.wilson(CampaignFile.CONFIDENCE);
+        return withInterval(share, share.wilson(CampaignFile.CONFIDENCE));
+    }
+
+    /** The same with a given interval. */
+    static String withInterval(Proportion share, Proportion.Interval interval) {
         return String.format(
                 Locale.ROOT,
                 "%.1f %% (%.1f to %.1f)",
