@@ -76,7 +76,13 @@ class CampaignKillTest {
         int unfinished = random.nextInt(1, 6);
         long millis = random.nextLong(300, LONGEST_MILLIS);
         try (Child child = Program.start(
-                directory, List.of("-Xmx512m"), "campaign", file(), "--out", results.toString(), "--resume")) {
+                directory,
+                List.of("-Xmx512m", "-XX:+UseSerialGC"),
+                "campaign",
+                file(),
+                "--out",
+                results.toString(),
+                "--resume")) {
             if (amidFiles) {
                 awaitUnfinished(child, results.resolve("chunks"), unfinished);
             } else {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -43,8 +44,8 @@ class LocaleTest {
                     flight: {kind: approach, from: [0, 1250, 30], to: [0, 1210, 10]}
                 sensors:
                   eye: {kind: camera, position: [0, 1200, 6], width: 320, height: 240, aim: {lookAt: [0, 1250, 20]}}
-                  ear: {kind: acoustic, position: [0, 1200, 8], propagation: energy-model}
-                run: {duration: 1.5 s}
+                  ear: {kind: acoustic, position: [0, 1200, 8], propagation: {kind: energy-model, rays: 100}}
+                run: {duration: 0.5 s}
                 sweep: {parameter: sensors.eye.width, values: [320, 640]}
                 """,
                 StandardCharsets.UTF_8);
@@ -72,7 +73,9 @@ class LocaleTest {
                 .replaceAll("[0-9.,]+ (times|s|ms)\\b[^<]*", "");
     }
 
-    private Map<String, String> run(String name, List<String> options) throws IOException, InterruptedException {
+    private Map<String, String> run(String name, List<String> place) throws IOException, InterruptedException {
+        List<String> options = new ArrayList<>(place);
+        options.add("-XX:+UseSerialGC");
         try (Child child = Program.start(
                 directory, options, "run", "site.yaml", "--observations", "--threads", "1", "--out", name)) {
             Program.Outcome outcome = child.await();

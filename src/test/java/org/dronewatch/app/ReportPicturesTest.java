@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,11 +23,25 @@ class ReportPicturesTest {
             Pattern.compile("base64,([^\"]+)\".*?<figcaption>(.*?)</figcaption>", Pattern.DOTALL);
 
     @TempDir
-    private Path directory;
+    private static Path directory;
+
+    private static Path rayFile;
+    /** Of the scene as it is. */
+    private static List<Shown> asItIs;
+    /** Of a camera and a microphone that detect nothing. */
+    private static List<Shown> undetected;
+
+    @BeforeAll
+    static void runs() throws IOException {
+        rayFile = directory.resolve("rays.obj");
+        asItIs = figures("--rays", rayFile.toString());
+        undetected =
+                figures("--set", "sensors.camera.detection.pixels=691", "--set", "sensors.microphone.threshold=90");
+    }
 
     private record Shown(String caption, BufferedImage image) {}
 
-    private List<Shown> figures(String... options) throws IOException {
+    private static List<Shown> figures(String... options) throws IOException {
         Path out = directory.resolve("out");
         List<String> words =
                 new ArrayList<>(List.of("run", "closed-space", "--set", "run.duration=0.1 s", "--out", out.toString()));
@@ -57,8 +72,8 @@ class ReportPicturesTest {
     }
 
     @Test
-    void aCameraShowsItsFirstDetection() throws IOException {
-        List<Shown> depth = about(figures(), "Picture by 'camera'");
+    void aCameraShowsItsFirstDetection() {
+        List<Shown> depth = about(asItIs, "Picture by 'camera'");
         assertThat(depth).singleElement().satisfies(figure -> {
             assertThat(figure.caption())
                     .contains("first detected 'quadrotor', 0.0 s after the start at 10.0 m")
@@ -68,17 +83,15 @@ class ReportPicturesTest {
             // 690 pixels in a picture 0.8 times as wide and high, and up to one more at each of some 60 ends of rows.
             assertThat(orange(figure.image())).isBetween(442, 500);
         });
-        List<Shown> without =
-                figures("--set", "sensors.camera.detection.pixels=691", "--set", "sensors.microphone.drawRays=false");
-        assertThat(about(without, "Picture by 'camera'")).as("never detected").isEmpty();
-        assertThat(about(without, "The sound rays from")).as("not to be drawn").isEmpty();
+        assertThat(about(undetected, "Picture by 'camera'"))
+                .as("never detected")
+                .isEmpty();
     }
 
     @Test
     void raysAreDrawnIfTheMicrophoneShowsThem() throws IOException {
-        Path file = directory.resolve("rays.obj");
-        List<Shown> rays = about(figures("--rays", file.toString()), "The sound rays from");
-        long segments = Files.readAllLines(file).stream()
+        List<Shown> rays = about(asItIs, "The sound rays from");
+        long segments = Files.readAllLines(rayFile).stream()
                 .filter(line -> line.startsWith("l "))
                 .count();
         assertThat(segments).isGreaterThan(5_000);
@@ -88,8 +101,16 @@ class ReportPicturesTest {
                     .contains(String.format("at 10.0 m: %,d segments", segments));
             assertThat(figure.image().getWidth()).isEqualTo(1000);
         });
-        assertThat(about(figures("--set", "sensors.microphone.threshold=90"), "The sound rays from"))
+        assertThat(about(undetected, "The sound rays from"))
                 .singleElement()
                 .satisfies(figure -> assertThat(figure.caption()).contains("at the start; it was never detected"));
+        List<Shown> hidden = figures(
+                "--set",
+                "sensors.microphone.drawRays=false",
+                "--set",
+                "sensors.camera.width=64",
+                "--set",
+                "sensors.camera.height=64");
+        assertThat(about(hidden, "The sound rays from")).as("not to be drawn").isEmpty();
     }
 }

@@ -24,6 +24,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.FalseAlarmResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,6 +38,21 @@ class BirdsTest {
 
     @TempDir
     private Path directory;
+
+    /** Of a run of the scene as it is. */
+    private static RunResult asItIs;
+
+    private static final List<Observation> OBSERVED = new ArrayList<>();
+
+    @BeforeAll
+    static void run() {
+        asItIs = new SceneRunner(new SceneFile(SCENE))
+                .threads(1)
+                .onFrame(frame -> OBSERVED.addAll(frame.observations()))
+                .run()
+                .runs()
+                .get(0);
+    }
 
     private SceneRunner runner(String... replaced) throws IOException {
         String text = Files.readString(SCENE);
@@ -78,8 +94,8 @@ class BirdsTest {
     }
 
     @Test
-    void onlyDronesAreScored() throws IOException {
-        RunResult run = runner().run().runs().get(0);
+    void onlyDronesAreScored() {
+        RunResult run = asItIs;
         assertThat(run.alerts()).extracting(alert -> alert.drone()).containsExactly("intruder");
         assertThat(run.pairs()).extracting(pair -> pair.drone()).containsOnly("intruder");
         assertThat(run.events()).allMatch(event -> event.observation().drone().equals("intruder"));
@@ -111,8 +127,7 @@ class BirdsTest {
     /** What is measured does not depend on the role, and a harmless drone is a drone. */
     @Test
     void noSensorKnowsABird() throws IOException {
-        List<Observation> ofBirds = new ArrayList<>();
-        runner().onFrame(frame -> ofBirds.addAll(frame.observations())).run();
+        List<Observation> ofBirds = OBSERVED;
         List<Observation> ofDrones = new ArrayList<>();
         RunResult drones = runner("role: bird", "role: bystander")
                 .onFrame(frame -> ofDrones.addAll(frame.observations()))
@@ -132,14 +147,11 @@ class BirdsTest {
      * {@code Pd = Pfa^(1 / (1 + S))}.
      */
     @Test
-    void itsEchoIsThatOfItsCrossSection() throws IOException {
-        List<Observation> gulls = new ArrayList<>();
-        runner().onFrame(frame -> frame.observations().stream()
-                        .filter(one -> one.drone().equals("gull")
-                                && one.sensor().equals("radar")
-                                && Double.isFinite(one.value()))
-                        .forEach(gulls::add))
-                .run();
+    void itsEchoIsThatOfItsCrossSection() {
+        List<Observation> gulls = OBSERVED.stream()
+                .filter(one ->
+                        one.drone().equals("gull") && one.sensor().equals("radar") && Double.isFinite(one.value()))
+                .toList();
         assertThat(gulls).hasSizeGreaterThan(200);
         for (Observation one : gulls) {
             double expected = 13.1835 + 10.0 * Math.log10(0.0069) + 40.0 * Math.log10(1050.0 / one.range());
@@ -198,7 +210,7 @@ class BirdsTest {
         runner(
                 "  radio:\n",
                 "  camera: {kind: camera, position: [0, 0, 146], aim: {azimuth: 0 deg, elevation: 8 deg},"
-                        + " fov: 50 deg, width: 960, height: 540, rate: 1 Hz}\n  radio:\n",
+                        + " fov: 50 deg, width: 480, height: 270, rate: 1 Hz}\n  radio:\n",
                 "duration: 50 s",
                 "duration: 5 s");
         Path out = directory.resolve("labelled");

@@ -132,7 +132,7 @@ class CameraRangeTest {
     /** The whole flight in a smaller picture, and the frames that decide in the full one. */
     @Test
     void theFirstDetectionIsThatOfTracingEveryPixel() {
-        runner.set("sensors.camera.width", "480").set("sensors.camera.height", "270");
+        runner.set("sensors.camera.width", "320").set("sensors.camera.height", "180");
         SceneResult small = runner.run();
         List<Double> expected = new ArrayList<>();
         for (SceneSettings settings : runner.settingsOfRuns()) {

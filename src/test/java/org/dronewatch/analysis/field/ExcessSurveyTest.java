@@ -34,7 +34,7 @@ class ExcessSurveyTest {
     /** Cells whose middles are on no face of a box. */
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 400, 10, List.of(3.0, 20.0, 60.0));
 
-    private static final int PLACES = 240;
+    private static final int PLACES = 160;
 
     @TempDir
     private static Path directory;
