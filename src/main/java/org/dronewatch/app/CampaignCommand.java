@@ -124,9 +124,14 @@ final class CampaignCommand implements Callable<Integer> {
     CampaignPlan plan(PrintWriter err) {
         Path given = PathWord.of("campaign file", file);
         LoadingNotes loaded = new LoadingNotes(err);
-        CampaignPlan plan = new CampaignPlan(settings(given), directory(given), loaded::note);
-        loaded.done();
-        return plan;
+        CampaignSettings settings = settings(given);
+        try {
+            CampaignPlan plan = new CampaignPlan(settings, directory(given), loaded::note);
+            loaded.done();
+            return plan;
+        } catch (InputException e) {
+            throw CampaignReader.placed(given, e);
+        }
     }
 
     private static Path directory(Path given) {

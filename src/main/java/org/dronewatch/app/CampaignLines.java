@@ -103,13 +103,13 @@ final class CampaignLines {
         int each = cases.size() / cases.settings().base();
         return String.format(
                 Locale.ROOT,
-                "sensitivity: %,d more cases of %s, %d for each of %,d groups with %d factors (chance is one); the"
-                        + " campaign itself has %,d runs",
+                "sensitivity: %,d more cases of %s, %d for each of %,d groups with %s; the campaign itself has"
+                        + " %,d runs",
                 cases.size(),
                 cases.variants().get(0),
                 each,
                 cases.settings().base(),
-                factors,
+                factors == 1 ? "1 factor (chance)" : factors + " factors (chance is one)",
                 (long) plan.size() * plan.variants().size());
     }
 

@@ -21,6 +21,10 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     private int kept;
     private int ran;
 
+    // The first cases also set up the site, which says nothing about how long the others take.
+    private int first;
+    private long firstEnd;
+
     /**
      * Nothing is done yet.
      *
@@ -54,6 +58,10 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     @Override
     public synchronized void ran(int cases) {
         ran += cases;
+        if (first == 0) {
+            first = ran;
+            firstEnd = clock.getAsLong();
+        }
         show();
     }
 
@@ -66,15 +74,18 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
         double seconds = NANO * (clock.getAsLong() - start);
         if (seconds >= next && ran > 0 && done < all) {
             next = seconds + EVERY_SECONDS;
-            double left = seconds / ran * (all - done);
-            err.printf(
-                    Locale.ROOT,
-                    "%,d of %,d cases, %.3g per second, %s left%n",
-                    done,
-                    all,
-                    ran / seconds,
-                    duration(left));
+            err.printf(Locale.ROOT, "%,d of %,d cases%s%n", done, all, rate(all - done));
         }
+    }
+
+    /** How fast it is, and how long the cases that are left take; empty after the first ones. */
+    private String rate(int left) {
+        double seconds = NANO * (clock.getAsLong() - firstEnd);
+        if (ran == first || !(seconds > 0.0)) {
+            return "";
+        }
+        double rate = (ran - first) / seconds;
+        return String.format(Locale.ROOT, ", %.3g per second, %s left", rate, duration(left / rate));
     }
 
     private static String duration(double seconds) {

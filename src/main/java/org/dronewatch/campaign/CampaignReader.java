@@ -4,7 +4,9 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Mark;
 import org.dronewatch.setting.file.Node;
@@ -14,6 +16,8 @@ import org.dronewatch.setting.file.SettingsFile;
 public final class CampaignReader {
     private static final String VARY = "vary";
     private static final String TABLE = "table";
+    private static final String SCENE = "scene";
+    private static final Pattern PLACED = Pattern.compile("(vary|table|scene|sensitivity|until)[. ]");
     private static final String SUFFIX = ".csv";
 
     private CampaignReader() {}
@@ -33,6 +37,23 @@ public final class CampaignReader {
                 Kinds.FOUND,
                 directory,
                 new FormerNames());
+    }
+
+    /**
+     * A problem that shows when the cases are prepared, with the place in the file of the setting with which its
+     * message begins.
+     *
+     * @param file that was read
+     */
+    public static InputException placed(Path file, InputException problem) {
+        String message = String.valueOf(problem.getMessage());
+        if (!PLACED.matcher(message).lookingAt()) {
+            return problem;
+        }
+        Node.Mapping document = withTable(SettingsFile.document(file));
+        boolean isOther = message.startsWith(SCENE)
+                && document.text(SCENE).filter(message::contains).isEmpty();
+        return isOther ? problem : new InputException(document.markOf(message) + ": " + message, problem);
     }
 
     private static Node.Mapping withTable(Node.Mapping document) {

@@ -47,10 +47,18 @@ public final class CaseRun {
                 }
                 return result(number, variant, values, session.stage(), session.result());
             }
-        } catch (InputException | IllegalArgumentException | IllegalStateException e) {
+        } catch (RuntimeException e) {
+            // Whatever is wrong with one case must not cost the results of the others.
             Workers.checkInterrupted();
-            return CaseResult.failed(number, variant, seed, values, PlainText.line(String.valueOf(e.getMessage())));
+            return CaseResult.failed(number, variant, seed, values, PlainText.line(reason(e)));
         }
+    }
+
+    private static String reason(RuntimeException problem) {
+        boolean isExplained = problem instanceof InputException
+                || problem instanceof IllegalArgumentException
+                || problem instanceof IllegalStateException;
+        return isExplained ? String.valueOf(problem.getMessage()) : "internal error: " + problem;
     }
 
     private static CaseResult result(int number, String variant, List<String> values, Stage stage, RunResult run) {

@@ -72,6 +72,9 @@ final class FactorTable {
         }
         String text = new String(BoundedFile.read(file, LARGEST), StandardCharsets.UTF_8);
         LinkOut.refuse(directory, file, "table");
+        if (text.indexOf('\0') >= 0) {
+            throw new InputException(PlainText.value(file) + ": is not text; a table is a CSV file in UTF-8");
+        }
         boolean marked = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK;
         FactorTable table = new FactorTable(PlainText.value(file), marked ? text.substring(1) : text);
         if (table.rows.isEmpty()) {

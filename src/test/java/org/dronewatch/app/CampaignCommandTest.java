@@ -316,6 +316,25 @@ class CampaignCommandTest {
         assertThat(document.getElementsByTagName("failure").getLength()).isEqualTo(2);
     }
 
+    /** Also what shows only when the cases are prepared. */
+    @Test
+    void aMistakeInTheFileIsReportedWithItsLine() throws IOException {
+        Path file = directory.resolve("wrong.campaign.yaml");
+        String[] command = {"campaign", file.toString(), "--out=" + directory.resolve("wrong")};
+        String vary = "scene: site.yaml\nvary:\n  drones.intruder.speed: {normal: {mean: %s, deviation: %s}}\n";
+
+        Files.writeString(file, String.format(vary, "10 m/s", "NaN"));
+        refused(Program.run(command), "wrong.campaign.yaml:3:26: vary.drones.intruder.speed: deviation: 'NaN'");
+        Files.writeString(file, String.format(vary, "1e308", "1e308"));
+        refused(Program.run(command), "wrong.campaign.yaml:3:26: vary.drones.intruder.speed: mean 1.0E308 and");
+        Files.writeString(file, "runs: 2\nscene: nowhere.yaml\n");
+        refused(Program.run(command), "wrong.campaign.yaml:2:8: scene ", "nowhere.yaml cannot be read: no such file");
+        Files.writeString(file, "runs: 2\nscene: ../site.yaml\n");
+        refused(Program.run(command), "wrong.campaign.yaml:2:8: scene '../site.yaml': a scene file must lie");
+        Files.writeString(file, "scene: site.yaml\nvary: ../t.csv\n");
+        refused(Program.run(command), "wrong.campaign.yaml:2:7: table ../t.csv: must lie beside");
+    }
+
     /** The results are kept, but nobody takes them for a success. */
     @Test
     void aCampaignOfWhichNoCaseCouldBeRunFails() throws IOException {
@@ -456,9 +475,9 @@ class CampaignCommandTest {
         refused(Program.run("campaign", "nowhere.yaml"), "nowhere.yaml");
     }
 
-    private static void refused(Outcome wrong, String message) {
+    private static void refused(Outcome wrong, String... parts) {
         assertThat(wrong.code()).as(wrong.err()).isEqualTo(2);
-        assertThat(wrong.err().lines().filter(line -> line.contains(message)))
+        assertThat(wrong.err().lines().filter(line -> Stream.of(parts).allMatch(line::contains)))
                 .as(wrong.err())
                 .hasSize(1);
         assertThat(directory.resolve("new")).doesNotExist();

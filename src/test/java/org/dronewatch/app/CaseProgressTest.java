@@ -35,23 +35,43 @@ class CaseProgressTest {
     void casesOfAnEarlierRunDoNotCountForTheRate() {
         CaseProgress progress = progress(9_000);
         progress.kept(8_000);
-        now += 20 * SECOND;
-        progress.ran(100);
+        now += 2 * SECOND;
+        progress.ran(40);
+        now += 12 * SECOND;
+        progress.ran(60);
 
         assertThat(said.toString().strip()).isEqualTo("8,100 of 9,000 cases, 5.00 per second, 3 min left");
     }
 
+    /** Nine seconds for the site, one for each of the cases. */
+    @Test
+    void whatTheSiteTakesDoesNotCountForTheRate() {
+        CaseProgress progress = progress(100);
+        now += 9 * SECOND;
+        for (int second = 0; second < 12; second++) {
+            now += SECOND;
+            progress.ran(1);
+        }
+
+        assertThat(said.toString().lines())
+                .containsExactly("1 of 100 cases", "11 of 100 cases, 1.00 per second, 1 min left");
+    }
+
     @Test
     void longTimesAreInHoursAndShortOnesInSeconds() {
-        CaseProgress progress = progress(1000);
-        now += 10 * SECOND;
+        CaseProgress progress = progress(2000);
+        now += SECOND;
         progress.ran(1);
-        now += 10 * SECOND;
-        progress.ran(899);
+        now += 100 * SECOND;
+        progress.ran(10);
+        now += 4 * SECOND;
+        progress.ran(1);
+        now += 6 * SECOND;
+        progress.ran(1888);
 
         assertThat(said.toString().lines())
                 .containsExactly(
-                        "1 of 1,000 cases, 0.100 per second, 2 h 47 min left",
-                        "900 of 1,000 cases, 45.0 per second, 2 s left");
+                        "11 of 2,000 cases, 0.100 per second, 5 h 32 min left",
+                        "1,900 of 2,000 cases, 17.3 per second, 6 s left");
     }
 }

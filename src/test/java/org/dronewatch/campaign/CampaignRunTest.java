@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.RunSession;
@@ -117,6 +118,38 @@ class CampaignRunTest {
         });
         assertThat(summary.variants().get("blind").cutShort()).isBetween(1, 11);
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+    }
+
+    /** Whatever goes wrong in one case, the others have their results. */
+    @Test
+    void anUnexpectedErrorIsTheFailureOfItsCase() {
+        AtomicInteger asked = new AtomicInteger();
+        Cases broken = new Cases() {
+            @Override
+            public int size() {
+                return 1;
+            }
+
+            @Override
+            public List<String> variants() {
+                return plan.variants();
+            }
+
+            @Override
+            public List<String> values(int number) {
+                return asked.getAndIncrement() == 0 ? plan.values(number) : List.of();
+            }
+
+            @Override
+            public long seed(int number) {
+                return plan.seed(number);
+            }
+        };
+
+        CaseResult failed = CaseRun.of(plan, broken, 0, "near");
+
+        assertThat(failed.isFailed()).isTrue();
+        assertThat(failed.error().orElseThrow()).startsWith("internal error: ").contains("IndexOutOfBounds");
     }
 
     /** Cases draw their seeds from the campaign's; a value that another overrides would never be flown. */

@@ -78,6 +78,7 @@ class FactorTableTest {
         wrong("a.b,a\n1,2\n", "factors.csv:1: column 2: a: overlaps 'a.b', which varies as well");
         wrong("a,run.seed\n1,2\n", "factors.csv:1: column 2: run.seed: cannot be set, because each case has its own");
         wrong("a\n", "factors.csv: must have a line with the paths of settings and at least one row");
+        wrong("a,b\n\0\u0001,2\n", "factors.csv: is not text; a table is a CSV file in UTF-8");
         wrong("", "factors.csv: must have a line");
         wrong("a\n\"1\n", "factors.csv");
     }

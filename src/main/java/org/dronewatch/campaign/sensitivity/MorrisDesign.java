@@ -45,14 +45,14 @@ public record MorrisDesign(int factors, int base, Uniform01 values, Uniform01 or
 
     @Override
     public boolean isSecond(int evaluation, int factor) {
-        int[] sequence = sequence(group(evaluation));
-        int changed = evaluation % groupSize();
-        for (int i = 0; i < changed; i++) {
-            if (sequence[i] == factor) {
-                return true;
-            }
+        int group = group(evaluation);
+        double key = order.draw(group, factor, false);
+        int before = 0;
+        for (int other = 0; other < factors; other++) {
+            double its = order.draw(group, other, false);
+            before += its < key || its == key && other < factor ? 1 : 0;
         }
-        return false;
+        return before < evaluation % groupSize();
     }
 
     @Override

@@ -135,7 +135,8 @@ public final class CampaignFiles implements AutoCloseable {
                 FileChannel.open(directory.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         try {
             FileLock held = channel.tryLock();
-            if (held != null) {
+            // What is locked may have been removed in between by the run that had it.
+            if (held != null && Files.exists(directory.resolve(LOCK))) {
                 return channel;
             }
         } catch (OverlappingFileLockException e) {

@@ -24,13 +24,15 @@ final class WorstCases {
 
     private static final String RULE =
             "The worst case is one in which the drone is not detected; without such a case, one"
-                    + " in which no alert is raised; without that, the one with the least warning time or, where nothing is"
+                    + " in which no alert is raised, with the least range of the first detection; without that, the one with the least warning time or, where nothing is"
                     + " protected, the least range. Of several, it is the one in which the drone comes closest to what is"
                     + " protected, and of these the first.";
 
     private static final Comparator<CaseResult> WORST_FIRST = Comparator.comparing(
                     (CaseResult result) -> result.firstDetected().isPresent())
             .thenComparing(result -> result.alert().isPresent())
+            .thenComparing(result -> result.warning().isPresent())
+            // Seconds are compared with seconds, and metres, without a warning time, with metres.
             .thenComparingDouble(
                     result -> result.warning().orElse(result.range().orElse(0.0)));
 

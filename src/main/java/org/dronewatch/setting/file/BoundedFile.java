@@ -37,7 +37,8 @@ public final class BoundedFile {
         }
     }
 
-    private static String reason(IOException problem) {
+    /** Why a file cannot be read, without its name. */
+    static String reason(IOException problem) {
         if (problem instanceof NoSuchFileException) {
             return "no such file";
         }

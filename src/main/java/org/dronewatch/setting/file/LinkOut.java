@@ -31,7 +31,8 @@ public final class LinkOut {
                         + PlainText.value(directory) + ": keep such files beside or below the scene file");
             }
         } catch (IOException e) {
-            throw new InputException(what + " " + PlainText.value(file) + " cannot be read: " + e.getMessage(), e);
+            throw new InputException(
+                    what + " " + PlainText.value(file) + " cannot be read: " + BoundedFile.reason(e), e);
         }
     }
 }
