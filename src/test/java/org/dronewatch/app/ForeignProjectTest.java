@@ -50,7 +50,8 @@ class ForeignProjectTest {
     }
 
     private Program.Outcome run(List<Path> jars, String... arguments) throws IOException, InterruptedException {
-        try (Program.Child child = Program.startWith(directory, jars, List.of("-Xmx512m"), arguments)) {
+        try (Program.Child child =
+                Program.startWith(directory, jars, List.of("-Xmx512m", "-XX:+UseSerialGC"), arguments)) {
             return child.await();
         }
     }

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.dronewatch.LongForm;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
@@ -45,7 +46,8 @@ class BruteForceTest {
         }
     }
 
-    private static void compare(String name, TriangleMesh mesh, int count, long seed) {
+    private static void compare(String name, TriangleMesh mesh, int most, long seed) {
+        int count = LongForm.count(most / 2, most);
         KDTree tree = KDTree.of(mesh);
         BruteForce bruteForce = new BruteForce(mesh);
         double[][] rays = new Rays(mesh, seed).any(count);

@@ -272,7 +272,7 @@ class LabelsTest {
                                 "sweep: {kind: values, parameter: drones.intruder.speed, values: [12, 15]}\nsensors:\n")
                         .replace(
                                 "    use: piranha-46-hr\n",
-                                "    use: piranha-46-hr\n    rate: 2 Hz\n    width: 640 px\n    height: 400 px\n"));
+                                "    use: piranha-46-hr\n    rate: 2 Hz\n    width: 320 px\n    height: 200 px\n"));
         JsonNode coco = coco("run", scene.toString(), "--labels", "cued", "--samples", "1");
         assertNumbered(coco);
         Map<String, Integer> values = observed();
