@@ -110,7 +110,7 @@ record Prober(
         Sensor sensor = eye.sensor;
         RandomGenerator random = look.random(there.id(), RaySensor.RAYS);
         if (sensor instanceof BoundingSensor) {
-            // What has traced the site for bounds knows it already.
+            // The assessor has already traced the site for its bounds.
             return eye.assessor
                             .assessCoarsely(there, look.pointing(), random, EVEN_CHANCE)
                             .probability()

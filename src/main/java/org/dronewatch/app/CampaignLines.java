@@ -63,7 +63,7 @@ final class CampaignLines {
     }
 
     /**
-     * Prints what to doubt about the results.
+     * Prints what casts doubt on the results.
      *
      * @return the exit code: that of a failure if no case could be run
      */

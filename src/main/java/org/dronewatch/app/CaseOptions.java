@@ -32,8 +32,8 @@ final class CaseOptions {
     @Option(
             names = "--picture",
             paramLabel = "FILE.png",
-            description = "With --case: also writes a picture from above, in which the colour of the flight says who"
-                    + " detects the drone; the first variant, unless --variant names another.")
+            description = "With --case: also writes a picture from above, in which the colour of the flight says"
+                    + " which sensors detect the drone; the first variant, unless --variant names another.")
     private String picture;
 
     @Option(names = "--variant", paramLabel = "NAME", description = "With --case: only this variant.")
@@ -81,7 +81,7 @@ final class CaseOptions {
         }
         String shown = variant == null ? variants.get(0) : variant;
         if (variant == null && variants.size() > 1 && (view || picture != null)) {
-            err.println("shown is " + shown + "; --variant shows another");
+            err.println("showing " + shown + "; --variant shows another");
         }
         if (picture != null) {
             target.write(stream -> new CasePictures(plan).write(number, shown, stream));

@@ -17,7 +17,7 @@ record CaseRuns(Interruption interruption, PrintWriter err, CaseExecution execut
      * Runs the cases that are missing.
      *
      * @param name for the progress
-     * @return whether all were run: if not, whole chunks are kept
+     * @return whether all were run: if not, complete chunks are kept
      */
     boolean run(CampaignRun run, CampaignRun.Chunks kept, String name) {
         try (CaseProgress progress = new CaseProgress(name, run.size(), err)) {

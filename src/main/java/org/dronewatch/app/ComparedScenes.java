@@ -91,7 +91,7 @@ final class ComparedScenes {
         }
     }
 
-    /** All bearings are equally likely for every drone, birds apart, whose flight has one. */
+    /** Every bearing is equally likely for each drone whose flight has one, except for birds. */
     private Map<String, Variation> allBearings() {
         SceneSettings scene = new SceneRunner(SceneChoice.named(first)).settings();
         Variation any = Variation.of(new Uniform("0 deg", "360 deg"));

@@ -70,9 +70,8 @@ final class RouteCommand implements Callable<Integer> {
     @Option(
             names = "--proof",
             paramLabel = "N",
-            description =
-                    "Flies each route N times with different seeds, and compares how often it is detected with what"
-                            + " follows from all looks of the sensors; 1 to 1,000,000.")
+            description = "Flies each route N times with different seeds, and compares how often the drone is detected"
+                    + " with what follows from all looks of the sensors; 1 to 1,000,000.")
     private Integer proof;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")

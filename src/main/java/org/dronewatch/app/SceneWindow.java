@@ -15,7 +15,7 @@ final class SceneWindow {
     private final PrintWriter err;
 
     /**
-     * A window to come.
+     * A window that is not open yet.
      *
      * @param threads that run scenes and draw
      * @param err receives the notes of all runs
@@ -32,7 +32,7 @@ final class SceneWindow {
         return obstacle.isEmpty();
     }
 
-    /** One line for a person. */
+    /** One line for the user. */
     static String noWindow(String obstacle) {
         return "cannot open a window: " + obstacle + "; 'render' draws pictures without one";
     }

@@ -94,8 +94,8 @@ public final class TracingIndex {
     }
 
     /**
-     * A new packet of incoherent rays that are traced together, or empty where that is not faster: it is in meshes of a
-     * few triangles, such as an empty room, where the processor's vectors can be used.
+     * A new packet of incoherent rays that are traced together, or empty where that is not faster: it is faster in
+     * meshes of a few triangles, such as an empty room, where the processor's vectors can be used.
      */
     public Optional<RayPacket> newRayPacket() {
         return few.isPresent() && traversal == RayTraversal.FASTEST && suitsVectors()

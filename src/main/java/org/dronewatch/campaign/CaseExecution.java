@@ -10,9 +10,8 @@ public interface CaseExecution {
      * Runs what is missing.
      *
      * @param run what is to be run
-     * @param kept where chunks are kept; it is used by one thread at a time, and not after the return
-     * @throws java.util.concurrent.CancellationException when the thread is interrupted: the chunks that are whole are
-     *     kept
+     * @param kept where chunks are kept; it is used by one thread at a time, and not after this method returns
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted: complete chunks are kept
      */
     void run(CampaignRun run, CampaignRun.Chunks kept, CampaignRun.Progress progress);
 }

@@ -3,7 +3,7 @@ package org.dronewatch.campaign;
 import java.util.List;
 import java.util.Optional;
 
-/** The results of a campaign whose cases are kept nowhere: they are summed up as they come. For one thread. */
+/** The results of a campaign whose cases are not kept: they are summed up as they arrive. For one thread. */
 public final class SummedCases implements CampaignRun.Chunks {
     private final CampaignSummary summary;
     private final Stopping stopping;
@@ -22,7 +22,7 @@ public final class SummedCases implements CampaignRun.Chunks {
         return Optional.empty();
     }
 
-    /** Chunks come in their order, since the outcomes may decide how many there are. */
+    /** Chunks arrive in order, since the outcomes may decide how many there are. */
     @Override
     public void put(int chunk, List<CaseResult> results) {
         if (chunk != next) {

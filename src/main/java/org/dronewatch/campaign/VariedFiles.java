@@ -18,8 +18,8 @@ final class VariedFiles {
     private final List<String> hashes = new ArrayList<>();
 
     /**
-     * Reads the files of a variant with a value, if the value may name one. One that cannot be read is no mistake yet:
-     * the values of other settings may be needed as well, and a case that does need it fails.
+     * Reads the files of a variant with a value, if the value may name one. One that cannot be read is not an error
+     * yet: the values of other settings may be needed as well, and a case that does need it fails.
      *
      * @param settings of the variant, with the value
      */

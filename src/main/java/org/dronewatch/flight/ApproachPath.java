@@ -3,7 +3,7 @@ package org.dronewatch.flight;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
-/** A straight path at constant speed, which stays at its end. */
+/** A straight path at constant speed; the drone stays at its end. */
 final class ApproachPath implements FlightPath {
     private final Position from;
     private final Position to;

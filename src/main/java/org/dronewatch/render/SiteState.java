@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param drones the drones
  * @param selected the selected sensor or drone
  * @param rays rays of sound
- * @param stretches flights that are drawn by who detects the drone where, instead of by what is flown and to come
+ * @param stretches flights that are coloured by which sensors detect the drone, instead of drawn as past and future
  */
 public record SiteState(
         String title,
@@ -29,7 +29,7 @@ public record SiteState(
         stretches = List.copyOf(stretches);
     }
 
-    /** A state whose flights are drawn by what is flown and to come. */
+    /** A state whose flights are drawn as past and future. */
     public SiteState(
             String title,
             double time,
@@ -40,7 +40,7 @@ public record SiteState(
         this(title, time, sensors, drones, selected, rays, List.of());
     }
 
-    /** This state with flights that are drawn by who detects the drone where. */
+    /** This state with flights that are coloured by which sensors detect the drone. */
     public SiteState withStretches(List<FlightStretch> others) {
         return new SiteState(title, time, sensors, drones, selected, rays, others);
     }

@@ -65,7 +65,8 @@ final class StateLines {
     }
 
     /**
-     * Parts of flights with a white edge, in the colours of who detects the drone there; dashed where nobody does.
+     * Parts of flights with a white edge, in the colours of the sensors that detect the drone there; dashed where none
+     * does.
      *
      * @param dash length of a dash and of the gap behind it, m
      */

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The flights of a picture that are drawn by who detects the drone where. */
+/** The flights of a picture that are coloured by which sensors detect the drone. */
 final class WatchedFlights {
-    /** The dashes of flights that nobody detects, as a fraction of the box of interest. */
+    /** The dashes of flights that no sensor detects, as a fraction of the box of interest. */
     private static final double DASH = 0.012;
 
     /** The number of changes along flights that are written beside them. */
@@ -44,7 +44,7 @@ final class WatchedFlights {
         lines.stretches(stretches, watchers, DASH * size);
     }
 
-    /** Writes beside them who detects the drone from where on; the beginning of a flight needs no words. */
+    /** Writes beside them which sensors detect the drone from there on; the beginning of a flight needs no words. */
     void write(Symbols symbols) {
         stretches.stream()
                 .filter(stretch -> stretch.from() > 0.0)

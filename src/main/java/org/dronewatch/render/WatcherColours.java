@@ -7,7 +7,7 @@ import java.util.Map;
 
 /** The colours of the parts of flights, by the sensors that detect the drone there, in the order of occurrence. */
 final class WatcherColours {
-    /** Where nobody detects the drone; such parts are also dashed. */
+    /** Where no sensor detects the drone; such parts are also dashed. */
     static final Color NOBODY = new Color(0x20262e);
 
     private static final int MOST_NAMES = 3;

@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
 /**
  * The weakest route of a drone that cannot fly for longer than some time under power: found by a price of time, a
  * Lagrange multiplier, that is raised until the route is short enough, and then bisected. For every price, the least
- * sum of exposure and price, without the price of the whole time, is a lower bound of the exposure of all routes that
+ * sum of exposure and price, less the price of the whole time, is a lower bound of the exposure of all routes that
  * are short enough (the dual bound). Of routes with the same sum, those between the shortest and the least exposed are
  * not found, so that a gap may remain.
  */
@@ -90,7 +90,7 @@ final class EnduranceLimit {
     /** The weakest route at a price, if it is short enough. */
     private Optional<WeakestRoute> at(double price, BitSet starts) {
         WeakestRoutes routes = search.apply(price);
-        // What is flown without power takes time as well, which a limit of the power does not bound.
+        // What is flown without power takes time as well, which a limit on powered flight does not bound.
         if (modes.stream().noneMatch(RouteMode::isGlide)) {
             lower = Math.max(lower, routes.priced(starts) - price * seconds);
         }

@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** The square over which routes are searched unless another is asked for. */
+/** The square in which routes are searched for unless another is given. */
 public final class RouteArea {
     /** How far beyond the last point at which a detection is in time the square reaches, m. */
     private static final double BEYOND = 250.0;

@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 
-/** The exposure of a drone in several modes of flight, each with a field of its own, by the numbers of the modes. */
+/** The exposure of a drone in several modes of flight, each with a separate field, by the numbers of the modes. */
 record SiteExposure(List<FieldExposure> modes) implements ExposureField {
     SiteExposure {
         modes = List.copyOf(modes);

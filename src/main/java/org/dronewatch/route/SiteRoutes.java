@@ -23,8 +23,9 @@ import org.dronewatch.sensor.Cause;
 /**
  * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at
  * any of the field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the
- * sensors. A route has arrived when it is in the zone; if no cell has its middle in it, or there is none, when it is
- * within one cell's length of the zone or, in plan view, of the middle. It meets nothing solid. One thread at a time.
+ * sensors. A route has arrived when it is in the zone; if there is no zone, or it contains the middle of no cell, when
+ * it is within one cell's length of the zone or, in plan view, of the middle of the sensors. It meets nothing solid.
+ * One thread at a time.
  */
 public final class SiteRoutes {
     /** The sectors from which routes come: the first centred on north, then clockwise. */
@@ -88,8 +89,8 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes of a drone that may fly in several modes: as it begins, and from any post on, once, in
-     * the next one of them, such as from power to gliding.
+     * Searches for all routes of a drone that may fly in several modes: it begins in the first of them, and may change
+     * to the next one, once and at any post, such as from power to gliding.
      *
      * @param modes at least one, with fields over the same grid
      * @throws IllegalArgumentException if there is no mode, or as above

@@ -3,8 +3,8 @@ package org.dronewatch.route;
 import java.util.OptionalDouble;
 
 /**
- * How long a drone needs at least from each post of a grid to the end of a route: where this is less than the time of a
- * response, an alert must have come before. Immutable and thread-safe.
+ * The least time that a drone needs from each post of a grid to the end of a route: where this is less than the time of
+ * a response, an alert must have come before. Immutable and thread-safe.
  */
 public final class TimeToGo {
     private final RouteGrid grid;

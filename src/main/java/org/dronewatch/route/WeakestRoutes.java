@@ -12,7 +12,7 @@ import org.dronewatch.geometry.Position;
  * longer matter to the route that is found, whose exposure is integrated anew. Immutable and thread-safe.
  */
 public final class WeakestRoutes {
-    /** From so many starts, those with the least exposure over the posts, the exposure of the path is compared. */
+    /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */
     private static final int CANDIDATES = 64;
 
     private final RouteProblem problem;

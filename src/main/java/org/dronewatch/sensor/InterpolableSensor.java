@@ -5,7 +5,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**
- * A sensor whose signal takes long to assess, but for those paths that take less time. What arrives on the others
+ * A sensor whose signal takes long to assess, except along those paths that take less time. What arrives on the others
  * varies slowly with the drone's position, apart from the borders of shadows: a field may assess the signal at some
  * positions and interpolate this rest at the others. Quantities and thresholds are in dB.
  */

@@ -1,6 +1,6 @@
 package org.dronewatch.sensor;
 
-/** The tail of the normal distribution: by how often noise and errors exceed a limit. */
+/** The tail of the normal distribution: how often noise and errors exceed a limit. */
 public final class NormalTail {
     /** From here on the continued fraction of the tail converges quickly, below it the series of its complement. */
     private static final double FAR = 3.0;

@@ -51,7 +51,7 @@ final class ChunkReceiver extends AbstractFunction2<Object, ChunkAnswer, BoxedUn
         target.accept(chunk, new RemoteChunks(run.plan()).read(run.cases(), chunk, answer.rows()));
     }
 
-    /** Later answers are dropped; one that is being received is received to its end. */
+    /** Later answers are dropped; one that has begun to arrive is received in full. */
     synchronized void close() {
         isClosed = true;
     }

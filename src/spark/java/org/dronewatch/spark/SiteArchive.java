@@ -87,8 +87,8 @@ final class SiteArchive {
 
         private void check(long more) {
             if (files > MOST_FILES || bytes + more > MOST_BYTES) {
-                throw new InputException(PlainText.value(directory) + ": has more than 10,000 files or 1 GiB, which are"
-                        + " too many to be sent: keep the campaign in a directory of its own, or share the directory"
+                throw new InputException(PlainText.value(directory) + ": has more than 10,000 files or 1 GiB, which is"
+                        + " too much to send: keep the campaign in a separate directory, or share the directory"
                         + " and name the campaign file there with --conf " + SparkCluster.SHARED + "=PATH");
             }
         }

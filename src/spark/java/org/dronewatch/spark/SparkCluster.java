@@ -38,7 +38,7 @@ final class SparkCluster implements CampaignCluster {
                     // A line for every task would hide the progress.
                     .setIfMissing("spark.log.level", "WARN");
             if (!settings.contains("spark.master")) {
-                throw new InputException("no Spark cluster: start this class by spark-submit, with --master");
+                throw new InputException("no Spark cluster: start this class with spark-submit and --master");
             }
             context = new JavaSparkContext(settings);
         }

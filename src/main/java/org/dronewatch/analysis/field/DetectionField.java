@@ -85,9 +85,9 @@ public final class DetectionField {
     }
 
     /**
-     * The same as far as it was not assessed before.
+     * The same, but only what was not assessed before is assessed.
      *
-     * @param asked of which the choice of a course, and with which probability a cell is covered, have no effect
+     * @param asked the request; its choice of a course and its probability of being covered have no effect
      * @param store of assessments that were made before
      */
     public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {
@@ -254,8 +254,8 @@ public final class DetectionField {
     }
 
     /**
-     * The errors of those sensors' levels that are interpolated between cells, by name: all others are assessed in each
-     * cell.
+     * The errors of the levels that are interpolated between cells, by the names of the sensors: all others are
+     * assessed in each cell.
      */
     public Map<String, InterpolationError> interpolated() {
         Map<String, InterpolationError> errors = new LinkedHashMap<>();

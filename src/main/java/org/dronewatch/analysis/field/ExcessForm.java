@@ -54,7 +54,7 @@ final class ExcessForm implements StoredForm<ExcessMap> {
 
     private static List<TracedPlace> places(double[] numbers) {
         if (numbers.length % NUMBERS != 0 || DoubleStream.of(numbers).anyMatch(Double::isNaN)) {
-            throw new IllegalArgumentException("not a number of places");
+            throw new IllegalArgumentException("incomplete list of positions");
         }
         List<TracedPlace> places = new ArrayList<>();
         for (int at = 0; at < numbers.length; at += NUMBERS) {

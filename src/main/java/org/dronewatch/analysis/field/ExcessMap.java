@@ -10,9 +10,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Signal;
 
 /**
- * By how much the signal of one sensor exceeds that in the open, and what it receives on other than exact paths, at any
- * position: interpolated between the nearest traced ones, separately in sight of the sensor, out of sight, and where
- * nothing arrives on exact paths. Immutable.
+ * By how much the signal of one sensor exceeds that in the open, and what it receives along other than exact paths, at
+ * any position: interpolated between the nearest traced ones, separately in sight of the sensor, out of sight, and
+ * where nothing arrives along exact paths. Immutable.
  */
 final class ExcessMap {
     private static final int NEIGHBOURS = 20;
@@ -41,7 +41,7 @@ final class ExcessMap {
     /**
      * Values between the nearest traced positions.
      *
-     * @param rest what arrives on other than exact paths, dB
+     * @param rest what arrives along other than exact paths, dB
      * @param leastRest the least of those of the neighbours, dB
      * @param greatestRest the greatest of them, dB
      * @param overOpen excess over the signal in the open, dB
@@ -54,7 +54,7 @@ final class ExcessMap {
          * By how much the signal exceeds that in the open, dB.
          *
          * @param open the signal in the open, dB
-         * @param exact by how much the signal on exact paths exceeds that in the open, dB
+         * @param exact by how much the signal along exact paths exceeds that in the open, dB
          */
         double over(double open, double exact) {
             return TracedPlace.together(exact, rest - open);
@@ -136,7 +136,7 @@ final class ExcessMap {
     }
 
     /**
-     * The same where it is known by how much the signal on exact paths exceeds that in the open, dB: more accurate
+     * The same where it is known by how much the signal along exact paths exceeds that in the open, dB: more accurate
      * out of sight.
      */
     Optional<Estimate> at(Position at, boolean isInSight, double exact) {

@@ -105,7 +105,7 @@ record FieldProbe(
     }
 
     /**
-     * The assessment of a drone, except for what the steps of a {@link CellCode} do not tell apart, and faster;
+     * The assessment of a drone, exact only to the steps of a {@link CellCode}, and therefore faster;
      * interpolated, if this sensor's signals are.
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {

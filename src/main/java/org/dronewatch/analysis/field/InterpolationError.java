@@ -26,7 +26,7 @@ public record InterpolationError(int places, int heldOut, double largely, Bounds
     /** How many standard deviations count as certain. */
     static final double CERTAIN = 3.0;
 
-    /** How far errors that have not been met may exceed those that have. */
+    /** How far errors that were not measured may exceed those that were. */
     private static final double MARGIN = 1.25;
 
     /** Fewer errors than this do not show how large they are. */

@@ -14,8 +14,8 @@ import org.dronewatch.sound.Levels;
  * @param isInSight whether nothing is in the way of the direct signal
  * @param signal the signal
  * @param overOpen by how much that exceeds the signal in the open, dB
- * @param exact by how much the signal on exact paths exceeds that in the open, dB
- * @param rest what arrives on other paths, dB
+ * @param exact by how much the signal along exact paths exceeds that in the open, dB
+ * @param rest what arrives along other paths, dB
  */
 record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpen, double exact, double rest) {
     /** A signal that is weaker than this compared with the open counts as this weak, dB: it may be silence. */
@@ -39,7 +39,7 @@ record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpe
                 open.quantity() + rest(overOpen, ofExact));
     }
 
-    /** What all paths bring beyond the exact ones; all compared with the open, dB. */
+    /** What all paths add to the exact ones; all compared with the open, dB. */
     private static double rest(double overOpen, double exact) {
         double energy = Levels.toRatio(overOpen) - (isSilent(exact) ? 0.0 : Levels.toRatio(exact));
         return energy > 0.0 ? Math.max(Levels.ofRatio(energy), WEAKEST) : WEAKEST;
@@ -50,7 +50,7 @@ record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpe
         return over <= WEAKEST;
     }
 
-    /** What arrives on exact and other paths together; all compared with the open, dB. */
+    /** What arrives along exact and other paths together; all compared with the open, dB. */
     static double together(double exact, double rest) {
         double all = isSilent(exact) ? rest : Levels.ofRatio(Levels.toRatio(exact) + Levels.toRatio(rest));
         return Math.max(all, WEAKEST);

@@ -9,12 +9,12 @@ import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Cases;
 
-/** What two processes exchange that run one campaign: which campaign it is, and the results of chunks as bytes. */
+/** What two processes that run one campaign exchange: which campaign it is, and the results of chunks as bytes. */
 public final class RemoteChunks {
     private final CampaignPlan plan;
     private final CaseTable table;
 
-    /** Of a campaign, as one of the processes has read it. */
+    /** The chunks of a campaign, as one of the processes has read it. */
     public RemoteChunks(CampaignPlan plan) {
         this.plan = plan;
         this.table = new CaseTable(plan.paths());

@@ -130,7 +130,7 @@ public final class MapSheet {
         g.setClip(null);
     }
 
-    /** Writes a short text on a pale ground beside a point on the map, moved so that it is complete. */
+    /** Writes a short text on a pale background beside a point on the map, moved so that all of it is visible. */
     public void label(Position at, String text) {
         g.setFont(TITLE);
         int wide = g.getFontMetrics().stringWidth(text);

@@ -89,8 +89,8 @@ public final class RouteMap {
 
         @Override
         public String description() {
-            return "The route from each direction on which the sensors are least likely to detect the drone in time; the"
-                    + " darker a line, the higher the chance of a detection within a second.";
+            return "For each direction, the route on which the sensors are least likely to detect the drone in time;"
+                    + " the darker a line, the higher the chance of a detection within a second.";
         }
 
         @Override

@@ -38,7 +38,7 @@ final class RoutePictures {
         legend(sheet, survey);
         sheet.credits(stage.credits());
         sheet.caption(
-                "The weakest route from each direction; the darker and thicker a line, the more exposed is the drone.");
+                "The weakest route from each direction; the darker and thicker a line, the more exposed the drone.");
         return sheet;
     }
 

@@ -53,7 +53,7 @@ final class RouteReport {
         page.add(Html.figure(figure.png(), figure.caption()));
         if (profile.isPresent()) {
             Figure heights = Figure.of(
-                    "The weakest route: its height over the ground, and the probability that the drone has been"
+                    "The weakest route: its height above the ground, and the probability that the drone has been"
                             + " detected by then.",
                     profile.get());
             page.add(Html.figure(heights.png(), heights.caption()));
@@ -76,8 +76,9 @@ final class RouteReport {
                                 ? " while " + number(survey.response()) + " s are left for the response."
                                 : " before it reaches " + inputs.targetInWords() + ".")
                         + " 'Detected' is the probability that any sensor detects it at all; 'time left' is that between"
-                        + " the typical (median) first detection and its arrival. No route can have less exposure than"
-                        + " the lower bound; an exposure of 1 is a detection with 63 %, of 3 with 95 %.");
+                        + " the typical (median) first detection and the drone's arrival. No route can have less"
+                        + " exposure than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"
+                        + " means 95 %.");
     }
 
     private String table() {
@@ -126,9 +127,9 @@ final class RouteReport {
         }
         return Html.plain(
                         "p",
-                        "Each route was flown with many seeds, with sensors on positioners only searching. The prediction is"
-                                + " that of all looks that such a flight meets.")
-                + Html.table(List.of("from", "detected", "interval of 99 %", "predicted", "agrees"), rows);
+                        "Each route was flown with many seeds, with sensors on positioners only searching. The"
+                                + " prediction follows from all looks at the drone during such a flight.")
+                + Html.table(List.of("from", "detected", "99 % interval", "predicted", "agrees"), rows);
     }
 
     private List<String> scope(SensorTables sensors) {

@@ -78,7 +78,7 @@ public final class RouteTable {
     private static List<String> proofs(RouteResults results) {
         List<String> lines = new ArrayList<>();
         lines.add("flown with many seeds, positioners searching:");
-        lines.add(text(PROOF, "from", "detected", "interval of 99 %", "predicted", "agrees")
+        lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees")
                 + (results.timely().isEmpty() ? "" : "  alert in time"));
         results.proofs()
                 .forEach((sector, proof) -> lines.add(text(

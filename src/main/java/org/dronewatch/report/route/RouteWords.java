@@ -53,7 +53,7 @@ final class RouteWords {
         String sensor = route.mostExposedTo().get();
         String by = route.bySensor().size() == 1
                 ? "by " + sensor
-                : route.share(sensor) > 0.995 ? "only by " + sensor : "most of it by " + sensor;
+                : route.share(sensor) > 0.995 ? "only by " + sensor : "mostly by " + sensor;
         return "the drone is detected with a probability of "
                 + percent(route.profile().detection()) + ", typically " + when(route) + "; " + by;
     }
@@ -76,7 +76,7 @@ final class RouteWords {
         return CompassPoint.of(route.bearing());
     }
 
-    /** A time that is left with the sign of being late, {@code 14 s late}; a dash without a detection. */
+    /** The time left, compared with the response: {@code 14 s late}; a dash without a detection. */
     static String margin(OptionalDouble left, double response) {
         if (left.isEmpty()) {
             return "-";

@@ -7,12 +7,12 @@ import org.dronewatch.fusion.Confirmation;
  * outcomes of the last looks.
  */
 final class ConfirmedMisses {
-    /** The most looks of a confirmation: there are two to the power of one less states. */
+    /** The most looks of a confirmation: with n looks there are 2^(n - 1) states. */
     static final int MOST_LOOKS = 12;
 
     private final Confirmation confirmation;
 
-    /** By the outcomes of the last looks but one, the latest in the lowest bit: the probability, not confirmed yet. */
+    /** By the outcomes of the last n - 1 looks, the latest in the lowest bit: their probability, unconfirmed. */
     private double[] chances;
 
     ConfirmedMisses(Confirmation confirmation) {

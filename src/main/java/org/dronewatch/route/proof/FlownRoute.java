@@ -39,7 +39,7 @@ public final class FlownRoute {
     /**
      * Assesses all looks along a route, on the {@link Workers} of the calling thread.
      *
-     * @param scene with one drone, such as a {@link RouteScene}; its cues count for nothing
+     * @param scene with one drone, such as a {@link RouteScene}; its cues are ignored
      * @param models of the scene
      * @throws IllegalArgumentException if the scene has not exactly one drone
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
@@ -72,7 +72,7 @@ public final class FlownRoute {
     }
 
     /**
-     * The probability of a timely detection, by the model EASI ({@link TimelyDetection}): that the scene's rule raises
+     * The probability of a timely detection, by the EASI model ({@link TimelyDetection}): that the scene's rule raises
      * an alert early enough before the end of the route for the response. All of the flight that is left after an alert
      * is one task, which lasts for as long as planned on average, with a standard deviation of 30 %, and so does
      * the response.

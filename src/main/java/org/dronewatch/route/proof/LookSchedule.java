@@ -28,7 +28,7 @@ import org.dronewatch.sensor.SensorSettings;
  * heading and the speed of the run, and with the pointing of a positioner that only searches. Immutable.
  */
 final class LookSchedule {
-    /** A probability that is estimated from random rays is the mean of so many estimates. */
+    /** A probability that is estimated from random rays is the mean of this many estimates. */
     private static final int ESTIMATES = 16;
 
     private final List<SensorSettings<?>> sensors;

@@ -56,7 +56,7 @@ final class MissedLooks {
     }
 
     /**
-     * The mean over the number u that the observer draws, from 0 to 1, of the probability that his search fails in all
+     * The mean over the number u that the observer draws, from 0 to 1, of the probability that the search fails in all
      * looks with {@code p >= u}. Between two neighbouring probabilities, it is the same for all u.
      */
     private static double ofEncounter(List<ScheduledLook> looks, double rate) {

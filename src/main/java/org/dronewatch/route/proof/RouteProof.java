@@ -29,7 +29,7 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
     /** The confidence of the interval. */
     public static final double CONFIDENCE = 0.99;
 
-    /** Every so many runs, one is repeated as a plain run. */
+    /** One in this many runs is repeated as a plain run. */
     static final int PLAIN = 20;
 
     /** A prediction of exactly 0 or 1 may be off by rounding. */
@@ -44,7 +44,7 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
      * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the same for any number of them. Run
      * {@code i} has the seed {@link #seed}. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
      *
-     * @param scene with one drone, such as a {@link RouteScene}; its cues count for nothing
+     * @param scene with one drone, such as a {@link RouteScene}; its cues are ignored
      * @param models of the scene
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread

@@ -119,7 +119,7 @@ public final class DronePicture {
         return there.refine(dynamicView, drone, enough, isSufficient);
     }
 
-    /** What is behind a drone: nothing for a camera in a passing pose, if nothing can be in front of the drone. */
+    /** What is behind a drone: nothing for a camera in a temporary pose, if nothing can be in front of the drone. */
     private Background background(Position at, double radius) {
         return !isAtRest && sight.isClear(at, radius) ? Background.NOTHING : staticView;
     }

@@ -15,7 +15,7 @@ public final class SilhouetteArea {
     /** Rounding of sums, and of distances. */
     private static final double ROUNDING = 1e-9;
 
-    /** Where the bundle's frame is that of the masks. */
+    /** Up to this sine of the elevation, the bundle's frame is that of the masks. */
     private static final double STEEPEST = 0.9;
 
     /** A mask saves several pictures of about this number of pixels: see {@link SilhouetteTable#mask}. */

@@ -64,7 +64,7 @@ final class SquareLawDetector {
         return falseAlarm;
     }
 
-    /** How many pulses are added up. */
+    /** The number of pulses that are integrated. */
     int pulses() {
         return pulses;
     }

@@ -106,7 +106,7 @@ public final class LevelTracer {
     }
 
     private void trace(long seed, TracedRays extent, RayRecorder recorder) {
-        // A recorder takes one segment at a time; looks at many places are shared out among the threads as a whole.
+        // A recorder takes one segment at a time; of looks at many places, each thread takes whole ones.
         boolean isShared =
                 recorder == RayRecorder.NONE && (extent == TracedRays.ALL || extent == TracedRays.UNTIL_DETECTED);
         int threads = isShared ? Workers.available() : 1;

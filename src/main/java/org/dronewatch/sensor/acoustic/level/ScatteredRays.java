@@ -81,7 +81,7 @@ final class ScatteredRays {
     }
 
     /**
-     * Most directions miss the sensor already by their vertical component: unit vectors within the angle that it
+     * The vertical component alone shows that most directions miss the sensor: unit vectors within the angle that it
      * subtends, of sine s, are at most 2 sin(asin(s) / 2) apart.
      */
     private void drawDirected(
@@ -104,7 +104,7 @@ final class ScatteredRays {
         double vertical = Math.abs(z) / distance;
         for (int i = 0; i < count; i++) {
             double drawn = 2.0 * random.nextDouble() - 1.0;
-            // It may be turned over.
+            // The direction may yet be reversed: either sign counts.
             if (Math.abs(Math.abs(drawn) - vertical) > apart + ROUNDING) {
                 SkippableRandom.skip(random, 1);
             } else {

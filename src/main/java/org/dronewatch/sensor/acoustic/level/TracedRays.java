@@ -8,9 +8,9 @@ enum TracedRays {
     UNTIL_DETECTED,
     /**
      * Those up to the first that is loud enough, without those that end at the next surface and cannot be loud enough
-     * at the sensor: see {@link DecisiveRays}. The others have the same random numbers, so that the look detects, and
-     * is detected by the same ray, as with {@link #UNTIL_DETECTED}; below the level of detection, its levels may be too
-     * low. The ray budget must not end any ray.
+     * at the sensor: see {@link DecisiveRays}. The others have the same random numbers, so that the look detects
+     * the drone, and by the same ray, as with {@link #UNTIL_DETECTED}; below the level of detection, its levels may be
+     * too low. The ray budget must not end any ray.
      */
     DECISIVE_OF_LOOK,
     /**
