@@ -22,11 +22,10 @@ final class WorstCases {
     private static final int MOST_VARIANTS = 10;
     private static final int MOST_PICTURES = 4;
 
-    private static final String RULE =
-            "The worst case is one in which the drone is not detected; without such a case, one"
-                    + " in which no alert is raised, with the least range of the first detection; without that, the one with the least warning time or, where nothing is"
-                    + " protected, the least range. Of several, it is the one in which the drone comes closest to what is"
-                    + " protected, and of these the first.";
+    private static final String RULE = "The worst case is one in which the drone is not detected; failing that, one"
+            + " in which no alert is raised, with the least range of the first detection; failing that, the"
+            + " one with the least warning time or, where nothing is protected, the least range. Of several, it is the one in which the drone comes closest to what is"
+            + " protected, and of these the first.";
 
     private static final Comparator<CaseResult> WORST_FIRST = Comparator.comparing(
                     (CaseResult result) -> result.firstDetected().isPresent())
