@@ -91,7 +91,7 @@ class CalibrateCommandTest {
         return Program.run(Stream.concat(words, Stream.of(more)).toArray(String[]::new));
     }
 
-    /** The range of the first detection in a run with the fitted sensor. */
+    /** The range of the first detection in a run with the fitted sensor, which ends there. */
     private double firstRange(double from, String... settings) throws IOException {
         String aim = Files.readString(directory.resolve("fitted.yaml")).contains("kind: camera")
                 ? ", aim: {azimuth: 30 deg, elevation: 0}"
@@ -102,7 +102,9 @@ class CalibrateCommandTest {
         for (String setting : settings) {
             runner.set(setting.replaceFirst("=.*", ""), setting.replaceFirst(".*=", ""));
         }
-        runner.onFrame(frame -> seen.addAll(frame.observations())).run();
+        runner.onFrame(frame -> seen.addAll(frame.observations()))
+                .cancelWhen(() -> !seen.isEmpty() && seen.get(seen.size() - 1).isDetected())
+                .run();
         return seen.stream()
                 .filter(Observation::isDetected)
                 .findFirst()
