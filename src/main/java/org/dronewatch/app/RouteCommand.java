@@ -1,12 +1,9 @@
 package org.dronewatch.app;
 
 import java.time.Instant;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
@@ -24,10 +21,7 @@ import org.dronewatch.report.route.RouteScenes;
 import org.dronewatch.report.route.RouteTable;
 import org.dronewatch.route.RouteArea;
 import org.dronewatch.route.RouteSurvey;
-import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
-import org.dronewatch.route.proof.FlownRoute;
-import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -158,42 +152,7 @@ final class RouteCommand implements Callable<Integer> {
             return RouteSurvey.of(
                     routes, settings.alert().response(), sector -> progress.accept(1), main.interruption()::letFinish);
         });
-        Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
-        Map<Integer, Double> timely = new LinkedHashMap<>();
-        boolean isComplete = survey.isComplete() && prove(runner, inputs, survey, proofs, timely);
-        return new RouteResults(survey, proofs, timely, isComplete);
-    }
-
-    /** Flies the routes; false if this was interrupted. */
-    private boolean prove(
-            SceneRunner runner,
-            RouteInputs inputs,
-            RouteSurvey survey,
-            Map<Integer, RouteProof> proofs,
-            Map<Integer, Double> timely) {
-        if (proof == null) {
-            return true;
-        }
-        RouteScenes scenes = new RouteScenes(inputs, runner::text);
-        try {
-            return Progress.during("flights", (long) proof * survey.routes().size(), progress -> {
-                for (SectorRoute route : survey.routes()) {
-                    scenes.settings(route, survey).ifPresent(scene -> {
-                        FlownRoute flown = FlownRoute.of(scene, runner.load(scene));
-                        proofs.put(route.sector(), flown.prove(proof, progress));
-                        if (survey.response() > 0.0) {
-                            flown.interruption(survey.response()).ifPresent(p -> timely.put(route.sector(), p));
-                        }
-                    });
-                }
-                return true;
-            });
-        } catch (CancellationException e) {
-            if (!main.interruption().happened()) {
-                throw e;
-            }
-            return false;
-        }
+        return new RouteFlights(runner, inputs, main.interruption()).of(survey, proof == null ? 0 : proof);
     }
 
     private DetectionField field(SceneRunner runner, RouteInputs inputs, Stage stage, Consumer<String> notes) {

@@ -23,7 +23,9 @@ import org.dronewatch.sensor.SensorSettings;
  * there.
  */
 public final class FieldExposure implements ExposureField {
-    private static final double HIGHEST = 1.0 - 1e-6;
+    /** What a probability of a look counts as at most, so that all exposures are finite. */
+    public static final double HIGHEST = 1.0 - 1e-6;
+
     /** The sine of 5 degrees. */
     private static final double NARROW = 0.08715574274765817;
 

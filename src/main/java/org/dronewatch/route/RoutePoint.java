@@ -14,4 +14,9 @@ import org.dronewatch.geometry.Position;
  * @param isCorner whether the route begins, turns or ends here
  */
 public record RoutePoint(
-        double time, double distance, Position position, double above, int mode, double exposure, boolean isCorner) {}
+        double time, double distance, Position position, double above, int mode, double exposure, boolean isCorner) {
+    /** The same point with another exposure so far. */
+    RoutePoint withExposure(double other) {
+        return new RoutePoint(time, distance, position, above, mode, other, isCorner);
+    }
+}

@@ -64,6 +64,14 @@ public record RouteProfile(List<RoutePoint> points) {
         return new RouteProfile(points);
     }
 
+    /** The same route with the exposure as it is flown. */
+    RouteProfile with(FlownExposure flown) {
+        return new RouteProfile(points.stream()
+                .map(point -> point.withExposure(
+                        point == end() ? flown.until(Double.POSITIVE_INFINITY) : flown.spreadUntil(point.time())))
+                .toList());
+    }
+
     private static Position between(Position from, Position to, double share) {
         return from.plus(to.minus(from).times(share));
     }

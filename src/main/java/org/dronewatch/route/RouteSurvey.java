@@ -52,13 +52,23 @@ public record RouteSurvey(
     }
 
     /**
-     * The weakest of all: with the least exposure that counts and, among equals, with the least along the whole route
-     * and the shortest time; empty without any route.
+     * The same routes, or as many of them, once they have been flown.
+     *
+     * @param isWhole whether these are all
+     */
+    public RouteSurvey with(List<SectorRoute> flown, boolean isWhole) {
+        return new RouteSurvey(flown, modes, target, response, isComplete && isWhole);
+    }
+
+    /**
+     * The weakest of all: with the least probability of a detection that counts and, among equals, with the least along
+     * the whole route, the least exposure that counts in the search, and the shortest time; empty without any route.
      */
     public Optional<SectorRoute> weakest() {
         return routes.stream()
-                .min(Comparator.comparingDouble((SectorRoute one) -> one.route().exposure())
-                        .thenComparingDouble(one -> one.profile().exposure())
+                .min(Comparator.comparingDouble((SectorRoute one) -> one.inTime(response))
+                        .thenComparingDouble(SectorRoute::detection)
+                        .thenComparingDouble(one -> one.route().exposure())
                         .thenComparingDouble(one -> one.route().seconds()));
     }
 }

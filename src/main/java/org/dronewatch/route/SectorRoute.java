@@ -9,20 +9,61 @@ import java.util.OptionalDouble;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The weakest route from a sector, and what the sensors see of it.
+ * The weakest route from a sector, and what the sensors see of it: as the search has it or, once every look along it
+ * has been assessed, as it is flown.
  *
  * @param sector its number, from 0 for the north clockwise
  * @param route with the bracket of the exposure that counts
- * @param profile of the whole route
- * @param bySensor the exposure along the whole route to each sensor, in the order of the scene
- * @param causes for how long each cause is the dominant one along the route, s
+ * @param searched profile of the whole route, with the exposure in the cells of the search
+ * @param bySensor the same exposure along the whole route to each sensor, in the order of the scene
+ * @param causes for how long each cause is the dominant one along the route, by the search, s
+ * @param flown the exposure to all looks along the route; empty if they have not been assessed
  */
 public record SectorRoute(
-        int sector, WeakestRoute route, RouteProfile profile, Map<String, Double> bySensor, Map<Cause, Double> causes) {
+        int sector,
+        WeakestRoute route,
+        RouteProfile searched,
+        Map<String, Double> bySensor,
+        Map<Cause, Double> causes,
+        Optional<FlownExposure> flown) {
+    /** By how much the probabilities of the search and of the flight differ where the search misjudges a route. */
+    private static final double MISJUDGED = 0.2;
+
     /** Copies the maps. */
     public SectorRoute {
         bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
         causes = Collections.unmodifiableMap(new LinkedHashMap<>(causes));
+    }
+
+    /** The same route, of which every look has been assessed. */
+    public SectorRoute with(FlownExposure exposure) {
+        return new SectorRoute(sector, route, searched, bySensor, causes, Optional.of(exposure));
+    }
+
+    /** The profile of the whole route, with the exposure as it is flown if that is known. */
+    public RouteProfile profile() {
+        return flown.map(searched::with).orElse(searched);
+    }
+
+    /** The probability that the drone is detected on it, in time or not, 0 to 1. */
+    public double detection() {
+        return flown.map(looks -> looks.detection(Double.POSITIVE_INFINITY)).orElse(searched.detection());
+    }
+
+    /** The probability that it is detected early enough for a response, 0 to 1; 0 s if none is required. */
+    public double inTime(double response) {
+        return flown.map(looks -> looks.detection(response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY))
+                .orElse(route.detection());
+    }
+
+    /** Whether the probabilities of the search and of the flight differ by more than 20 points. */
+    public boolean isMisjudged() {
+        return Math.abs(detection() - searched.detection()) > MISJUDGED;
+    }
+
+    /** By sensor, the exposure along the whole route: as it is flown if that is known. */
+    public Map<String, Double> sensors() {
+        return flown.map(FlownExposure::bySensor).orElse(bySensor);
     }
 
     /** The bearing of the middle of a sector, clockwise from north, rad. */
@@ -32,25 +73,25 @@ public record SectorRoute(
 
     /** Where it begins, turns and ends. */
     public List<RoutePoint> corners() {
-        return profile.points().stream().filter(RoutePoint::isCorner).toList();
+        return searched.points().stream().filter(RoutePoint::isCorner).toList();
     }
 
     /** The last moment at which a detection leaves the time that a response takes, s since the start; 0 or more. */
     public double critical(double response) {
-        return Math.max(0.0, profile.end().time() - response);
+        return Math.max(0.0, searched.end().time() - response);
     }
 
     /** The time from the median first detection to the arrival, s; empty if the drone is not detected. */
     public OptionalDouble left() {
-        OptionalDouble detected = profile.medianDetection();
+        OptionalDouble detected = flown.map(FlownExposure::medianDetection).orElseGet(searched::medianDetection);
         return detected.isPresent()
-                ? OptionalDouble.of(profile.end().time() - detected.getAsDouble())
+                ? OptionalDouble.of(searched.end().time() - detected.getAsDouble())
                 : OptionalDouble.empty();
     }
 
     /** The sensor to which the drone is most exposed; empty if it is not exposed to any. */
     public Optional<String> mostExposedTo() {
-        return bySensor.entrySet().stream()
+        return sensors().entrySet().stream()
                 .filter(one -> one.getValue() > 0.0)
                 .reduce((a, b) -> b.getValue() > a.getValue() ? b : a)
                 .map(Map.Entry::getKey);
@@ -58,8 +99,9 @@ public record SectorRoute(
 
     /** The fraction of the exposure that is that to a sensor, 0 to 1. */
     public double share(String sensor) {
-        double all = bySensor.values().stream().mapToDouble(Double::doubleValue).sum();
-        return all > 0.0 ? bySensor.get(sensor) / all : 0.0;
+        double all =
+                sensors().values().stream().mapToDouble(Double::doubleValue).sum();
+        return all > 0.0 ? sensors().get(sensor) / all : 0.0;
     }
 
     /** What keeps the sensors from detecting the drone for most of the time; empty if it is always detected. */

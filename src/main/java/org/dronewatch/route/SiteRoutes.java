@@ -192,7 +192,7 @@ public final class SiteRoutes {
             causes.merge(
                     exposure.cause(from.position(), to.position(), from.mode()), to.time() - from.time(), Double::sum);
         }
-        return new SectorRoute(sector, route, profile, bySensor(route), causes);
+        return new SectorRoute(sector, route, profile, bySensor(route), causes, Optional.empty());
     }
 
     private int sector(Position at) {

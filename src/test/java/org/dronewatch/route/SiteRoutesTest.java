@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.dronewatch.analysis.field.Course;
@@ -110,6 +111,33 @@ class SiteRoutesTest {
             weakest = Math.min(weakest, route.exposure());
         }
         assertThat(all.exposure()).isLessThanOrEqualTo(weakest * 1.01 + 1e-9);
+    }
+
+    /** The radar has one look at each route but that from the south-east, whatever the search says. */
+    @Test
+    void theWeakestIsThatOnWhichTheLooksDetectLeast() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
+        RouteSurvey flown = searched.with(
+                searched.routes().stream()
+                        .map(route -> route.with(new FlownExposure(
+                                route.sector() == 3 ? List.of() : List.of(new FlownExposure.Step(0.0, 1.0, 3.0)),
+                                Map.of("round", route.sector() == 3 ? 0.0 : 3.0))))
+                        .toList(),
+                true);
+
+        assertThat(flown.weakest().orElseThrow().sector()).isEqualTo(3);
+        assertThat(flown.routes()).hasSize(8);
+        for (SectorRoute route : flown.routes()) {
+            double detected = route.sector() == 3 ? 0.0 : 1.0 - Math.exp(-3.0);
+            assertThat(route.detection()).isCloseTo(detected, within(1e-12));
+            assertThat(route.inTime(5.0)).isEqualTo(route.detection());
+            assertThat(route.inTime(route.route().seconds() - 0.5)).isEqualTo(0.0);
+            assertThat(route.profile().exposure()).isCloseTo(route.sector() == 3 ? 0.0 : 3.0, within(1e-12));
+            assertThat(route.mostExposedTo().isPresent()).isEqualTo(route.sector() != 3);
+            assertThat(route.isMisjudged())
+                    .isEqualTo(Math.abs(detected - route.searched().detection()) > 0.2);
+        }
     }
 
     /** It ends at the zone, stays between the heights of the field, and takes no less time than a drone needs. */

@@ -3,12 +3,16 @@ package org.dronewatch.report.html;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Pieces of a page as well-formed text; what comes from outside is escaped. */
 public final class Html {
     private static final int LONGEST_NAME = 16;
+
+    /** A number with its unit, {@code 61.2 s}. */
+    private static final Pattern MEASURED = Pattern.compile("[-<]? ?[0-9][0-9.,]* \\S{1,5}");
 
     private Html() {}
 
@@ -59,7 +63,7 @@ public final class Html {
 
     private static String styled(String text) {
         boolean longWord = Stream.of(text.split("[ -]")).anyMatch(word -> word.length() > LONGEST_NAME);
-        return isName(text) ? " class=\"n\"" : longWord ? " class=\"long\"" : "";
+        return isName(text) || MEASURED.matcher(text).matches() ? " class=\"n\"" : longWord ? " class=\"long\"" : "";
     }
 
     /** Whether a text is to stay in one line: its hyphens would break it. */

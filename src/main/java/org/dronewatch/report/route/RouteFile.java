@@ -48,14 +48,14 @@ final class RouteFile {
         node.put("sector", RouteWords.sector(route));
         ArrayNode points = node.putArray("points");
         route.corners().forEach(corner -> add(points.addObject(), corner, survey));
-        node.put("exposure", Numbers.rounded(route.profile().exposure()));
+        node.put("exposure", Numbers.rounded(route.searched().exposure()));
         node.put("lower", Numbers.rounded(route.route().lower()));
         node.put("upper", Numbers.rounded(route.route().exposure()));
-        node.put("p_detect", Numbers.rounded(route.profile().detection()));
+        node.put("p_detect", Numbers.rounded(route.detection()));
         ObjectNode sensors = node.putObject("by_sensor");
-        route.bySensor().forEach((sensor, exposure) -> sensors.put(sensor, Numbers.rounded(exposure)));
+        route.sensors().forEach((sensor, exposure) -> sensors.put(sensor, Numbers.rounded(exposure)));
         if (survey.response() > 0.0) {
-            node.put("p_in_time", Numbers.rounded(route.route().detection()));
+            node.put("p_in_time", Numbers.rounded(route.inTime(survey.response())));
             node.put("critical_s", Numbers.rounded(route.critical(survey.response())));
         } else {
             node.putNull("p_in_time");

@@ -91,11 +91,9 @@ final class RoutePictures {
         sheet.space();
         sheet.line(survey.response() > 0.0 ? "from: detected (in time)" : "from: detected");
         for (SectorRoute route : survey.routes()) {
-            String timely = survey.response() > 0.0
-                    ? " (" + RouteWords.percent(route.route().detection()) + ")"
-                    : "";
-            sheet.line(abbreviation(route) + ": "
-                    + RouteWords.percent(route.profile().detection()) + timely);
+            String timely =
+                    survey.response() > 0.0 ? " (" + RouteWords.percent(route.inTime(survey.response())) + ")" : "";
+            sheet.line(abbreviation(route) + ": " + RouteWords.percent(route.detection()) + timely);
         }
         sheet.space();
         if (!stage.protection().isEmpty()) {

@@ -48,7 +48,13 @@ final class RouteReport {
             throws IOException {
         Page page = new Page(target, inputs.scene() + ": route report", inputs.scene() + ": weakest routes");
         page.verdict(words.weakest(survey));
-        page.section("The routes", introduction() + table());
+        page.section(
+                "The routes",
+                introduction()
+                        + table()
+                        + words.misjudged(survey)
+                                .map(text -> Html.plain("p", "Warning: " + text + "."))
+                                .orElse(""));
         Figure figure = plan.figure();
         page.add(Html.figure(figure.png(), figure.caption()));
         if (profile.isPresent()) {
@@ -75,40 +81,58 @@ final class RouteReport {
                         + (survey.response() > 0.0
                                 ? " while " + number(survey.response()) + " s are left for the response."
                                 : " before it reaches " + inputs.targetInWords() + ".")
-                        + " 'Detected' is the probability that any sensor detects it at all; 'time left' is that between"
-                        + " the typical (median) first detection and the drone's arrival. No route can have less"
-                        + " exposure than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"
+                        + " 'Detected' is the probability that any sensor detects it at all, from every look along the route"
+                        + " as it is flown; 'search' is what the search, which knows the middle of each cell, has it to be;"
+                        + " 'time left' is that between"
+                        + " the typical (median) first detection and the drone's arrival. No route can have less exposure"
+                        + " in the search than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"
                         + " means 95 %.");
     }
 
     private String table() {
         boolean isRequired = survey.response() > 0.0;
-        List<String> head = new ArrayList<>(List.of("from", "height", "flight", "detected", "time left"));
+        List<String> head = new ArrayList<>(List.of("from", "height", "flight", "detected", "search", "time left"));
         if (isRequired) {
             head.addAll(List.of("detected in time", "compared with the response"));
         }
-        head.addAll(List.of("exposure", "lower bound", "most exposed to", "reason for misses"));
+        if (!results.timely().isEmpty()) {
+            head.add("alert in time");
+        }
+        head.addAll(List.of("exposure", "lower bound"));
         List<List<String>> rows = new ArrayList<>();
         for (SectorRoute route : survey.routes()) {
             List<String> row = new ArrayList<>(List.of(
                     RouteWords.sector(route),
                     number(Math.rint(route.profile().medianHeight())) + " m",
                     RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
-                    RouteWords.percent(route.profile().detection()),
+                    RouteWords.percent(route.detection()),
+                    RouteWords.percent(route.searched().detection()),
                     RouteWords.seconds(route.left())));
             if (isRequired) {
-                row.add(RouteWords.percent(route.route().detection()));
+                row.add(RouteWords.percent(route.inTime(survey.response())));
                 row.add(RouteWords.margin(route.left(), survey.response()));
+            }
+            if (!results.timely().isEmpty()) {
+                row.add(RouteWords.orDash(results.timely().get(route.sector())));
             }
             row.add(RouteWords.exposure(route.route().exposure()));
             row.add(RouteWords.exposure(route.route().lower()));
-            row.add(route.mostExposedTo()
-                    .map(sensor -> sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
-                    .orElse("-"));
-            row.add(RouteWords.reason(route).orElse("-"));
             rows.add(row);
         }
-        return Html.table(head, rows);
+        return Html.table(head, rows) + sensors();
+    }
+
+    /** Beside the numbers, the table would be too wide for a page. */
+    private String sensors() {
+        List<List<String>> rows = survey.routes().stream()
+                .map(route -> List.of(
+                        RouteWords.sector(route),
+                        route.mostExposedTo()
+                                .map(sensor -> sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
+                                .orElse("-"),
+                        RouteWords.reason(route).orElse("-")))
+                .toList();
+        return Html.table(List.of("from", "most exposed to", "reason for misses"), rows);
     }
 
     private String proofs() {

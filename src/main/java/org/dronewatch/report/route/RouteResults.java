@@ -11,8 +11,8 @@ import org.dronewatch.route.proof.RouteProof;
  *
  * @param survey the weakest routes
  * @param proofs by sector, how often flights of its route are detected; empty if none were asked for
- * @param timely by sector, the probability that an alert on its route is in time, by the scene's rule; only for routes
- *     that were flown, and where it can be computed
+ * @param timely by sector, the probability that an alert on its route is in time, by the scene's rule; only where it
+ *     can be computed
  * @param isComplete whether all that was asked for was completed
  */
 public record RouteResults(

@@ -13,9 +13,10 @@ import org.dronewatch.route.SiteRoutes;
 
 /** The table of the weakest routes, one for each sector, and the weakest of all in words. */
 public final class RouteTable {
-    private static final String ROW = "%-11s  %8s  %16s  %11s  %10s  %10s";
+    private static final String ROW = "%-11s  %8s  %16s  %11s  %8s  %8s  %10s";
     private static final String PROOF = "%-11s  %16s  %22s  %10s  %s";
     private static final String IN_TIME = "  %10s  %13s";
+    private static final String ALERT = "  %13s";
 
     private RouteTable() {}
 
@@ -29,8 +30,9 @@ public final class RouteTable {
                 + (isRequired
                         ? "; exposure counts while " + Numbers.text(survey.response()) + " s are left for the response:"
                         : ":"));
-        lines.add(text(ROW, "from", "flight", "exposure", "lower bound", "detected", "time left")
+        lines.add(text(ROW, "from", "flight", "exposure", "lower bound", "search", "detected", "time left")
                 + (isRequired ? text(IN_TIME, "in time", "response") : "")
+                + (results.timely().isEmpty() ? "" : text(ALERT, "alert in time"))
                 + "  most exposed to");
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             int number = sector;
@@ -39,7 +41,7 @@ public final class RouteTable {
                     .findFirst();
             String name = CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS);
             if (route.isPresent()) {
-                lines.add(row(name, route.get(), survey.response()));
+                lines.add(row(name, route.get(), results));
             } else if (survey.isComplete()) {
                 lines.add(name + ": no route");
             }
@@ -49,27 +51,32 @@ public final class RouteTable {
             lines.addAll(proofs(results));
         }
         lines.add("");
-        lines.add(new RouteWords(inputs).weakest(survey));
+        RouteWords words = new RouteWords(inputs);
+        lines.add(words.weakest(survey));
+        words.misjudged(survey).ifPresent(text -> lines.add("warning: " + text));
         return lines;
     }
 
-    private static String row(String name, SectorRoute route, double response) {
+    private static String row(String name, SectorRoute route, RouteResults results) {
+        double response = results.survey().response();
         String line = text(
                 ROW,
                 name,
                 RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
                 RouteWords.exposure(route.route().exposure()),
                 RouteWords.exposure(route.route().lower()),
-                RouteWords.percent(route.profile().detection()),
+                RouteWords.percent(route.searched().detection()),
+                RouteWords.percent(route.detection()),
                 RouteWords.seconds(route.left()));
         String timely = response > 0.0
-                ? text(
-                        IN_TIME,
-                        RouteWords.percent(route.route().detection()),
-                        RouteWords.margin(route.left(), response))
+                ? text(IN_TIME, RouteWords.percent(route.inTime(response)), RouteWords.margin(route.left(), response))
                 : "";
+        String alert = results.timely().isEmpty()
+                ? ""
+                : text(ALERT, RouteWords.orDash(results.timely().get(route.sector())));
         return line
                 + timely
+                + alert
                 + route.mostExposedTo()
                         .map(sensor -> "  " + sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
                         .orElse("  -");
@@ -78,25 +85,16 @@ public final class RouteTable {
     private static List<String> proofs(RouteResults results) {
         List<String> lines = new ArrayList<>();
         lines.add("flown with many seeds, positioners searching:");
-        lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees")
-                + (results.timely().isEmpty() ? "" : "  alert in time"));
+        lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees"));
         results.proofs()
                 .forEach((sector, proof) -> lines.add(text(
-                                PROOF,
-                                CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS),
-                                proof.detections().count() + " of "
-                                        + proof.detections().of(),
-                                RouteWords.percent(proof.interval().low()) + " to "
-                                        + RouteWords.percent(proof.interval().high()),
-                                RouteWords.percent(proof.predicted()),
-                                proof.agrees() ? "yes" : "no")
-                        + (results.timely().containsKey(sector)
-                                ? "  "
-                                        + text(
-                                                "%16s",
-                                                RouteWords.percent(
-                                                        results.timely().get(sector)))
-                                : "")));
+                        PROOF,
+                        CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS),
+                        proof.detections().count() + " of " + proof.detections().of(),
+                        RouteWords.percent(proof.interval().low()) + " to "
+                                + RouteWords.percent(proof.interval().high()),
+                        RouteWords.percent(proof.predicted()),
+                        proof.agrees() ? "yes" : "no")));
         return lines;
     }
 

@@ -2,10 +2,13 @@ package org.dronewatch.report.route;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.CoverageTable;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.route.RouteSurvey;
@@ -24,6 +27,24 @@ final class RouteWords {
         return survey.weakest()
                 .map(route -> "The weakest route comes " + from(route) + ": " + detected(route) + ".")
                 .orElse("No route leads to " + inputs.targetInWords() + ".");
+    }
+
+    /** Which routes the search misjudges, and which length of cells to try; empty if none. */
+    Optional<String> misjudged(RouteSurvey survey) {
+        List<String> sectors = survey.routes().stream()
+                .filter(SectorRoute::isMisjudged)
+                .map(RouteWords::sector)
+                .toList();
+        double cell = inputs.grid().cell();
+        return sectors.isEmpty()
+                ? Optional.empty()
+                : Optional.of("the search in cells of " + Numbers.text(cell) + " m misjudges the "
+                        + (sectors.size() == 1 ? "route" : "routes") + " from the "
+                        + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
+                        + ": in flight, the chance of a detection differs by more than 20 points"
+                        + (2 * inputs.grid().columns() > FieldGrid.MOST_CELLS
+                                ? ""
+                                : "; try --cell " + Numbers.text(0.5 * cell) + "m"));
     }
 
     /** {@code from the north-west, 12 m above the ground, mostly hidden by terrain}. */
@@ -51,11 +72,11 @@ final class RouteWords {
             return "no sensor detects the drone on it";
         }
         String sensor = route.mostExposedTo().get();
-        String by = route.bySensor().size() == 1
+        String by = route.sensors().size() == 1
                 ? "by " + sensor
                 : route.share(sensor) > 0.995 ? "only by " + sensor : "mostly by " + sensor;
-        return "the drone is detected with a probability of "
-                + percent(route.profile().detection()) + ", typically " + when(route) + "; " + by;
+        return "the drone is detected with a probability of " + percent(route.detection()) + ", typically "
+                + when(route) + "; " + by;
     }
 
     /** When the drone is typically detected, compared with the response. */
@@ -93,6 +114,11 @@ final class RouteWords {
     /** A probability or a fraction in percent. */
     static String percent(double share) {
         return share == 0.0 ? "0 %" : ReadableNumbers.measured(share, "");
+    }
+
+    /** A probability in percent, or a dash where there is none. */
+    static String orDash(Double probability) {
+        return probability == null ? "-" : percent(probability);
     }
 
     /** An exposure. */

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.PathTask;
 import org.dronewatch.route.ResponseTime;
 import org.dronewatch.route.Sensing;
@@ -69,6 +70,14 @@ public final class FlownRoute {
                     1.0 - schedule.missed(sensor, settings.run().duration()));
         }
         return bySensor;
+    }
+
+    /**
+     * The exposure to all looks. A probability of a look counts as {@link org.dronewatch.route.FieldExposure#HIGHEST}
+     * at most, as in the search.
+     */
+    public FlownExposure exposure() {
+        return LookExposure.of(schedule, List.copyOf(settings.enabledSensors().keySet()));
     }
 
     /**

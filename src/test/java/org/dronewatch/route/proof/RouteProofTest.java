@@ -18,10 +18,12 @@ import org.dronewatch.flight.RouteLeg;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RoutePath;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunSession;
+import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -108,6 +110,27 @@ class RouteProofTest {
         }
         assertThat(undecided).isGreaterThanOrEqualTo(FLIGHTS / 7);
         assertThat(outside).as("outside, seed %d", seed).isLessThanOrEqualTo(FLIGHTS * 3 / 100);
+    }
+
+    /** Of all looks, those of observers among them, at any time, by sensor, and at its end. */
+    @Test
+    void exposureIsThatOfTheLooks() {
+        SceneSettings scene = RouteScene.withoutCues(randomFlight(new SplittableRandom(8)));
+        FlownRoute flown = FlownRoute.of(scene, models);
+        LookSchedule looks =
+                LookSchedule.of(scene, new Stage(scene, models, scene.run().seed()));
+        FlownExposure exposure = flown.exposure();
+
+        for (double time : new double[] {3.0, 10.0, 17.5, 1000.0}) {
+            assertThat(exposure.detection(time)).isCloseTo(1.0 - looks.missed(time), within(1e-5));
+        }
+        exposure.bySensor().forEach((sensor, sum) -> assertThat(-Math.expm1(-sum))
+                .as(sensor)
+                .isCloseTo(flown.bySensor().get(sensor), within(1e-5)));
+        double median = exposure.medianDetection().orElseThrow();
+        double half = 0.5 * flown.detection();
+        assertThat(exposure.detection(median)).isGreaterThanOrEqualTo(half - 1e-5);
+        assertThat(exposure.detection(Math.nextDown(median))).isLessThan(half);
     }
 
     @Test

@@ -1,0 +1,82 @@
+package org.dronewatch.app;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.report.route.RouteInputs;
+import org.dronewatch.report.route.RouteResults;
+import org.dronewatch.report.route.RouteScenes;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.FlownRoute;
+import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneRunner;
+
+/** Flies the routes that were found: every look along them is assessed and, if asked for, many seeds are run. */
+final class RouteFlights {
+    private final SceneRunner runner;
+    private final RouteInputs inputs;
+    private final Interruption interruption;
+    private final Map<Integer, FlownRoute> flown = new LinkedHashMap<>();
+    private final Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
+    private final Map<Integer, Double> timely = new LinkedHashMap<>();
+
+    RouteFlights(SceneRunner runner, RouteInputs inputs, Interruption interruption) {
+        this.runner = runner;
+        this.inputs = inputs;
+        this.interruption = interruption;
+    }
+
+    /**
+     * Flies them.
+     *
+     * @param survey what the search has found
+     * @param runs how many seeds each route is flown with; 0 for none
+     * @return after an interruption, only the routes that were assessed
+     */
+    RouteResults of(RouteSurvey survey, int runs) {
+        List<SectorRoute> assessed = new ArrayList<>();
+        int all = survey.routes().size();
+        try {
+            Progress.during("looks along the routes", all, progress -> {
+                for (SectorRoute route : survey.routes()) {
+                    assessed.add(assess(route, survey));
+                    progress.accept(1);
+                }
+                return all;
+            });
+            Progress.during("flights", (long) runs * all, progress -> {
+                if (runs > 0) {
+                    flown.forEach((sector, route) -> proofs.put(sector, route.prove(runs, progress)));
+                }
+                return all;
+            });
+        } catch (CancellationException e) {
+            if (!interruption.happened() || assessed.isEmpty()) {
+                throw e;
+            }
+            return new RouteResults(survey.with(assessed, assessed.size() == all), proofs, timely, false);
+        }
+        return new RouteResults(survey.with(assessed, true), proofs, timely, survey.isComplete());
+    }
+
+    private SectorRoute assess(SectorRoute route, RouteSurvey survey) {
+        Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
+        if (scene.isEmpty()) {
+            return route;
+        }
+        FlownRoute flight = FlownRoute.of(scene.get(), runner.load(scene.get()));
+        flown.put(route.sector(), flight);
+        boolean isCued = inputs.pointing() == FieldTerms.Turning.CUED && RouteProof.hasCues(scene.get());
+        if (survey.response() > 0.0) {
+            flight.interruption(survey.response()).ifPresent(p -> timely.put(route.sector(), p));
+        }
+        // Flights have no cues: where positioners count as cued, the search alone knows what they see.
+        return isCued ? route : route.with(flight.exposure());
+    }
+}
