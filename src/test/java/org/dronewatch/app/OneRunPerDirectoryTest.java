@@ -44,10 +44,6 @@ class OneRunPerDirectoryTest {
                 "--set",
                 "sensors.camera.fov=1",
                 "--set",
-                "sensors.camera.width=320",
-                "--set",
-                "sensors.camera.height=180",
-                "--set",
                 "run.duration=1",
                 "--out",
                 target.toString());

@@ -19,7 +19,7 @@ class RunFilesTest extends CommandLines {
     /** The same files for the same seed, whatever the number of threads, but for what depends on the clock. */
     @Test
     void aRunWritesTheSameFilesForAnyNumberOfThreads() throws IOException {
-        String scene = "run camera-range --observations --set sensors.camera.width=240 --set sensors.camera.height=135"
+        String scene = "run camera-range --observations --set sensors.camera.width=480 --set sensors.camera.height=270"
                 + " --seed 5 --out DIR/";
         assertThat(commandIn(scene + "one --threads 1").code()).isZero();
         assertThat(commandIn(scene + "two --threads 2").code()).isZero();
@@ -81,8 +81,7 @@ class RunFilesTest extends CommandLines {
 
     @Test
     void theRaysOfARunAreLinesThatAModelProgramReads() throws IOException {
-        Program.Outcome outcome =
-                commandIn("run closed-space --set run.duration=0.3 --out DIR/results --rays DIR/rays.obj");
+        Program.Outcome outcome = commandIn("run closed-space --out DIR/results --rays DIR/rays.obj");
         assertThat(outcome.code()).as(outcome.err()).isZero();
 
         List<String> lines = Files.readAllLines(directory.resolve("rays.obj"));

@@ -69,7 +69,7 @@ class AttitudeTest {
         EnergyReading level = Sites.read(model, Sites.world(site, surface), Sites.broadband(source), sensor, 1);
         assertThat(level.standardError()).isBetween(1e-3, 0.5);
         SplittableRandom random = new SplittableRandom(SEED);
-        for (int i = 0; i < LongForm.count(4, 20); i++) {
+        for (int i = 0; i < LongForm.count(6, 20); i++) {
             UnaryOperator<Position> by = Sites.attitude(random);
             EnergyReading turned = Sites.read(
                     model,
