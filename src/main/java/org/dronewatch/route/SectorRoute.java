@@ -56,9 +56,13 @@ public record SectorRoute(
                 .orElse(route.detection());
     }
 
-    /** Whether the probabilities of the search and of the flight differ by more than 20 points. */
-    public boolean isMisjudged() {
-        return Math.abs(detection() - searched.detection()) > MISJUDGED;
+    /**
+     * Whether the probability of the search and that of the flight differ by more than 20 points: of a detection, or of
+     * one that is early enough for a response; 0 s if none is required.
+     */
+    public boolean isMisjudged(double response) {
+        return Math.abs(detection() - searched.detection()) > MISJUDGED
+                || Math.abs(inTime(response) - route.detection()) > MISJUDGED;
     }
 
     /** By sensor, the exposure along the whole route: as it is flown if that is known. */

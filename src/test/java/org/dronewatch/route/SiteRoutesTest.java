@@ -135,8 +135,9 @@ class SiteRoutesTest {
             assertThat(route.inTime(route.route().seconds() - 0.5)).isEqualTo(0.0);
             assertThat(route.profile().exposure()).isCloseTo(route.sector() == 3 ? 0.0 : 3.0, within(1e-12));
             assertThat(route.mostExposedTo().isPresent()).isEqualTo(route.sector() != 3);
-            assertThat(route.isMisjudged())
-                    .isEqualTo(Math.abs(detected - route.searched().detection()) > 0.2);
+            assertThat(route.isMisjudged(5.0))
+                    .isEqualTo(Math.abs(detected - route.searched().detection()) > 0.2
+                            || Math.abs(detected - route.route().detection()) > 0.2);
         }
     }
 

@@ -32,7 +32,7 @@ final class RouteWords {
     /** Which routes the search misjudges, and which length of cells to try; empty if none. */
     Optional<String> misjudged(RouteSurvey survey) {
         List<String> sectors = survey.routes().stream()
-                .filter(SectorRoute::isMisjudged)
+                .filter(route -> route.isMisjudged(survey.response()))
                 .map(RouteWords::sector)
                 .toList();
         double cell = inputs.grid().cell();
@@ -41,7 +41,7 @@ final class RouteWords {
                 : Optional.of("the search in cells of " + Numbers.text(cell) + " m misjudges the "
                         + (sectors.size() == 1 ? "route" : "routes") + " from the "
                         + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
-                        + ": in flight, the chance of a detection differs by more than 20 points"
+                        + ": in flight, the chance of a detection, or of one in time, differs by more than 20 points"
                         + (2 * inputs.grid().columns() > FieldGrid.MOST_CELLS
                                 ? ""
                                 : "; try --cell " + Numbers.text(0.5 * cell) + "m"));
