@@ -102,7 +102,7 @@ class SettingsPathTest {
                 .withMessage(
                         "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which only a scene file can give;"
                                 + " the kinds"
-                                + " are [hover, approach, inbound, waypoints, glide, orbit, terrain-following,"
+                                + " are [hover, approach, inbound, waypoints, route, glide, orbit, terrain-following,"
                                 + " low-approach, dive,"
                                 + " pop-up, steered, recorded, mission, track]");
         assertThatExceptionOfType(InputException.class)

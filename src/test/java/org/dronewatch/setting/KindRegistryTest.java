@@ -92,7 +92,7 @@ class KindRegistryTest {
         assertThat(KindRegistry.found().of(SensorSettings.class).keySet())
                 .containsExactly("camera", "acoustic", "radar", "rf", "thermal");
         assertThat(Choices.of(FlightPathSettings.class))
-                .hasSize(14)
+                .hasSize(15)
                 .containsKeys("hover", "pop-up", "steered", "mission", "track");
         assertThat(KindRegistry.found().all()).allMatch(FoundKind::builtIn);
         assertThat(KindRegistry.found().all())
