@@ -97,7 +97,10 @@ class PackagedFieldTest {
         System.out.println(name + ": " + all + " assessments, " + certain + " certain, cause undecided by brute force "
                 + undecided + ", " + met);
         assertThat(certain).isGreaterThan(all / 2);
-        assertThat(undecided).isLessThanOrEqualTo((int) (UNDECIDED * all));
+        // Brute force must decide nearly all causes; of a few cells, more may be open by chance (four standard
+        // deviations).
+        double open = UNDECIDED * all;
+        assertThat((double) undecided).as("undecided, seed %d", seed).isLessThan(open + 4.0 * Math.sqrt(open));
         assertThat(met.keySet()).isNotEqualTo(EnumSet.of(Cause.DETECTED));
     }
 
