@@ -80,7 +80,7 @@ final class CauseMap {
     private void writeCauses(MapSheet sheet) {
         boolean isWithin = inputs.within().isPresent();
         String within = isWithin ? " within " + inputs.timeInWords() : "";
-        if (inputs.covered() != FieldCoverage.DEFAULT_COVERED) {
+        if (!inputs.hasDefaultProbability()) {
             sheet.line("detection" + within + " with a probability of");
             sheet.line(Numbers.text(inputs.covered()) + " or more, elsewhere the dominant");
             sheet.line("cause of a single missed look:");

@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage;
 
 import java.util.Optional;
+import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.report.Numbers;
@@ -39,5 +40,10 @@ public record CoverageInputs(
     /** The time in which a sensor has to detect the drone: {@code 10 s}; empty for one look. */
     String timeInWords() {
         return within().map(time -> Numbers.text(time) + " s").orElse("");
+    }
+
+    /** Whether {@link #covered} is the default. */
+    boolean hasDefaultProbability() {
+        return Double.compare(covered, FieldCoverage.DEFAULT_COVERED) == 0;
     }
 }

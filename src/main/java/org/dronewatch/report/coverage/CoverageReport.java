@@ -156,7 +156,7 @@ final class CoverageReport {
                                 + " or more, and the causes of all sensors' misses "
                                 + (inputs.within().isPresent()
                                         ? "in single looks."
-                                        : inputs.covered() == FieldCoverage.DEFAULT_COVERED
+                                        : inputs.hasDefaultProbability()
                                                 ? "elsewhere."
                                                 : "where none detects it with one of "
                                                         + number(FieldCoverage.DEFAULT_COVERED) + "."))

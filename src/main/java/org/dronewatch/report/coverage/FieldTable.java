@@ -29,7 +29,7 @@ public final class FieldTable {
         List<String> lines = new ArrayList<>();
         String terms = inputs.within()
                 .map(time -> ", covered within " + Numbers.text(time) + " s, and causes of single looks")
-                .orElseGet(() -> inputs.covered() == FieldCoverage.DEFAULT_COVERED
+                .orElseGet(() -> inputs.hasDefaultProbability()
                         ? ""
                         : ", covered with a probability of " + Numbers.text(inputs.covered())
                                 + " or more, detected with " + Numbers.text(FieldCoverage.DEFAULT_COVERED)
