@@ -64,7 +64,7 @@ final class LookSchedule {
                         ? EmissionTime.of(path, one.position(), speed, time)
                         : OptionalDouble.of(time);
                 if (left.isPresent()) {
-                    taken.add(new ScheduledLook(sensor, look, drone.at(path.at(left.getAsDouble())), 0.0));
+                    taken.add(new ScheduledLook(sensor, look, drone.at(path.at(left.getAsDouble())), 0.0, true));
                 }
             }
         }
@@ -80,24 +80,22 @@ final class LookSchedule {
             if (assessors[sensor] == null) {
                 assessors[sensor] = new Assessor(names.get(sensor), sensors.get(sensor), stage.world());
             }
-            double probability = probability(assessors[sensor], look);
-            assessed[i] = new ScheduledLook(sensor, look.look(), look.drone(), probability);
+            assessed[i] = assessed(assessors[sensor], look);
         });
         return Arrays.stream(assessed)
                 .sorted(Comparator.comparingDouble(ScheduledLook::time))
                 .toList();
     }
 
-    private static double probability(Assessor assessor, ScheduledLook look) {
+    private static ScheduledLook assessed(Assessor assessor, ScheduledLook look) {
         Assessment first = assess(assessor, look, 0);
-        if (first.probabilityError() == 0.0) {
-            return first.probability();
-        }
+        boolean isEstimated = first.probabilityError() > 0.0;
         double sum = first.probability();
-        for (int estimate = 1; estimate < ESTIMATES; estimate++) {
+        for (int estimate = 1; isEstimated && estimate < ESTIMATES; estimate++) {
             sum += assess(assessor, look, estimate).probability();
         }
-        return sum / ESTIMATES;
+        double mean = isEstimated ? sum / ESTIMATES : sum;
+        return new ScheduledLook(look.number(), look.look(), look.drone(), mean, isEstimated);
     }
 
     /** The first with the rays of the look itself, the others with those of other seeds. */

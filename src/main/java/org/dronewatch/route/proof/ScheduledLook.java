@@ -10,8 +10,14 @@ import org.dronewatch.sensor.Look;
  * @param look with the time and the pointing, and with any seed
  * @param drone as it appears to the sensor
  * @param probability that the look detects it or, where chance is drawn once per encounter, that an observer can
+ * @param isEstimated whether the probability is estimated from random rays: even at 0, the look may detect the drone
  */
-record ScheduledLook(int number, Look look, Drone drone, double probability) {
+record ScheduledLook(int number, Look look, Drone drone, double probability, boolean isEstimated) {
+    /** Whether the look may detect the drone at all. */
+    boolean mayDetect() {
+        return probability > 0.0 || isEstimated;
+    }
+
     double time() {
         return look.time();
     }

@@ -36,7 +36,7 @@ final class SeededFlights {
     OptionalDouble firstDetection(long seed) {
         Arrays.fill(encounters, Encounters.NONE);
         for (ScheduledLook scheduled : schedule.looks()) {
-            if (scheduled.probability() > 0.0 && isDetecting(scheduled, seed)) {
+            if (scheduled.mayDetect() && isDetecting(scheduled, seed)) {
                 return OptionalDouble.of(scheduled.time());
             }
         }
