@@ -86,8 +86,8 @@ final class CoverageCommand implements Callable<Integer> {
             description = "Points along a side of a plan, 2 to 2000; 100 by default.")
     private Integer cells;
 
-    @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
-    private String drone;
+    @Mixin
+    private DroneOption drone = new DroneOption();
 
     @Option(
             names = "--out",
@@ -138,7 +138,7 @@ final class CoverageCommand implements Callable<Integer> {
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         CoverageGrid grid = planGrid(settings);
-        String id = drone(drone, settings);
+        String id = drone.of(settings);
         return threads.call(() -> {
             runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
@@ -163,7 +163,7 @@ final class CoverageCommand implements Callable<Integer> {
         SceneSettings settings = runner.settingsOfRuns().get(0);
         FieldGrid grid = field.grid(
                 settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));
-        String id = drone(drone, settings);
+        String id = drone.of(settings);
         List<ConditionedScene> others = ConditionedScene.of(field.conditions(), choice, id);
         CoverageInputs inputs = new CoverageInputs(
                 scene.name(),
@@ -220,22 +220,6 @@ final class CoverageCommand implements Callable<Integer> {
         List<String> command = spec.root().commandLine().getParseResult().originalArgs();
         return new Provenance(started, command, runner.inputs())
                 .inWords(settings.run().seed(), threads.number());
-    }
-
-    /**
-     * The drone that is put into the cells.
-     *
-     * @param drone the value of {@code --drone}, if it was given
-     */
-    static String drone(String drone, SceneSettings settings) {
-        String first = FieldRequest.firstDrone(settings)
-                .orElseThrow(() -> new InputException("the scene has no drone to place on the plan"));
-        String id = drone == null ? first : drone;
-        if (!settings.individualDrones().containsKey(id)) {
-            throw new InputException("--drone " + PlainText.value(id) + ": no such drone; the scene has "
-                    + String.join(", ", settings.individualDrones().keySet()));
-        }
-        return id;
     }
 
     /** About the middle of the sensors. */

@@ -55,8 +55,8 @@ final class RouteCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
-    @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
-    private String drone;
+    @Mixin
+    private DroneOption drone = new DroneOption();
 
     @Mixin
     private RouteOptions options = new RouteOptions();
@@ -102,7 +102,7 @@ final class RouteCommand implements Callable<Integer> {
         }
         options.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
-        String id = CoverageCommand.drone(drone, settings);
+        String id = drone.of(settings);
         if (settings.enabledSensors().isEmpty()) {
             throw new InputException("the scene has no enabled sensor: no route is weaker than another");
         }

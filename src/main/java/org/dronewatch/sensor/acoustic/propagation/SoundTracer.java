@@ -45,7 +45,7 @@ public interface SoundTracer {
     /**
      * The signal on those paths that are found without tracing random rays.
      *
-     * @throws UnsupportedOperationException unless overridden
+     * @throws UnsupportedOperationException if the model has no {@link #signalInTheOpen}
      */
     default Signal signalOnExactPaths(Drone drone) {
         throw new UnsupportedOperationException("this model of propagation is not interpolated");
