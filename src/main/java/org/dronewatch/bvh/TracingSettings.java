@@ -8,8 +8,8 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * The construction of the trees of models, and their traversal by rays. These settings affect speed, not results.
  *
- * @param traversal {@code fastest}; or {@code stack} or {@code sequential}: one ray at a time, even for images and
- *     sound
+ * @param traversal method of traversal: {@code fastest}, or one ray at a time, even for images and sound ({@code stack}
+ *     or {@code sequential})
  * @param costs costs of a traversal step and of a triangle test assumed by the surface area heuristic
  */
 public record TracingSettings(RayTraversal traversal, SahCost costs) {

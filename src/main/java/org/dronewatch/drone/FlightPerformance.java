@@ -16,15 +16,15 @@ import org.dronewatch.setting.SettingsForm;
  *     for fixed-wing drones and hybrids
  * @param sink largest rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors, 5 m/s
  *     for fixed-wing drones and hybrids
- * @param turnRate largest rate at which the course turns, above 0 to 3600 deg/s; typically that of a bank of 45 degrees
- *     (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
+ * @param turnRate largest rate at which the course turns, above 0 and at most 3600 deg/s; typically that of a bank of
+ *     45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
- * @param ceiling greatest height above the surface below it, above 0 to 20,000 m; typically 500 m
- * @param endurance longest flight under power, above 0 to 604,800 s; typically 30 minutes for multirotors, an hour for
- *     fixed-wing drones and hybrids
+ * @param ceiling greatest height above the surface below it, above 0 and at most 20,000 m; typically 500 m
+ * @param endurance longest flight under power, above 0 and at most 604,800 s; typically 30 minutes for multirotors, an
+ *     hour for fixed-wing drones and hybrids
  * @param glideRatio horizontal distance covered with the motors off per metre of height lost, 0 to 100; 0 for a drone
  *     that cannot glide, such as a multirotor; typically 10 for others
- * @param glideSpeed speed along the path while it glides, above 0 to 400 m/s; typically the cruise speed
+ * @param glideSpeed speed along the path while it glides, above 0 and at most 400 m/s; typically the cruise speed
  */
 public record FlightPerformance(
         @In(value = Quantity.SPEED, from = 0.01, to = 200) Optional<Double> climb,

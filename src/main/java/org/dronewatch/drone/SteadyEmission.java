@@ -5,7 +5,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Tone;
 
-/** The sound that the settings state, however the drone flies; quieter and without tones with the motors off. */
+/** The sound that the settings state, however the drone flies; with the motors off, it is quieter and has no tones. */
 public record SteadyEmission() implements SoundEmission {
     /** The only instance. */
     @Defaults

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * A flight along straight legs, each at its own constant speed, without stopping between them: as the search for the
+ * A flight along straight legs, each at its own constant speed, without stopping between them, as the search for the
  * weakest route assumes. The drone turns at once, with its nose ahead; on a vertical leg, the nose stays where it was.
  * It stays at the end of the last leg.
  *

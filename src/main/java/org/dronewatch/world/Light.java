@@ -14,8 +14,8 @@ import org.dronewatch.setting.SettingsForm;
  * cameras, too.
  *
  * @param visibility visibility, above 0 and at most 1000 km, m
- * @param contrastAtVisibility fraction of a black object's contrast that is left at that distance, 0.01 to 0.1: 0.05
- *     for the meteorological optical range that weather stations report, 0.02 for Koschmieder's
+ * @param contrastAtVisibility fraction of a black object's contrast that remains at the distance {@code visibility},
+ *     0.01 to 0.1: 0.05 for the meteorological optical range that weather stations report, 0.02 for Koschmieder's
  * @param illuminance illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at
  *     dusk, 0.2 under a full moon, 0.001 in starlight
  * @param sun position of the sun; omit it if the sun does not shine
@@ -23,7 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and more over hot
  *     ground; 0 for still air
  * @param skyToGroundRatio ratio of the brightness of the sky at the horizon to that of the ground, 0.05 to 100: about
- *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds; 1: equally bright
+ *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds, and 1 where both are equally bright
  */
 public record Light(
         @In(value = Quantity.LENGTH, above = 0, to = 1e6) double visibility,

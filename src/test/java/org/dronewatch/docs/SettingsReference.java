@@ -100,11 +100,12 @@ final class SettingsReference {
                 .append("`.\n\n"));
         List<Kinds.OtherForm> others = kinds.otherForms(type);
         if (!others.isEmpty()) {
-            page.append("Scene files may give it as ")
+            page.append(
+                            "Instead, scene files may use one of these forms, which the page on [places](places.md) explains: ")
                     .append(others.stream()
                             .map(form -> "[" + title(form.parts()) + "](#" + anchor(form.parts()) + ")")
-                            .collect(Collectors.joining(" or ")))
-                    .append(" instead: see [places](places.md).\n\n");
+                            .collect(Collectors.joining(", ")))
+                    .append(".\n\n");
             others.forEach(form -> waiting.add(form.parts()));
         }
         page.append("| setting | unit | range | default | what it is |\n|---|---|---|---|---|\n");

@@ -35,8 +35,8 @@ import org.dronewatch.world.World;
  * A microphone, or an array of microphones at one position.
  *
  * @param position its centre, m
- * @param radius rays that pass the microphone within this distance are received, above 0, m; in the energy model also
- *     rays traced from the microphone that pass the drone within it
+ * @param radius distance within which a ray must pass the microphone to be received, above 0, m; in the energy model
+ *     also the distance within which a ray traced from the microphone must pass the drone
  * @param rate looks per second, above 0, Hz
  * @param threshold level above the background that a sound must reach to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB

@@ -14,11 +14,11 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.Light;
 
 /**
- * A detection function by the probability that a person, or a program that performs equally well, can perform a task
- * with a drone's image: detect it, recognise it as a drone, or identify its type. Johnson's criteria state the number
- * of line pairs across the target that each task requires (Johnson 1958); the target transfer probability function
- * gives the probability for more or fewer (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993):
- * {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
+ * A detection function that is based on the probability that a person, or a program that performs equally well, can
+ * perform a task with a drone's image: detect it, recognise it as a drone, or identify its type. Johnson's criteria
+ * state the number of line pairs across the target that each task requires (Johnson 1958); the target transfer
+ * probability function gives the probability for more or fewer (Howe, in "The Infrared and Electro-Optical Systems
+ * Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
  * <p>The line pairs resolved are half the square root of the drone's pixels, fewer the weaker its contrast and the
  * faster it crosses the image: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The finest detail that is resolved,

@@ -28,11 +28,11 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number;
  *     omit it for an opaque wall
  * @param wall whether one surface is the whole wall, or the wall has a front and a back
- * @param speed speed of sound inside a wall with a front and a back, for refraction in the level model, above 0 to
- *     20,000 m/s; omit it if unknown
+ * @param speed speed of sound inside a wall with a front and a back, for refraction in the level model, above 0 and at
+ *     most 20,000 m/s; omit it if unknown
  * @param flowResistivity with {@code ground: coherent}, the effective flow resistivity of this surface as ground, above
- *     0 to 1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; if it is omitted, the value of the surface of the
- *     same name in the table is used; if there is none, the surface reflects all unabsorbed sound in phase
+ *     0 and at most 1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; if it is omitted, the value of the surface
+ *     of the same name in the table is used; if there is none, the surface reflects all unabsorbed sound in phase
  */
 public record OwnSurface(
         Optional<BandFractions> absorption,

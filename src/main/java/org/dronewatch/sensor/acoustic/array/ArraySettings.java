@@ -13,7 +13,7 @@ import org.dronewatch.sound.Levels;
  * An array of microphones around the sensor's position.
  *
  * @param microphones their number, 2 to 4096; at least 3 for a ring and 4 for a sphere
- * @param aperture length of a line, or diameter of a ring or a sphere, above 0 to 100 m
+ * @param aperture length of a line, or diameter of a ring or a sphere, above 0 and at most 100 m
  * @param shape their arrangement
  * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, from errors in the
  *     positions, phases and gains of the microphones and from the air, 0 to pi/6 rad; one degree is assumed

@@ -19,9 +19,9 @@ import org.dronewatch.world.World;
  * at each surface. It is the model of the thesis on which this project is based; its levels are calibrated, not
  * physical.
  *
- * @param initialRays rays that leave the drone in random directions, in addition to one straight to the sensor; 1 to
- *     100,000
- * @param reflectionsPerHit rays from each surface that is hit, 1 to 10,000
+ * @param initialRays number of rays that leave the drone in random directions, in addition to one straight to the
+ *     sensor; 1 to 100,000
+ * @param reflectionsPerHit number of rays from each surface that is hit, 1 to 10,000
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
  * @param maxOrder maximum number of surfaces that a ray may hit before it ends, 0 to 100
  * @param rayBudget maximum number of ray segments of one look, 1 to 50,000,000
@@ -30,8 +30,8 @@ import org.dronewatch.world.World;
  * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular
  *     and the refracted ray carry the rest; if omitted, all rays carry equal energy. It affects the cumulative energy,
  *     not the levels, which are not divided
- * @param transmittedRays rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted, the others
- *     scattered
+ * @param transmittedRays number of rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted,
+ *     the others scattered
  */
 public record LevelModel(
         @In(value = Quantity.NUMBER, from = 1, to = 100_000) int initialRays,
