@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
@@ -59,7 +60,7 @@ public class AcousticCoverage {
         FieldGrid grid = new FieldGrid(0.0, 0.0, 400.0, cell, FieldGrid.HEIGHTS);
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, "quadrotor"));
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> DetectionField.of(settings, stage, "quadrotor", grid, courses, cells -> {}));
+            return workers.call(() -> FieldAssessment.of(settings, stage, "quadrotor", grid, courses, cells -> {}));
         }
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.parallel.Workers;
@@ -61,7 +62,7 @@ public class CameraField {
     @Benchmark
     public DetectionField field() {
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> DetectionField.of(settings, stage, drone.id(), grid, courses, done -> {}));
+            return workers.call(() -> FieldAssessment.of(settings, stage, drone.id(), grid, courses, done -> {}));
         }
     }
 }

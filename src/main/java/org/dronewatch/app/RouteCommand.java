@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldRequest;
@@ -169,7 +170,7 @@ final class RouteCommand implements Callable<Integer> {
                 FieldCoverage.DEFAULT_COVERED);
         LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(notes));
         return Progress.during(
-                "detection field", request.looksOfField(), progress -> DetectionField.of(request, store, progress));
+                "detection field", request.looksOfField(), progress -> FieldAssessment.of(request, store, progress));
     }
 
     private static SiteRoutes routes(DetectionField field, RouteInputs inputs, Stage stage, Optional<AreaZone> launch) {

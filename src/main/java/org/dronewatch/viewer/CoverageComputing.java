@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
-import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.FieldTerms;
@@ -71,7 +71,7 @@ final class CoverageComputing implements AutoCloseable {
                 FieldCoverage.DEFAULT_COVERED);
         expected = Math.max(1, request.looksOfField());
         LayerStore store = stores.apply(run.settings());
-        return DetectionField.untilInterrupted(request, store, cells -> {
+        return FieldAssessment.untilInterrupted(request, store, cells -> {
                     if (ended.getAsBoolean()) {
                         throw new CancellationException("cancelled");
                     }

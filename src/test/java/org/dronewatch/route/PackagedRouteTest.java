@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.drone.DroneSettings;
@@ -99,7 +100,7 @@ class PackagedRouteTest {
         Position middle = InboundTarget.of(settings, stage.protection());
         FieldGrid grid = new FieldGrid(middle.x(), middle.y(), site.side(), site.cell(), HEIGHTS);
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, site.drone()));
-        DetectionField field = DetectionField.of(settings, stage, site.drone(), grid, courses, cells -> {});
+        DetectionField field = FieldAssessment.of(settings, stage, site.drone(), grid, courses, cells -> {});
         for (RouteFlight flight : flights(field, settings, stage, site.drone(), random)) {
             RouteProof proof = RouteProof.of(RouteScene.of(settings, site.drone(), flight), models, RUNS, done -> {});
             all++;

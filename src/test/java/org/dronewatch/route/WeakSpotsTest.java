@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.drone.Drone;
@@ -122,7 +123,7 @@ class WeakSpotsTest {
         FieldSite site =
                 new FieldSite(settings, new SceneRunner(new SceneFile(directory.resolve("site.yaml"))).stage(settings));
         Drone drone = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
-        DetectionField quiet = DetectionField.of(
+        DetectionField quiet = FieldAssessment.of(
                 settings,
                 site.stage(),
                 FieldSite.DRONE,

@@ -60,7 +60,7 @@ public record ConditionCoverage(String name, List<Height> heights) {
      */
     static ConditionCoverage of(FieldCondition condition, FieldCoverage asItIs, IntConsumer progress) {
         FieldRequest asked = condition.request().get();
-        DetectionField field = DetectionField.of(
+        DetectionField field = FieldAssessment.of(
                 asked.settings(), asked.stage(), asked.drone(), asked.grid(), asked.courses(), asked.terms(), progress);
         return of(condition.name(), FieldSummary.of(field, asked.choice(), asked.covered()), asItIs);
     }

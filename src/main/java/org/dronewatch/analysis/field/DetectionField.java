@@ -1,22 +1,14 @@
 package org.dronewatch.analysis.field;
 
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
-import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
-import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
-import org.dronewatch.world.World;
 
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
@@ -29,134 +21,36 @@ import org.dronewatch.world.World;
 public final class DetectionField {
     private final FieldGrid grid;
     private final FieldColumns columns;
-    private final List<Course> courses;
-
-    /** For each course its number in the layers. */
-    private final int[] inLayers;
-
-    private final Map<String, FieldProbe> probes;
-    private final List<String> sensors;
-    private final List<SensorLayer> layers;
+    private final FieldSensors all;
     private final LayerStore store;
 
-    private DetectionField(
-            FieldGrid grid,
-            FieldColumns columns,
-            List<Course> courses,
-            int[] inLayers,
-            Map<String, FieldProbe> probes,
-            List<SensorLayer> layers,
-            LayerStore store) {
+    private DetectionField(FieldGrid grid, FieldColumns columns, FieldSensors all, LayerStore store) {
         this.grid = grid;
-        this.store = store;
         this.columns = columns;
-        this.courses = List.copyOf(courses);
-        this.inLayers = inLayers;
-        this.probes = Collections.unmodifiableMap(probes);
-        this.sensors = List.copyOf(probes.keySet());
-        this.layers = List.copyOf(layers);
+        this.all = all;
+        this.store = store;
     }
 
     /**
-     * Assesses all enabled sensors of a scene in all cells, on the {@link Workers} of the calling thread; the same for
-     * any number of them.
-     *
-     * @param settings of one run
-     * @param stage its world and drones
-     * @param drone name of the drone that is put into the cells
-     * @param courses on which it flies, at least one
-     * @param terms on which it counts as detected
-     * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
-     * @throws IllegalArgumentException when there is no such drone
-     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
-     */
-    public static DetectionField of(
-            SceneSettings settings,
-            Stage stage,
-            String drone,
-            FieldGrid grid,
-            List<Course> courses,
-            FieldTerms terms,
-            IntConsumer progress) {
-        // Which course counts, and with which probability, does not matter before it is evaluated.
-        FieldRequest asked =
-                new FieldRequest(settings, stage, drone, grid, courses, FieldCoverage.Choice.WORST, terms, 1.0);
-        return of(asked, LayerStore.NONE, progress);
-    }
-
-    /**
-     * The same, but only what was not assessed before is assessed.
-     *
-     * @param asked the request; its choice of a course and its probability of being covered have no effect
-     * @param store of assessments that were made before
-     */
-    public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {
-        DetectionField field = unassessed(asked, store);
-        for (int height = 0; height < asked.grid().heights().size(); height++) {
-            field.assess(height, progress);
-        }
-        return field;
-    }
-
-    /** The same in {@link FieldTerms#ONE_LOOK one look}. */
-    public static DetectionField of(
-            SceneSettings settings,
-            Stage stage,
-            String drone,
-            FieldGrid grid,
-            List<Course> courses,
-            IntConsumer progress) {
-        return of(settings, stage, drone, grid, courses, FieldTerms.ONE_LOOK, progress);
-    }
-
-    /**
-     * As {@link #of}, but if this thread is interrupted, with only those heights for which all cells have been
-     * assessed: empty if there are none. Its interrupt status is kept.
+     * A field of which no height has been assessed yet.
      *
      * @param store of assessments that were made before
+     * @param progress receives the number of cells that what was traced stands for since the last call
      */
-    public static Optional<DetectionField> untilInterrupted(
-            FieldRequest asked, LayerStore store, IntConsumer progress) {
-        int whole = 0;
-        DetectionField field = null;
-        try {
-            field = unassessed(asked, store);
-            for (; whole < asked.grid().heights().size(); whole++) {
-                field.assess(whole, progress);
-            }
-            return Optional.of(field);
-        } catch (CancellationException e) {
-            return whole == 0 ? Optional.empty() : Optional.of(field.upTo(whole));
-        }
+    static DetectionField unassessed(FieldRequest asked, LayerStore store, IntConsumer progress) {
+        FieldColumns columns = FieldColumns.of(asked.stage().world(), asked.grid());
+        FieldSensors all = FieldSensors.unassessed(asked, columns, store, progress);
+        return new DetectionField(asked.grid(), columns, all, store);
     }
 
-    private static DetectionField unassessed(FieldRequest asked, LayerStore store) {
-        SceneSettings settings = asked.settings();
-        World world = asked.stage().world();
-        Drone sample = droneOf(asked.stage(), asked.drone());
-        FieldColumns columns = FieldColumns.of(world, asked.grid());
-        Map<String, FieldProbe> probes = new LinkedHashMap<>();
-        List<SensorLayer> layers = new ArrayList<>();
-        settings.enabledSensors().forEach((id, sensor) -> {
-            long seed = settings.run().seed();
-            FieldProbe each = new FieldProbe(world, sample, id, sensor, seed, asked.courses(), asked.terms());
-            probes.put(id, each.with(store.excess(each, columns, asked.grid().toString())));
-            layers.add(SensorLayer.empty(columns));
-        });
-        int[] all = IntStream.range(0, asked.courses().size()).toArray();
-        return new DetectionField(asked.grid(), columns, asked.courses(), all, probes, layers, store);
-    }
-
-    private void assess(int height, IntConsumer progress) {
-        for (int sensor = 0; sensor < layers.size(); sensor++) {
-            store.assess(
-                    layers.get(sensor), probe(sensor), columns, grid.toString(), height, "height " + height, progress);
-        }
+    /** Assesses one height, given by its number: once, before it is queried. */
+    void assess(int height, IntConsumer progress) {
+        all.assess(height, columns, store, grid.toString(), "height " + height, progress);
     }
 
     /** The lowest heights of this field. */
-    private DetectionField upTo(int heights) {
-        return new DetectionField(grid.lowest(heights), columns, courses, inLayers, probes, layers, store);
+    DetectionField upTo(int heights) {
+        return new DetectionField(grid.lowest(heights), columns, all, store);
     }
 
     /**
@@ -178,31 +72,7 @@ public final class DetectionField {
      * @throws IllegalArgumentException when there is no such sensor
      */
     public DetectionField without(String sensor) {
-        int index = sensors.indexOf(sensor);
-        if (index < 0) {
-            throw new IllegalArgumentException(
-                    "no sensor '" + sensor + "'; the field has " + String.join(", ", sensors));
-        }
-        List<Course> kept = new ArrayList<>();
-        List<Integer> numbers = new ArrayList<>();
-        for (int i = 0; i < courses.size(); i++) {
-            if (!courses.get(i).sensor().filter(sensor::equals).isPresent()) {
-                kept.add(courses.get(i));
-                numbers.add(inLayers[i]);
-            }
-        }
-        Map<String, FieldProbe> others = new LinkedHashMap<>(probes);
-        others.remove(sensor);
-        List<SensorLayer> rest = new ArrayList<>(layers);
-        rest.remove(index);
-        return new DetectionField(
-                grid,
-                columns,
-                kept,
-                numbers.stream().mapToInt(Integer::intValue).toArray(),
-                others,
-                rest,
-                store);
+        return new DetectionField(grid, columns, all.without(sensor), store);
     }
 
     /**
@@ -212,15 +82,9 @@ public final class DetectionField {
      * @param name what is kept of it is found again under this name
      */
     DetectionField at(double[] above, String name, IntConsumer progress) {
-        List<FieldProbe> all = List.copyOf(probes.values());
-        FieldColumns other = FieldColumns.at(all.get(0).world(), grid, above);
-        List<SensorLayer> there = new ArrayList<>();
-        for (FieldProbe probe : all) {
-            SensorLayer layer = SensorLayer.empty(other);
-            store.assess(layer, probe, other, grid.toString(), 0, name, progress);
-            there.add(layer);
-        }
-        return new DetectionField(grid.lowest(1), other, courses, inLayers, probes, there, store);
+        FieldColumns other = FieldColumns.at(all.probe(0).world(), grid, above);
+        FieldSensors there = all.in(other, store, grid.toString(), name, progress);
+        return new DetectionField(grid.lowest(1), other, there, store);
     }
 
     /** The number of columns with ground below them. */
@@ -235,22 +99,22 @@ public final class DetectionField {
 
     /** The courses. */
     public List<Course> courses() {
-        return courses;
+        return all.courses();
     }
 
     /** The names of the sensors, in the order of the scene. */
     public List<String> sensors() {
-        return sensors;
+        return all.names();
     }
 
     /** The kind of a sensor, given by its number. */
     public String kind(int sensor) {
-        return probe(sensor).settings().kind();
+        return all.probe(sensor).settings().kind();
     }
 
     /** Where a sensor, given by its number, is, m. */
     public Position position(int sensor) {
-        return probe(sensor).settings().position();
+        return all.probe(sensor).settings().position();
     }
 
     /**
@@ -258,14 +122,12 @@ public final class DetectionField {
      * assessed in each cell.
      */
     public Map<String, InterpolationError> interpolated() {
-        Map<String, InterpolationError> errors = new LinkedHashMap<>();
-        probes.forEach((id, probe) -> probe.excess().ifPresent(map -> errors.put(id, map.error())));
-        return errors;
+        return all.interpolated();
     }
 
     /** What is interpolated between the cells of a sensor, given by its name. */
     Optional<ExcessMap> excess(String sensor) {
-        return Optional.ofNullable(probes.get(sensor)).flatMap(FieldProbe::excess);
+        return all.excess(sensor);
     }
 
     /** Whether a drone can be in a cell: there is ground below it, and nothing solid around it. */
@@ -311,7 +173,7 @@ public final class DetectionField {
      * @param course its number in {@link #courses()}
      */
     public int steps(int sensor, int height, int column, int row, int course) {
-        return layers.get(sensor).steps(height, column, row, inLayers[course]);
+        return all.steps(sensor, height, column, row, course);
     }
 
     /** The same as a number from 0 to 1. */
@@ -321,7 +183,7 @@ public final class DetectionField {
 
     /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */
     public Cause cause(int sensor, int height, int column, int row, int course) {
-        return layers.get(sensor).cause(height, column, row, inLayers[course]);
+        return all.cause(sensor, height, column, row, course);
     }
 
     /**
@@ -329,16 +191,9 @@ public final class DetectionField {
      * where the drone cannot be. Parameters as above.
      */
     public Optional<Assessment> assess(int sensor, int height, int column, int row, int course) {
-        if (!isOpen(height, column, row)) {
-            return Optional.empty();
-        }
-        FieldProbe probe = probe(sensor);
-        Position at = columns.middle(height, column, row);
-        return Optional.of(probe.look(probe.newAssessor(), probe.drone(at, inLayers[course]), probe.pointings(at))
-                .assessment());
-    }
-
-    private FieldProbe probe(int sensor) {
-        return probes.get(sensors.get(sensor));
+        return isOpen(height, column, row)
+                ? Optional.of(
+                        all.look(sensor, columns, height, column, row, course).assessment())
+                : Optional.empty();
     }
 }

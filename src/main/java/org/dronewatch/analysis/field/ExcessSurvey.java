@@ -45,12 +45,14 @@ final class ExcessSurvey {
 
     private final FieldProbe probe;
     private final FieldColumns columns;
+    private final SurveyProgress progress;
     private final RandomGenerator random;
     private final Set<Position> taken = new HashSet<>();
 
-    private ExcessSurvey(FieldProbe probe, FieldColumns columns) {
+    private ExcessSurvey(FieldProbe probe, FieldColumns columns, SurveyProgress progress) {
         this.probe = probe;
         this.columns = columns;
+        this.progress = progress;
         this.random = Draws.stream(probe.seed(), probe.sensor(), probe.drone().id(), 0, "survey");
     }
 
@@ -58,12 +60,20 @@ final class ExcessSurvey {
      * A map for a sensor that can be interpolated, on the threads of the {@link Workers} that call; empty for others,
      * and where there are too few cells for it.
      */
-    static Optional<ExcessMap> of(FieldProbe probe, FieldColumns columns) {
-        return of(probe, columns, most(probe));
+    static Optional<ExcessMap> of(FieldProbe probe, FieldColumns columns, SurveyProgress progress) {
+        return of(probe, columns, most(probe), progress);
     }
 
     private static int most(FieldProbe probe) {
         return isIndoors(probe.world(), probe.settings().position()) ? MOST_INDOORS : MOST;
+    }
+
+    /** Whether a sensor's signal may be interpolated. */
+    static boolean isPossible(FieldProbe probe) {
+        return probe.newAssessor()
+                .interpolable()
+                .flatMap(sensor -> sensor.signalInTheOpen(probe.world(), probe.drone()))
+                .isPresent();
     }
 
     /** Whether there is a map of a sensor. */
@@ -72,37 +82,39 @@ final class ExcessSurvey {
     }
 
     private static boolean isWorthwhile(FieldProbe probe, FieldColumns columns, int most) {
-        Optional<InterpolableSensor> sensor = probe.newAssessor().interpolable();
-        return sensor.isPresent()
-                && sensor.get().signalInTheOpen(probe.world(), probe.drone()).isPresent()
-                && columns.openCount() > most;
+        return isPossible(probe) && columns.openCount() > most;
     }
 
     /** The same with at most this number of positions. */
-    static Optional<ExcessMap> of(FieldProbe probe, FieldColumns columns, int most) {
+    static Optional<ExcessMap> of(FieldProbe probe, FieldColumns columns, int most, SurveyProgress progress) {
         return isWorthwhile(probe, columns, most)
-                ? Optional.of(new ExcessSurvey(probe, columns).map(most))
+                ? Optional.of(new ExcessSurvey(probe, columns, progress).map(most))
                 : Optional.empty();
     }
 
     private ExcessMap map(int most) {
-        List<TracedPlace> heldOut = trace(positions((int) (HELD_OUT * most)), true);
+        List<TracedPlace> heldOut = trace(positions((int) (HELD_OUT * most)), true, most);
         int inRound = (most - heldOut.size()) / (ROUNDS + 1);
-        List<TracedPlace> places = new ArrayList<>(trace(positions(inRound), false));
+        List<TracedPlace> places = new ArrayList<>(trace(positions(inRound), false, most));
         for (int round = 0; round < ROUNDS; round++) {
-            places.addAll(trace(worthwhile(new ExcessMap(places, List.of()), inRound), false));
+            places.addAll(trace(worthwhile(new ExcessMap(places, List.of()), inRound), false, most));
         }
         return new ExcessMap(places, heldOut);
     }
 
-    /** On any course, or on the first one. */
-    private List<TracedPlace> trace(List<Position> positions, boolean isOnAnyCourse) {
+    /**
+     * On any course, or on the first one.
+     *
+     * @param of the number of all positions of the survey
+     */
+    private List<TracedPlace> trace(List<Position> positions, boolean isOnAnyCourse, int of) {
         int[] courses = positions.stream()
                 .mapToInt(at -> isOnAnyCourse ? random.nextInt(probe.courses().size()) : 0)
                 .toArray();
         TracedPlace[] traced = new TracedPlace[positions.size()];
         Workers.forEach(traced.length, probe::newAssessor, (assessor, i) -> {
             traced[i] = TracedPlace.of(probe, assessor, probe.drone(positions.get(i), courses[i]));
+            progress.traced(of);
         });
         return List.of(traced);
     }

@@ -3,6 +3,7 @@ package org.dronewatch.analysis.field;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
@@ -41,20 +42,36 @@ public record FieldRequest(
                 .or(() -> all.stream().findFirst());
     }
 
-    /** The number of cells that the sensors look at for the field alone, added up over all sensors. */
+    /**
+     * The number of cells that the sensors look at for the field alone, added up over all sensors. Those of a sensor
+     * whose signal may be interpolated count twice: the positions that are traced for this take most of the time.
+     */
     public long looksOfField() {
-        return (long) grid.cells()
-                * grid.heights().size()
-                * settings.enabledSensors().size();
+        long sensors = settings.enabledSensors().size() + surveys();
+        return sensors * grid.cells() * grid.heights().size();
+    }
+
+    private long surveys() {
+        Drone sample = DetectionField.droneOf(stage, drone);
+        return settings.enabledSensors().entrySet().stream()
+                .filter(one -> ExcessSurvey.isPossible(new FieldProbe(
+                        stage.world(),
+                        sample,
+                        one.getKey(),
+                        one.getValue(),
+                        settings.run().seed(),
+                        courses,
+                        FieldTerms.ONE_LOOK)))
+                .count();
     }
 
     /** The approximate number of cells that the sensors look at, added up over all sensors. */
     public long looks() {
         InboundFlights flights = InboundFlights.of(settings, stage, drone, grid, terms);
-        long cells = (long) grid.cells() * (grid.heights().size() + DetectableHeights.rounds(grid))
+        long cells = (long) grid.cells() * DetectableHeights.rounds(grid)
                 + (long) flights.steps()
                         * InboundFlights.BEARINGS
                         * grid.heights().size();
-        return cells * settings.enabledSensors().size();
+        return looksOfField() + cells * settings.enabledSensors().size();
     }
 }

@@ -60,7 +60,7 @@ public record FieldSurvey(
             LayerStore store,
             IntConsumer progress,
             Runnable stopped) {
-        DetectionField field = DetectionField.untilInterrupted(request, store, progress)
+        DetectionField field = FieldAssessment.untilInterrupted(request, store, progress)
                 .orElseThrow(() -> new CancellationException("interrupted"));
         Supplier<FieldSummary> summing = () -> FieldSummary.of(field, request.choice(), request.covered());
         boolean isWhole = field.grid().equals(request.grid());

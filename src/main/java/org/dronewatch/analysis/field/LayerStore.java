@@ -81,10 +81,18 @@ public final class LayerStore {
      * calling thread; empty if each cell is assessed.
      *
      * @param plan where the columns are
+     * @param progress receives the number of cells that the {@link SurveyProgress survey} counts as, in all
      */
-    Optional<ExcessMap> excess(FieldProbe probe, FieldColumns columns, String plan) {
+    Optional<ExcessMap> excess(FieldProbe probe, FieldColumns columns, String plan, IntConsumer progress) {
+        SurveyProgress whole = SurveyProgress.of(probe, columns, progress);
+        Optional<ExcessMap> map = excess(probe, columns, plan, whole);
+        whole.finish();
+        return map;
+    }
+
+    private Optional<ExcessMap> excess(FieldProbe probe, FieldColumns columns, String plan, SurveyProgress progress) {
         if (!isKept(probe) || !ExcessSurvey.isWorthwhile(probe, columns)) {
-            return ExcessSurvey.of(probe, columns);
+            return ExcessSurvey.of(probe, columns, progress);
         }
         StoreKey key = key(EXCESS, probe, plan, "");
         Optional<ExcessMap> former = store.orElseThrow().find(key, ExcessForm.FORM);
@@ -92,7 +100,7 @@ public final class LayerStore {
             return former;
         }
         long start = System.nanoTime();
-        Optional<ExcessMap> map = ExcessSurvey.of(probe, columns);
+        Optional<ExcessMap> map = ExcessSurvey.of(probe, columns, progress);
         double seconds = NANO * (System.nanoTime() - start);
         map.ifPresent(its -> store.orElseThrow().keep(() -> key, ExcessForm.FORM, its, seconds));
         return map;

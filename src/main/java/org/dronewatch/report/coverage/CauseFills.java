@@ -68,15 +68,6 @@ final class CauseFills {
         return MapSheet.mixed(LIGHT_BLUE, Color.BLACK, 0.3);
     }
 
-    /**
-     * In words, what is detected in such a cell.
-     *
-     * @param isWithin whether a time is asked for
-     */
-    static String tooRarely(boolean isWithin) {
-        return isWithin ? "detected given more time" : "detected, but less surely";
-    }
-
     static MapSheet.Fill of(Cause cause) {
         return switch (cause) {
             case UNKNOWN -> (u, v, ground) -> MapSheet.mixed(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);

@@ -2,17 +2,12 @@ package org.dronewatch.report.coverage;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.RemainingCoverage;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteSkin;
-import org.dronewatch.sensor.Cause;
 
 /**
  * The coverage at one height, laid over ground and roofs in the colours and patterns of the map of causes. What is lost
@@ -28,10 +23,8 @@ public final class CoverageSkin implements SiteSkin {
 
     private static final double PALER = 0.45;
 
-    private final RemainingCoverage remaining;
-    private final FieldCoverage coverage;
-    private final int height;
     private final FieldGrid grid;
+    private final CauseLegend shown;
     private final MapSheet.Fill[] fills;
 
     /**
@@ -47,16 +40,16 @@ public final class CoverageSkin implements SiteSkin {
 
     /** The skin of a height. */
     public CoverageSkin(RemainingCoverage remaining) {
-        this.remaining = remaining;
-        this.coverage = remaining.rest();
-        this.height = remaining.height();
-        this.grid = coverage.field().grid();
+        this.grid = remaining.rest().field().grid();
+        this.shown = new CauseLegend(
+                grid,
+                remaining.known(),
+                (column, row) -> remaining.isLost(column, row)
+                        ? CellState.LOST
+                        : CellState.of(remaining.rest(), remaining.height(), column, row));
         this.fills = new MapSheet.Fill[grid.cells()];
         for (int cell = 0; cell < fills.length; cell++) {
-            int column = cell % grid.columns();
-            int row = cell / grid.columns();
-            fills[cell] =
-                    remaining.isLost(column, row) ? CauseFills.LOST : CauseMap.fill(coverage, height, column, row);
+            fills[cell] = shown.at(cell % grid.columns(), cell / grid.columns()).fill();
         }
     }
 
@@ -89,62 +82,9 @@ public final class CoverageSkin implements SiteSkin {
 
     /** The meaning of the colours that occur, with fractions of the known cells. */
     public List<LegendEntry> legend() {
-        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
-        int covered = 0;
-        int lost = 0;
-        int unknown = 0;
-        int inside = 0;
-        for (int cell = 0; cell < fills.length; cell++) {
-            int column = cell % grid.columns();
-            int row = cell / grid.columns();
-            if (remaining.isLost(column, row)) {
-                lost++;
-            } else if (coverage.isKnown(height, column, row) && coverage.isCovered(height, column, row)) {
-                covered++;
-            } else if (coverage.isKnown(height, column, row)) {
-                causes.merge(coverage.cause(height, column, row), 1, Integer::sum);
-            } else if (coverage.field().isInside(height, column, row)) {
-                inside++;
-            } else if (!coverage.field().isOutside(height, column, row)) {
-                unknown++;
-            }
-        }
-        List<LegendEntry> entries = known(causes, covered, lost);
-        if (unknown > 0) {
-            entries.add(new LegendEntry(swatch(CauseFills.of(Cause.UNKNOWN)), "unknown"));
-        }
-        if (inside > 0) {
-            entries.add(new LegendEntry(swatch(CauseFills.INSIDE), "inside something solid"));
-        }
-        return entries;
-    }
-
-    /** The entries of the known cells, with causes of those that are not covered: without a sensor there are none. */
-    private List<LegendEntry> known(Map<Cause, Integer> causes, int covered, int lost) {
-        List<LegendEntry> entries = new ArrayList<>();
-        entries.add(entry(Cause.DETECTED, covered));
-        if (lost > 0) {
-            entries.add(new LegendEntry(swatch(CauseFills.LOST), "no longer covered: " + share(lost)));
-        }
-        if (coverage.field().sensors().isEmpty()) {
-            int bare = causes.values().stream().mapToInt(Integer::intValue).sum();
-            entries.add(new LegendEntry(swatch(CauseFills.NO_SENSOR), "no sensor: " + share(bare)));
-            return entries;
-        }
-        causes.forEach((cause, cells) -> entries.add(
-                cause == Cause.DETECTED
-                        ? new LegendEntry(
-                                swatch(CauseFills.TOO_RARELY), CauseFills.tooRarely(false) + ": " + share(cells))
-                        : entry(cause, cells)));
-        return entries;
-    }
-
-    private LegendEntry entry(Cause cause, int cells) {
-        return new LegendEntry(swatch(CauseFills.of(cause)), CoverageTable.name(cause) + ": " + share(cells));
-    }
-
-    private String share(int cells) {
-        return cells == 0 ? "nowhere" : CoverageTable.percent(cells, remaining.known()) + " %";
+        return shown.rows("").stream()
+                .map(row -> new LegendEntry(swatch(row.fill()), row.words()))
+                .toList();
     }
 
     private static BufferedImage swatch(MapSheet.Fill fill) {

@@ -74,34 +74,28 @@ final class GridFiles {
         for (Cause cause : Cause.values()) {
             classes.add(new CellClass(CoverageTable.name(cause), CauseFills.colour(cause)));
         }
-        classes.add(new CellClass("inside something solid", CauseFills.insideColour()));
-        classes.add(new CellClass(CauseFills.tooRarely(isWithin), CauseFills.tooRarelyColour()));
+        classes.add(new CellClass(CellState.INSIDE.inWords(isWithin), CauseFills.insideColour()));
+        classes.add(new CellClass(CellState.TOO_RARELY.inWords(isWithin), CauseFills.tooRarelyColour()));
         return classes;
     }
 
     private byte[] causes(int height) {
         byte[] cells = new byte[grid.cells()];
         for (int cell = 0; cell < cells.length; cell++) {
-            cells[cell] = (byte) cause(height, cell % grid.columns(), cell / grid.columns());
+            cells[cell] = (byte) number(height, cell % grid.columns(), cell / grid.columns());
         }
         return cells;
     }
 
-    /** As on the maps: what is covered counts as detected, since causes are those of a single look. */
-    private int cause(int height, int column, int row) {
-        if (coverage.field().isOutside(height, column, row)) {
-            return GeoTiff.NO_CLASS;
-        }
-        if (coverage.field().isInside(height, column, row)) {
-            return INSIDE;
-        }
-        if (coverage.isUnknown(height, column, row)) {
-            return Cause.UNKNOWN.ordinal();
-        }
-        Cause cause = coverage.cause(height, column, row);
-        return coverage.isCovered(height, column, row)
-                ? Cause.DETECTED.ordinal()
-                : cause == Cause.DETECTED ? TOO_RARELY : cause.ordinal();
+    /** The number of the class of a cell, as on the maps. */
+    private int number(int height, int column, int row) {
+        CellState state = CellState.of(coverage, height, column, row);
+        return switch (state.kind()) {
+            case OUTSIDE -> GeoTiff.NO_CLASS;
+            case INSIDE -> INSIDE;
+            case TOO_RARELY -> TOO_RARELY;
+            default -> state.cause().ordinal();
+        };
     }
 
     /** The number of sensors that cover each cell; none for those that do not count. */

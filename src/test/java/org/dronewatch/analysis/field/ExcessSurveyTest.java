@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -61,8 +62,10 @@ class ExcessSurveyTest {
     }
 
     private static ExcessMap survey(int threads) {
+        SurveyProgress progress = SurveyProgress.of(each, columns, cells -> {});
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> ExcessSurvey.of(each, columns, PLACES)).orElseThrow();
+            return workers.call(() -> ExcessSurvey.of(each, columns, PLACES, progress))
+                    .orElseThrow();
         }
     }
 
@@ -229,11 +232,29 @@ class ExcessSurveyTest {
 
     @Test
     void fewCellsAreAllTracedAndTheLevelModelIsNotInterpolated() throws IOException {
-        assertThat(ExcessSurvey.of(each, columns, columns.openCount())).isEmpty();
+        assertThat(ExcessSurvey.of(each, columns, columns.openCount(), SurveyProgress.of(each, columns, cells -> {})))
+                .isEmpty();
         Map<String, InterpolationError> none = FieldSite.in(directory, FieldSite.ALL)
                 .field(new FieldGrid(0.7, 0.3, 60, 20, List.of(60.0)), 1)
                 .interpolated();
         assertThat(none).isEmpty();
+    }
+
+    /** All of them together count as much as the cells do; most are reported while they are traced. */
+    @Test
+    void tracedPositionsAreReportedAsTheyAreTraced() {
+        List<Integer> reported = Collections.synchronizedList(new ArrayList<>());
+        SurveyProgress progress = SurveyProgress.of(each, columns, reported::add);
+        try (Workers workers = new Workers(2)) {
+            workers.call(() -> ExcessSurvey.of(each, columns, PLACES, progress));
+        }
+        int all = GRID.cells() * GRID.heights().size();
+        int traced = reported.stream().mapToInt(Integer::intValue).sum();
+        assertThat(reported).hasSizeBetween(PLACES - 10, PLACES).allMatch(cells -> cells <= 2 * all / PLACES);
+        assertThat(traced).isBetween(9 * all / 10, all);
+        progress.finish();
+        progress.finish();
+        assertThat(reported.stream().mapToInt(Integer::intValue).sum()).isEqualTo(all);
     }
 
     @Test

@@ -119,7 +119,7 @@ class FieldCausesTest {
         Stage stage = runner.stage(settings);
         FieldGrid grid = new FieldGrid(0, 0, 250, 10, List.of(12.0));
         Drone drone = DetectionField.droneOf(stage, "one");
-        DetectionField field = DetectionField.of(
+        DetectionField field = FieldAssessment.of(
                 settings, stage, "one", grid, Course.all(settings.enabledSensors(), drone), cells -> {});
         FieldCoverage coverage = new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.5);
         int[] found = new int[3];

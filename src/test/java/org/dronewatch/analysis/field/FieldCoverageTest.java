@@ -178,7 +178,8 @@ class FieldCoverageTest {
                         .stream()
                         .filter(course -> course.kind() != Course.Kind.HOVER)
                         .toList();
-        DetectionField its = DetectionField.of(two.settings(), two.stage(), FieldSite.DRONE, fine, moving, cells -> {});
+        DetectionField its =
+                FieldAssessment.of(two.settings(), two.stage(), FieldSite.DRONE, fine, moving, cells -> {});
         FieldSummary summary = FieldSummary.of(its, FieldCoverage.Choice.WORST, 0.5);
         FieldCoverage rest = summary.coverage().without(List.of("west"));
         int gone = 0;

@@ -134,7 +134,7 @@ public record FieldSite(SceneSettings settings, Stage stage) {
     DetectionField field(FieldGrid grid, FieldTerms terms, int threads) {
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, DRONE));
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> DetectionField.of(settings, stage, DRONE, grid, courses, terms, cells -> {}));
+            return workers.call(() -> FieldAssessment.of(settings, stage, DRONE, grid, courses, terms, cells -> {}));
         }
     }
 

@@ -53,7 +53,7 @@ class GlideDescentTest {
         FieldGrid grid = new FieldGrid(0, 0, 100, 20, List.of(20.0));
         List<Course> courses = Course.gliding(site.settings().enabledSensors(), drone);
         DetectionField gliding =
-                DetectionField.of(site.settings(), site.stage(), FieldSite.DRONE, grid, courses, cells -> {});
+                FieldAssessment.of(site.settings(), site.stage(), FieldSite.DRONE, grid, courses, cells -> {});
         DetectionField powered = site.field(grid, 1);
 
         assertThat(courses).hasSize(8 + 2).allMatch(course -> course.glide().isPresent());

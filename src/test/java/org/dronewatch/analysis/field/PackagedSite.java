@@ -84,7 +84,7 @@ record PackagedSite(
         settings.enabledSensors().forEach((id, one) -> eyes.put(id, one.create()));
         try (Workers workers = new Workers(2)) {
             DetectionField field =
-                    workers.call(() -> DetectionField.of(settings, stage, drone, grid, courses, terms, cells -> {}));
+                    workers.call(() -> FieldAssessment.of(settings, stage, drone, grid, courses, terms, cells -> {}));
             return new PackagedSite(name, settings, stage, sample, field, eyes);
         }
     }

@@ -1,0 +1,89 @@
+package org.dronewatch.analysis.field;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * Assesses all enabled sensors of a scene in all cells of a grid, height by height, on the {@link Workers} of the
+ * calling thread; the same for any number of them.
+ */
+public final class FieldAssessment {
+    private FieldAssessment() {}
+
+    /**
+     * The field of a scene.
+     *
+     * @param settings of one run
+     * @param stage its world and drones
+     * @param drone name of the drone that is put into the cells
+     * @param courses on which it flies, at least one
+     * @param terms on which it counts as detected
+     * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
+     * @throws IllegalArgumentException when there is no such drone
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static DetectionField of(
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            List<Course> courses,
+            FieldTerms terms,
+            IntConsumer progress) {
+        // Which course counts, and with which probability, does not matter before it is evaluated.
+        FieldRequest asked =
+                new FieldRequest(settings, stage, drone, grid, courses, FieldCoverage.Choice.WORST, terms, 1.0);
+        return of(asked, LayerStore.NONE, progress);
+    }
+
+    /** The same in {@link FieldTerms#ONE_LOOK one look}. */
+    public static DetectionField of(
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            List<Course> courses,
+            IntConsumer progress) {
+        return of(settings, stage, drone, grid, courses, FieldTerms.ONE_LOOK, progress);
+    }
+
+    /**
+     * The same, but only what was not assessed before is assessed.
+     *
+     * @param asked the request; its choice of a course and its probability of being covered have no effect
+     * @param store of assessments that were made before
+     */
+    public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {
+        DetectionField field = DetectionField.unassessed(asked, store, progress);
+        for (int height = 0; height < asked.grid().heights().size(); height++) {
+            field.assess(height, progress);
+        }
+        return field;
+    }
+
+    /**
+     * As {@link #of}, but if this thread is interrupted, with only those heights for which all cells have been
+     * assessed: empty if there are none. Its interrupt status is kept.
+     *
+     * @param store of assessments that were made before
+     */
+    public static Optional<DetectionField> untilInterrupted(
+            FieldRequest asked, LayerStore store, IntConsumer progress) {
+        int whole = 0;
+        DetectionField field = null;
+        try {
+            field = DetectionField.unassessed(asked, store, progress);
+            for (; whole < asked.grid().heights().size(); whole++) {
+                field.assess(whole, progress);
+            }
+            return Optional.of(field);
+        } catch (CancellationException e) {
+            return whole == 0 ? Optional.empty() : Optional.of(field.upTo(whole));
+        }
+    }
+}

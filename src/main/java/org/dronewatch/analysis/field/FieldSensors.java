@@ -1,0 +1,148 @@
+package org.dronewatch.analysis.field;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Cause;
+
+/**
+ * The sensors of a field, in the order of the scene, with their assessments in all cells, and the courses that count.
+ * Immutable but for the assessments of heights that are still missing.
+ */
+final class FieldSensors {
+    private final List<Course> courses;
+
+    /** For each course its number in the layers. */
+    private final int[] inLayers;
+
+    private final Map<String, FieldProbe> probes;
+    private final List<String> names;
+    private final List<SensorLayer> layers;
+
+    private FieldSensors(
+            List<Course> courses, int[] inLayers, Map<String, FieldProbe> probes, List<SensorLayer> layers) {
+        this.courses = List.copyOf(courses);
+        this.inLayers = inLayers;
+        this.probes = Collections.unmodifiableMap(probes);
+        this.names = List.copyOf(probes.keySet());
+        this.layers = List.copyOf(layers);
+    }
+
+    /**
+     * The enabled sensors of a scene; nothing has been assessed yet but what is interpolated between cells.
+     *
+     * @param store of what was assessed before
+     * @param progress receives the number of cells that what was traced stands for since the last call
+     */
+    static FieldSensors unassessed(FieldRequest asked, FieldColumns columns, LayerStore store, IntConsumer progress) {
+        Drone sample = DetectionField.droneOf(asked.stage(), asked.drone());
+        long seed = asked.settings().run().seed();
+        Map<String, FieldProbe> probes = new LinkedHashMap<>();
+        List<SensorLayer> layers = new ArrayList<>();
+        asked.settings().enabledSensors().forEach((id, sensor) -> {
+            FieldProbe each =
+                    new FieldProbe(asked.stage().world(), sample, id, sensor, seed, asked.courses(), asked.terms());
+            probes.put(id, each.with(store.excess(each, columns, asked.grid().toString(), progress)));
+            layers.add(SensorLayer.empty(columns));
+        });
+        int[] all = IntStream.range(0, asked.courses().size()).toArray();
+        return new FieldSensors(asked.courses(), all, probes, layers);
+    }
+
+    /**
+     * The same sensors, assessed in other columns that have a single level.
+     *
+     * @param plan where the columns are
+     * @param name what is kept of it is found again under this name
+     */
+    FieldSensors in(FieldColumns columns, LayerStore store, String plan, String name, IntConsumer progress) {
+        List<SensorLayer> there =
+                names.stream().map(sensor -> SensorLayer.empty(columns)).toList();
+        FieldSensors moved = new FieldSensors(courses, inLayers, probes, there);
+        moved.assess(0, columns, store, plan, name, progress);
+        return moved;
+    }
+
+    /** Assesses all cells of one height; parameters as above. */
+    void assess(int height, FieldColumns columns, LayerStore store, String plan, String name, IntConsumer progress) {
+        for (int sensor = 0; sensor < layers.size(); sensor++) {
+            store.assess(layers.get(sensor), probe(sensor), columns, plan, height, name, progress);
+        }
+    }
+
+    /**
+     * All sensors but one: also without the courses across its line of sight.
+     *
+     * @throws IllegalArgumentException when there is no such sensor
+     */
+    FieldSensors without(String sensor) {
+        int index = names.indexOf(sensor);
+        if (index < 0) {
+            throw new IllegalArgumentException("no sensor '" + sensor + "'; the field has " + String.join(", ", names));
+        }
+        int[] kept = IntStream.range(0, courses.size())
+                .filter(course ->
+                        courses.get(course).sensor().filter(sensor::equals).isEmpty())
+                .toArray();
+        Map<String, FieldProbe> others = new LinkedHashMap<>(probes);
+        others.remove(sensor);
+        List<SensorLayer> rest = new ArrayList<>(layers);
+        rest.remove(index);
+        return new FieldSensors(
+                IntStream.of(kept).mapToObj(courses::get).toList(),
+                IntStream.of(kept).map(course -> inLayers[course]).toArray(),
+                others,
+                rest);
+    }
+
+    /** The courses. */
+    List<Course> courses() {
+        return courses;
+    }
+
+    /** The names of the sensors. */
+    List<String> names() {
+        return names;
+    }
+
+    /** A sensor, given by its number. */
+    FieldProbe probe(int sensor) {
+        return probes.get(names.get(sensor));
+    }
+
+    /** Looks at a drone on one of the courses again, given by its number. */
+    CellLook look(int sensor, FieldColumns columns, int height, int column, int row, int course) {
+        FieldProbe probe = probe(sensor);
+        Position at = columns.middle(height, column, row);
+        return probe.look(probe.newAssessor(), probe.drone(at, inLayers[course]), probe.pointings(at));
+    }
+
+    /** As {@link DetectionField#interpolated}. */
+    Map<String, InterpolationError> interpolated() {
+        Map<String, InterpolationError> errors = new LinkedHashMap<>();
+        probes.forEach((id, probe) -> probe.excess().ifPresent(map -> errors.put(id, map.error())));
+        return errors;
+    }
+
+    /** What is interpolated between the cells of a sensor, given by its name. */
+    Optional<ExcessMap> excess(String sensor) {
+        return Optional.ofNullable(probes.get(sensor)).flatMap(FieldProbe::excess);
+    }
+
+    /** As {@link DetectionField#steps}. */
+    int steps(int sensor, int height, int column, int row, int course) {
+        return layers.get(sensor).steps(height, column, row, inLayers[course]);
+    }
+
+    /** As {@link DetectionField#cause}. */
+    Cause cause(int sensor, int height, int column, int row, int course) {
+        return layers.get(sensor).cause(height, column, row, inLayers[course]);
+    }
+}
