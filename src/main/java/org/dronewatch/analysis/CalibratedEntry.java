@@ -77,7 +77,7 @@ public record CalibratedEntry(
     /**
      * The text of the entry's file.
      *
-     * @param from directory where names of files in the settings start
+     * @param from directory against which file names in the settings are resolved
      * @param file that is to hold the text
      * @throws org.dronewatch.setting.InputException when a setting cannot be written
      */

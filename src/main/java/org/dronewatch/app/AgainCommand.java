@@ -28,8 +28,9 @@ import picocli.CommandLine.Spec;
         name = "again",
         mixinStandardHelpOptions = true,
         description = {
-            "Repeats the run, campaign, comparison or search for routes of a provenance.json, and states for each file beside it whether the new one has"
-                    + " the same bytes; the exit code is 1 if not.",
+            "Repeats the run, campaign, comparison or search for routes that a provenance.json records, and states for"
+                    + " each file beside it whether the new file has the same bytes; the exit code is 1 if any"
+                    + " differs.",
             "Relative paths are resolved from the current directory, as in the first run."
         },
         footer = {"", "Example:", "  dronewatch again results/provenance.json"})

@@ -56,9 +56,9 @@ final class BenchCommand implements Callable<Integer> {
             names = "--query",
             defaultValue = "nearest",
             paramLabel = "NAME",
-            description = "nearest (the nearest triangle along each ray) or occluded (whether any lies between a ray's"
-                    + " origin and the end of its direction: whole segments instead of unit directions); nearest by"
-                    + " default.")
+            description = "nearest (the nearest triangle along each ray) or occluded (whether any lies on the"
+                    + " segment from a ray's origin to the end of its direction, which need not be a unit vector);"
+                    + " nearest by default.")
     private RaySet.Query query;
 
     @Option(names = "--passes", defaultValue = "5", paramLabel = "N", description = "Measured passes; 5 by default.")

@@ -52,7 +52,7 @@ final class CameraRendering extends Rendering {
         RunHistory history =
                 turns || Simulation.isSteered(settings) ? simulation().until(shown, () -> false) : new RunHistory();
         if (turns) {
-            spec.commandLine().getErr().printf("camera '%s' in the direction of its look at %.3f s%n", id, shown);
+            spec.commandLine().getErr().printf("camera '%s' points as it did at its look at %.3f s%n", id, shown);
         }
         if (samples.isPresent()) {
             BufferedImage photo = threads.call(() -> view(history).photograph(shown, samples.getAsInt()));

@@ -111,8 +111,8 @@ final class CompareCommand implements Callable<Integer> {
         if (!run(plan, kept)) {
             spec.commandLine()
                     .getErr()
-                    .println("interrupted: these are the results of the cases that were complete; with --out DIR,"
-                            + " --resume could complete them");
+                    .println("interrupted: these are the results of the cases that were complete; had --out DIR"
+                            + " been given, --resume could complete the comparison");
         }
         return kept.result();
     }

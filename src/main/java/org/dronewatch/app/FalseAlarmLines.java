@@ -27,7 +27,7 @@ final class FalseAlarmLines {
                 counted.birds()
                         .forEach((bird, alert) -> target.printf(
                                 Locale.ROOT,
-                                "%sthe alert at %.2f s, raised by %s, was a bird: %s%n",
+                                "%sthe alert at %.2f s, raised by %s, was caused by a bird: %s%n",
                                 which,
                                 alert.time(),
                                 String.join(", ", alert.sensors()),

@@ -52,7 +52,7 @@ final class FieldOptions {
     @Option(
             names = CELL,
             paramLabel = "L",
-            description = "Length of a cell's side; a hundredth of that of the area by default.")
+            description = "Length of a cell's side; a hundredth of the area's side by default.")
     private String cell;
 
     @Option(

@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
         description = {
             "Joins the parts of a campaign that were run with --shard into the results of the whole campaign, byte for"
                     + " byte.",
-            "The campaign file is read again, at the path that the first part was run with."
+            "The campaign file is read again, from the path with which the first part was run."
         },
         footer = {"", "Example:", "  dronewatch merge part-1 part-2 part-3 part-4 --out vendors"})
 final class MergeCommand implements Callable<Integer> {

@@ -66,7 +66,7 @@ final class RouteCommand implements Callable<Integer> {
             names = "--proof",
             paramLabel = "N",
             description = "Flies each route N times with different seeds, and compares how often the drone is detected"
-                    + " with what follows from all looks of the sensors; 1 to 1,000,000.")
+                    + " with the probability that follows from all looks of the sensors; 1 to 1,000,000.")
     private Integer proof;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")

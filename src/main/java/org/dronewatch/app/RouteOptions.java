@@ -33,7 +33,7 @@ final class RouteOptions {
     @Option(
             names = "--cell",
             paramLabel = "L",
-            description = "Length of a cell's side; a hundredth of that of the area by default.")
+            description = "Length of a cell's side; a hundredth of the area's side by default.")
     private String cell;
 
     @Option(

@@ -171,7 +171,7 @@ final class SiteView {
      * Gives pictures of the site at any time, all seen from where the first is seen.
      *
      * @param first time of the first picture, s
-     * @param detections whether who detects whom is drawn: the history of a whole run knows it
+     * @param detections whether to draw which sensor detects which drone, which takes the history of a whole run
      */
     DoubleFunction<BufferedImage> pictures(
             String title,

@@ -16,7 +16,10 @@ public record RaySet(String name, float[] rays, int width, Query query) {
     public enum Query {
         /** The nearest triangle along it. */
         NEAREST,
-        /** Whether any triangle lies between its origin and the end of its direction, which is the whole segment. */
+        /**
+         * Whether any triangle lies between its origin and the end of its direction, which then spans the whole
+         * segment.
+         */
         OCCLUDED
     }
 

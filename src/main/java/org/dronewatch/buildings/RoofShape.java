@@ -9,7 +9,7 @@ enum RoofShape {
     HIPPED,
     /** Slopes from each side to one point. */
     PYRAMIDAL,
-    /** Round, about one point. */
+    /** Round, rising to one point. */
     DOME,
     /** One slope. */
     SKILLION

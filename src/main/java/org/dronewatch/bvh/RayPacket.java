@@ -3,7 +3,7 @@ package org.dronewatch.bvh;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Four rays, unrelated to each other, that are traced together. Each hits what it hits alone (see
+ * Four rays, unrelated to each other, that are traced together. Each hits what it would hit alone (see
  * {@link TracingIndex#newIncoherentRayTracer()}), at the same distance. For the use of one thread.
  */
 public abstract class RayPacket {

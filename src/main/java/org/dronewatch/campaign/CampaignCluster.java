@@ -11,7 +11,7 @@ public interface CampaignCluster extends AutoCloseable {
     /**
      * What runs the cases of a campaign.
      *
-     * @param file the campaign's
+     * @param file the campaign file
      */
     CaseExecution forCampaign(Path file);
 

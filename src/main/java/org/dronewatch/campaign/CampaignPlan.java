@@ -59,7 +59,7 @@ public final class CampaignPlan implements Cases {
      * The same with scenes from elsewhere.
      *
      * @param directory of the table
-     * @param scenes give the scene of a name
+     * @param scenes gives the scene with a name
      * @param notes receives a line for each file read, and each warning
      * @throws InputException in one line when anything is wrong
      */
@@ -187,7 +187,7 @@ public final class CampaignPlan implements Cases {
                 .orElseGet(() -> variants.keySet().iterator().next());
     }
 
-    /** In the order of the campaign. */
+    /** The variants, in the order of the campaign. */
     @Override
     public List<String> variants() {
         return List.copyOf(variants.keySet());

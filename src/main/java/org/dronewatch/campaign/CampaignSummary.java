@@ -14,7 +14,7 @@ public final class CampaignSummary {
     private final List<VariantComparison> comparisons = new ArrayList<>();
 
     /**
-     * Nothing has been run.
+     * A summary of no cases yet.
      *
      * @param names of the variants, in their order
      */

@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
  * @param bearing from the middle of what is protected, or of the sensors, to the first attacking drone at the start,
  *     clockwise from north, rad; empty in a case that failed or has no drone
  * @param firstDetected when the first attacking drone was first detected, s; empty if never
- * @param firstSensor the sensor that did; empty if never
+ * @param firstSensor the sensor that detected it then; empty if never
  * @param range its distance from that sensor then, m; empty if never
  * @param alert when the first alert was raised for an attacking drone, s; empty if never
  * @param warning the warning time of that alert, s; empty without alert or zone

@@ -25,7 +25,7 @@ public enum DroneOutcome {
         this.isInTime = isInTime;
     }
 
-    /** That of a drone that is detected or not, and for which there is an alert or not, in time or not. */
+    /** The outcome for a drone that is detected or not, and for which there is an alert or not, in time or not. */
     static DroneOutcome of(boolean isDetected, boolean isAlerted, Optional<Boolean> isInTime) {
         if (!isAlerted) {
             return isDetected ? DETECTED : MISSED;

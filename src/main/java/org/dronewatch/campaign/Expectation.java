@@ -30,7 +30,7 @@ public record Expectation(
         return new Expectation(of, Optional.empty(), low);
     }
 
-    /** The variant of whose cases it holds or not. */
+    /** The variant whose cases it is about. */
     public String variantIn(CampaignPlan plan) {
         return variant.orElseGet(() -> plan.variants().get(0));
     }

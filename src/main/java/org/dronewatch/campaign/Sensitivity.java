@@ -32,7 +32,7 @@ public final class Sensitivity {
         }
     }
 
-    /** No case has been run yet. */
+    /** A sensitivity to which no case has been added yet. */
     public Sensitivity(SensitivityCases cases) {
         this.cases = cases;
     }

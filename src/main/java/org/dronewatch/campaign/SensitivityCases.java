@@ -45,8 +45,8 @@ public final class SensitivityCases implements Cases {
                 : new MorrisDesign(
                         factors, settings.base(), values, (group, factor, isSecond) -> draw(group, factor, ORDER));
         if ((long) design.base() * design.groupSize() > MOST) {
-            throw new InputException("sensitivity.base " + settings.base() + ": " + design.groupSize()
-                    + " cases each, must be at most a million together");
+            throw new InputException("sensitivity.base " + settings.base() + " with " + design.groupSize()
+                    + " cases in each group: must be at most a million cases in all");
         }
     }
 

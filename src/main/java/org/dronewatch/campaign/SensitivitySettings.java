@@ -12,7 +12,7 @@ import org.dronewatch.setting.Quantity;
  *
  * @param method how; {@code none} to switch it off
  * @param base number of groups of further cases, 2 to 100,000
- * @param output whose variation is to be explained
+ * @param output the quantity whose variation is to be explained
  * @param variant the variant; the first by default
  */
 public record SensitivitySettings(
@@ -38,7 +38,7 @@ public record SensitivitySettings(
         Limits.check(SensitivitySettings.class, method, base, output, variant);
     }
 
-    /** Of the warning time of the first variant, with 512 groups. */
+    /** The sensitivity of the warning time of the first variant, with 512 groups. */
     @Defaults("method")
     public static SensitivitySettings of(Method method) {
         return new SensitivitySettings(method, BASE, CampaignQuantity.WARNING_S, Optional.empty());

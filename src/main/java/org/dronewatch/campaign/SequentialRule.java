@@ -27,7 +27,7 @@ public record SequentialRule(
         Limits.check(SequentialRule.class, halfWidth, confidence);
     }
 
-    /** With a confidence of 95 %. */
+    /** A rule with a confidence of 95 %. */
     @Defaults("halfWidth")
     public static SequentialRule of(double halfWidth) {
         return new SequentialRule(halfWidth, CONFIDENCE);

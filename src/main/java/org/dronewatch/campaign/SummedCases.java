@@ -10,7 +10,7 @@ public final class SummedCases implements CampaignRun.Chunks {
     private final int variants;
     private int next;
 
-    /** None yet. */
+    /** No cases yet. */
     public SummedCases(CampaignPlan plan) {
         this.summary = new CampaignSummary(plan.variants());
         this.stopping = new Stopping(plan);

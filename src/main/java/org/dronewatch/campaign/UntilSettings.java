@@ -26,7 +26,7 @@ public record UntilSettings(
         Limits.check(UntilSettings.class, of, variant, halfWidth, confidence);
     }
 
-    /** Of the only variant, with a confidence of 95 %. */
+    /** An outcome of the only variant, with a confidence of 95 %. */
     @Defaults({"of", "halfWidth"})
     public static UntilSettings of(Outcome of, double halfWidth) {
         return new UntilSettings(of, Optional.empty(), halfWidth, SequentialRule.CONFIDENCE);

@@ -72,7 +72,7 @@ public final class VariantSummary {
         return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
     }
 
-    /** All cases, with those that failed. */
+    /** All cases, including those that failed. */
     public int cases() {
         return cases;
     }
@@ -82,7 +82,7 @@ public final class VariantSummary {
         return failed;
     }
 
-    /** Why, in the order in which the reasons occurred. */
+    /** Why they failed, in the order in which the reasons occurred. */
     public List<FailedCases.Reason> failures() {
         return failures.reasons();
     }

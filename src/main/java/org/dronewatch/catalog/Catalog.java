@@ -217,9 +217,9 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The entry of the library that a sensor corresponds to: the one whose settings it all has; if there are several,
-     * the one with the most settings. Its position, aim and detection function do not matter, nor do settings that the
-     * entry does not state.
+     * The entry of the library that a sensor corresponds to: the one all of whose settings it has; if there are
+     * several, the one with the most settings. Its position, aim and detection function do not matter, nor do settings
+     * that the entry does not state.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();

@@ -22,7 +22,7 @@ import org.dronewatch.world.WorldSettings;
  *
  * @param title its manufacturer's name for it
  * @param source where the figures are published
- * @param basis the extent to which the settings are based on them
+ * @param basis the extent to which the settings are based on these figures
  * @param note assumptions, and the calibration of the settings
  * @param coverage its field of view, in words
  * @param price in words, with currency and year

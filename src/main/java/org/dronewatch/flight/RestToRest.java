@@ -15,7 +15,7 @@ public final class RestToRest {
      * A motion.
      *
      * @param length above 0, m
-     * @param speed at most, above 0, m/s
+     * @param speed the greatest speed, above 0, m/s
      * @param acceleration above 0, m/s2
      */
     public RestToRest(double length, double speed, double acceleration) {

@@ -26,7 +26,9 @@ public final class SteeringClock {
         flights.forEach(SteeredFlight::steerHere);
     }
 
-    /** Advances to a time, s: the flights are known up to it, and at this time unless a command changes them. */
+    /**
+     * Advances to a time, s: the flights are then known before it, and also at it unless a command still changes them.
+     */
     public void advance(double time) {
         flights.forEach(flight -> flight.advance(time));
     }

@@ -30,8 +30,8 @@ import org.dronewatch.world.Weather;
  *
  * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
  * since the old ones never end. The rate is then taken at the formula's maximum: at {@code s = M / (N+1)} for false
- * alarms of one look, at {@code s = 1 / (N+L)} for those that confirm themselves. Such a sensor is in false alarm more
- * than half of the time.
+ * alarms of one look, at {@code s = 1 / (N+L)} for those that confirm themselves. Such a sensor reports false alarms
+ * more than half of the time.
  *
  * @param perDay expected number of false alerts per day by the sensors whose rates are known
  * @param isUpperBound whether the number is an upper bound
@@ -103,7 +103,7 @@ public record FalseAlertRate(
 
     /**
      * {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown};
-     * {@code 2000 per day, a in false alarm most of the time}.
+     * {@code 2000 per day, a raising false alarms most of the time}.
      */
     public String inWords() {
         if (isUnknown()) {
@@ -113,7 +113,9 @@ public record FalseAlertRate(
         String from = unknown.isEmpty()
                 ? number
                 : number + " from " + String.join(", ", known) + "; unknown from " + String.join(", ", unknown);
-        return merging.isEmpty() ? from : from + ", " + String.join(", ", merging) + " in false alarm most of the time";
+        return merging.isEmpty()
+                ? from
+                : from + ", " + String.join(", ", merging) + " raising false alarms most of the time";
     }
 
     /** A number as text: at least two digits, and in exponential notation if it is very small or large. */

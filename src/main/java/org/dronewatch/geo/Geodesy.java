@@ -84,8 +84,8 @@ public final class Geodesy {
     /**
      * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies
      * at its own height, or at 0 if that is not known. The inverse of {@link #inWorld} to a micrometre within 100 km;
-     * longitudes continue from that of the origin. Height by Bowring (The accuracy of geodetic latitude and height
-     * equations, Survey Review 28, 1985).
+     * longitudes continue from that of the origin. The formula of the height is Bowring's (The accuracy of geodetic
+     * latitude and height equations, Survey Review 28, 1985).
      *
      * @param position position, m
      */

@@ -14,7 +14,7 @@ public final class CutTriangle {
     private final double[] second = new double[3];
 
     /**
-     * For the triangles of a mesh.
+     * A cutter of the triangles of a mesh.
      *
      * @param mesh whose triangles are cut
      * @param tolerance distance from the plane below which corners lie on it, m

@@ -14,7 +14,7 @@ import org.dronewatch.geometry.TriangleMesh;
  * @param depth the largest number of splits above a leaf
  */
 public record TreeParts(long[] nodes, int[] leafTriangles, int[] numbers, int depth) {
-    /** Those of a tree. */
+    /** The parts of a tree. */
     public static TreeParts of(KDTree tree) {
         return new TreeParts(
                 tree.nodes(), tree.leafTriangles(), tree.triangles().numbers(), tree.depth());

@@ -5,8 +5,8 @@ import java.util.stream.DoubleStream;
 
 /**
  * A fixed-wing aircraft of about three kilograms, invented in the class of hand-launched survey aircraft of 1.5 to 2 m
- * wingspan: a slender fuselage with a two-bladed tractor propeller, a high wing with dihedral, a tail, a camera below.
- * Its nose points to -z; every part is a closed solid.
+ * wingspan: a slender fuselage with a two-bladed tractor propeller, a high wing with dihedral, a tail, and a camera
+ * below. Its nose points to -z; every part is a closed solid.
  */
 public final class FixedWingModel {
     /** Span, metres. */

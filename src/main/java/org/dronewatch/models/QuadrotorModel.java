@@ -3,9 +3,9 @@ package org.dronewatch.models;
 import java.util.List;
 
 /**
- * A quadrotor of about two kilograms: rounded body with a battery on top, four arms with motors and two-bladed
- * propellers, landing legs on skids, a stabilised camera below the nose. Its nose points to -z; every part is a closed
- * solid. The parts are laid out roughly and then stretched to the stated size, so that the size is exact.
+ * A quadrotor of about two kilograms: a rounded body with a battery on top, four arms with motors and two-bladed
+ * propellers, landing legs on skids, and a stabilised camera below the nose. Its nose points to -z; every part is a
+ * closed solid. The parts are laid out roughly and then stretched to the stated size, so that the size is exact.
  */
 public final class QuadrotorModel {
     /** Overall width, metres, from propeller tip to propeller tip. */

@@ -9,7 +9,7 @@ public final class CompassPoint {
     private CompassPoint() {}
 
     /**
-     * A bearing in a word, such as {@code north-west}.
+     * A bearing as a word, such as {@code north-west}.
      *
      * @param bearing clockwise from north, rad
      */

@@ -23,7 +23,7 @@ import org.dronewatch.sensor.SensorSettings;
  * there.
  */
 public final class FieldExposure implements ExposureField {
-    /** What a probability of a look counts as at most, so that all exposures are finite. */
+    /** The most that the probability of a look counts as, so that all exposures are finite. */
     public static final double HIGHEST = 1.0 - 1e-6;
 
     /** The sine of 5 degrees. */

@@ -6,13 +6,13 @@ import org.dronewatch.world.World;
 /** Whether a drone can fly straight from one point to another without meeting anything solid. One thread at a time. */
 @FunctionalInterface
 public interface Passage {
-    /** Where nothing is solid. */
+    /** A passage where nothing is solid. */
     Passage EVERYWHERE = (x, y, z, toX, toY, toZ) -> true;
 
     /** Whether a straight leg is free, m. */
     boolean isFree(double x, double y, double z, double toX, double toY, double toZ);
 
-    /** Between the surfaces of a world, for a drone that is a point. */
+    /** The passage between the surfaces of a world, for a drone that is a point. */
     static Passage through(World world) {
         return new Visibility(world)::isFree;
     }

@@ -65,7 +65,7 @@ public final class PlanDirections {
         return steps[direction][1];
     }
 
-    /** Clockwise from north, rad, 0 to 2 pi. */
+    /** The heading of a direction, clockwise from north, rad, 0 to 2 pi. */
     public double heading(int direction) {
         return headings[direction];
     }

@@ -52,7 +52,7 @@ public record RouteSurvey(
     }
 
     /**
-     * The same routes, or as many of them, once they have been flown.
+     * The same routes, or some of them, once they have been flown.
      *
      * @param isWhole whether these are all
      */

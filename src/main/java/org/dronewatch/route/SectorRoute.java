@@ -9,8 +9,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The weakest route from a sector, and what the sensors see of it: as the search has it or, once every look along it
- * has been assessed, as it is flown.
+ * The weakest route from a sector, and what the sensors see of it: as the search estimates it or, once every look along
+ * it has been assessed, as it is flown.
  *
  * @param sector its number, from 0 for the north clockwise
  * @param route with the bracket of the exposure that counts
@@ -101,7 +101,7 @@ public record SectorRoute(
                 .map(Map.Entry::getKey);
     }
 
-    /** The fraction of the exposure that is that to a sensor, 0 to 1. */
+    /** The fraction of the exposure that is due to a sensor, 0 to 1. */
     public double share(String sensor) {
         double all =
                 sensors().values().stream().mapToDouble(Double::doubleValue).sum();
@@ -116,7 +116,7 @@ public record SectorRoute(
                 .map(Map.Entry::getKey);
     }
 
-    /** For which fraction of the flight a cause is the dominant one, 0 to 1. */
+    /** The fraction of the flight during which a cause is the dominant one, 0 to 1. */
     public double share(Cause cause) {
         double all = causes.values().stream().mapToDouble(Double::doubleValue).sum();
         return all > 0.0 ? causes.getOrDefault(cause, 0.0) / all : 0.0;

@@ -8,8 +8,8 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.Position;
 
 /**
- * The least exposed routes from anywhere to the goals. Searched over the posts of a grid, then smoothed: posts no
- * longer matter to the route that is found, whose exposure is integrated anew. Immutable and thread-safe.
+ * The least exposed routes from anywhere to the goals. They are searched for over the posts of a grid, then smoothed:
+ * posts no longer matter to the route that is found, whose exposure is integrated anew. Immutable and thread-safe.
  */
 public final class WeakestRoutes {
     /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */

@@ -18,7 +18,7 @@ import org.dronewatch.fusion.Alert;
  *     speed, s; 0 if the drone had already reached the zone; empty without zone or alert
  * @param entered when its flight reached the zone, s; empty when it did not in the run's time
  * @param zone name of the protected zone that it enters first, or is nearest to at its alert if it enters none; empty
- *     without named zones, or without both
+ *     without named zones, or if there is neither an entry nor an alert
  * @param inTime whether the warning time covers the response time and the alert preceded the drone's arrival; empty if
  *     no time is required or nothing is protected
  */

@@ -40,8 +40,8 @@ import org.dronewatch.world.WorldSettings;
 
 /**
  * Loads each model and builds each tree once, however many runs need them, and measures how long that takes; reads each
- * file of recorded flights once. Of models and sites that differ from run to run, only the last are kept. Thread-safe;
- * calls are serialised.
+ * file of recorded flights once. Of models and sites that differ from run to run, only the latest are kept.
+ * Thread-safe; calls are serialised.
  */
 public final class ModelCache {
     private static final double NANO = 1e-9;
@@ -79,7 +79,7 @@ public final class ModelCache {
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 
-    /** Lets all worlds of runs that are set up from now on share a memory. */
+    /** Lets the worlds of all runs that are set up from now on share a memory. */
     public synchronized void share(SiteMemory shared) {
         memory = Optional.of(shared);
     }

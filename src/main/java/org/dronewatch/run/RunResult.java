@@ -21,7 +21,7 @@ import org.dronewatch.sensor.Observation;
  * @param events detections gained and lost, in order of time
  * @param pairs the result of each sensor with each drone, in the order of the scene
  * @param alerts the alert for each drone, with its lead time
- * @param falseAlarms reports of sensors that no drone caused
+ * @param falseAlarms the reports of sensors that were not caused by a drone
  */
 public record RunResult(
         int run,

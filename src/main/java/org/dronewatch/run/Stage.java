@@ -158,7 +158,10 @@ public final class Stage {
         clock.end();
     }
 
-    /** The credits that the data of the site require wherever it is shown: of its map, then of its elevations. */
+    /**
+     * The credits that the data of the site require wherever the site is shown: first those of its map, then those of
+     * its elevations.
+     */
     public List<String> credits() {
         return credits;
     }

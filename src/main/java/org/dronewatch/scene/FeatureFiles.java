@@ -31,7 +31,8 @@ final class FeatureFiles implements Function<Optional<String>, Features> {
     /**
      * The features of a map.
      *
-     * @param file its name, from the directory of the scene file; if empty, the map that has the scene file's name
+     * @param file its name, relative to the directory of the scene file; if empty, the map that has the scene file's
+     *     name
      * @throws IllegalArgumentException when there is none with the scene file's name
      * @throws org.dronewatch.setting.InputException when it cannot be read, or is wrong
      */

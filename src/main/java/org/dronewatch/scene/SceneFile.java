@@ -140,8 +140,8 @@ public final class SceneFile extends Scene {
         if (OF_THE_SITE.matcher(sweep.parameter()).matches()) {
             String path = "sweep.parameter";
             throw new InputException(placeOf(path).orElse("") + ": " + path + ": '" + sweep.parameter()
-                    + "' cannot be swept in a scene with places by latitude and longitude, or above the surface: they are"
-                    + " found once, on one site");
+                    + "' cannot be swept in a scene with places by latitude and longitude, or above the surface: these"
+                    + " are located only once, on a single site");
         }
     }
 

@@ -203,7 +203,7 @@ public final class SceneRunner {
      * The text of a scene file with these settings, which gives the same results.
      *
      * @param settings those of the scene, or of one of its runs
-     * @param file that is to hold the text; models must be beside it or below
+     * @param file that is to hold the text; models must be beside it or below it
      * @throws InputException when a setting cannot be written
      */
     public String text(SceneSettings settings, Path file) {
@@ -297,7 +297,7 @@ public final class SceneRunner {
      * The position of a place on the site of one of the scene's runs; only what this needs is loaded.
      *
      * @param option its name in messages
-     * @param text as in a scene file, or latitude and longitude in degrees with a comma between
+     * @param text as in a scene file, or latitude and longitude in degrees, separated by a comma
      * @param settings one of {@link #settingsOfRuns()}
      * @throws InputException in one line when it is not a place, or has no position
      */
@@ -317,13 +317,13 @@ public final class SceneRunner {
     }
 
     /**
-     * Runs the scene. An {@link Error} thrown by the scene or a sensor passes unchanged. After a run that failed or was
-     * interrupted this runner can run again.
+     * Runs the scene. An {@link Error} thrown by the scene or a sensor is passed on unchanged. After a run that failed
+     * or was interrupted this runner can run again.
      *
      * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; its
      *     interrupt status is kept
      * @throws InputException when an override or a model is wrong, or a drone is steered and there is no pilot
-     * @throws IllegalArgumentException when the scene has no run of the index given to {@link #only}
+     * @throws IllegalArgumentException when the scene has no run with the index given to {@link #only}
      * @throws IllegalStateException when the scene was created for another simulator
      */
     public SceneResult run() {
@@ -363,7 +363,7 @@ public final class SceneRunner {
     /**
      * Checks that there is a pilot if a drone is steered in one of {@link #settingsOfRuns()}; nothing is loaded.
      *
-     * @throws InputException when a drone is steered and nobody steers it
+     * @throws InputException when a drone is steered and there is no pilot
      */
     public void checkPilot(SceneSettings settings) {
         if (pilots.get() == Pilot.NONE) {

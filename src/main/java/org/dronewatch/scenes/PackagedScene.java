@@ -36,7 +36,7 @@ public record PackagedScene(String name, String summary, Supplier<Scene> factory
         return ALL;
     }
 
-    /** The scene with a name. */
+    /** The scene with this name. */
     public static Optional<PackagedScene> find(String name) {
         return ALL.stream().filter(scene -> scene.name().equals(name)).findFirst();
     }

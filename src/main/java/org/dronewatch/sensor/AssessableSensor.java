@@ -49,7 +49,7 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * Whether signal and reason certainly do not depend on the speed of a level drone, but for the direction of its
+     * Whether signal and reason certainly do not depend on the speed of a level drone, except for the direction of its
      * nose. False unless overridden.
      */
     default boolean isSameAtAllSpeeds() {
@@ -57,11 +57,11 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * As {@link #assess}, at less cost where possible, for a field that keeps probabilities in steps: of a drone that
-     * is detected, the quantity may be lower, and a probability between {@code high} and 1 may be any other between
-     * them; of one that is missed, the quantity of an estimate may be lower. Cause and obstacle of a miss are the same,
-     * and so are probabilities of 1 and those below {@code high}, unless they are estimates: these may draw other
-     * random numbers, but are as accurate. The same as {@code assess} unless overridden.
+     * As {@link #assess}, at less cost where possible, for a field that keeps probabilities in steps. For a drone that
+     * is detected, the quantity may be lower, and a probability between {@code high} and 1 may be replaced by any other
+     * between them. For one that is missed, the quantity of an estimate may be lower; cause and obstacle are the same.
+     * Probabilities of 1 and those below {@code high} are also the same, unless they are estimates: estimates may draw
+     * other random numbers, but are as accurate. The same as {@code assess} unless overridden.
      *
      * @param high probabilities from this one up to 1, exclusive, count as equal
      */

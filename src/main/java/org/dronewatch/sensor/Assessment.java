@@ -39,7 +39,7 @@ public record Assessment(Signal signal, Explanation explanation) {
      * The rate of the first detection, given that there has been none yet, 1/s; see {@link Chance#hazard}.
      *
      * @param settings settings of the sensor that was assessed
-     * @param draw number drawn for the observer, above 0 and at most 1; of no effect for a sensor of
+     * @param draw number drawn for the observer, above 0 and at most 1; it has no effect for a sensor of
      *     {@link Chance#PER_LOOK}. To predict the detections of an observer drawn at random, average over many draws,
      *     such as 1/32, 3/32, ... 31/32
      */

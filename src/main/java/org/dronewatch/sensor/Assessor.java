@@ -43,7 +43,7 @@ public final class Assessor {
         this.cover = new Cover(world, settings.position());
     }
 
-    /** The same for another thread; it may be called by any thread. */
+    /** An equal assessor for another thread. Any thread may call this method. */
     public Assessor sibling() {
         Sensor other = sensor instanceof BoundingSensor bounding ? bounding.sibling() : settings.create();
         return new Assessor(id, settings, other, world);

@@ -33,8 +33,8 @@ public enum Chance {
      *
      * @param probability probability of the sensor's {@link Signal}, 0 to 1
      * @param rate looks per second, Hz
-     * @param draw the observer's number in this encounter, above 0 and at most 1, uniformly distributed; of no effect
-     *     where each look decides
+     * @param draw the observer's number in this encounter, above 0 and at most 1, uniformly distributed; it has no
+     *     effect where each look decides
      * @return 0 or more; infinite where each look decides and detects for certain
      */
     public abstract double hazard(double probability, double rate, double draw);

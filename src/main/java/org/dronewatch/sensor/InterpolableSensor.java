@@ -5,16 +5,16 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
 /**
- * A sensor whose signal takes long to assess, except along those paths that take less time. What arrives on the others
- * varies slowly with the drone's position, apart from the borders of shadows: a field may assess the signal at some
- * positions and interpolate this rest at the others. Quantities and thresholds are in dB.
+ * A sensor whose signal takes long to assess, except along those paths that take less time. The part that arrives on
+ * all other paths varies slowly with the drone's position, except at the borders of shadows: a field may assess it at
+ * some positions and interpolate it at the others. Quantities and thresholds are in dB.
  */
 public interface InterpolableSensor extends AssessableSensor {
 
     /**
      * The signal that would arrive if nothing were there but the air, at very little cost.
      *
-     * @return empty where the signal is to be assessed at each position
+     * @return empty where the signal must be assessed at each position
      */
     Optional<Signal> signalInTheOpen(World world, Drone drone);
 

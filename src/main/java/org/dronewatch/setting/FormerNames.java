@@ -6,7 +6,10 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Collects the locations of settings given under a former name, for one warning for each such name. Thread-safe. */
+/**
+ * Collects the locations of settings given under a former name, so that each such name gives only one warning.
+ * Thread-safe.
+ */
 public final class FormerNames {
     private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
 

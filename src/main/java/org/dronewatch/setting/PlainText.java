@@ -18,7 +18,7 @@ public final class PlainText {
 
     private PlainText() {}
 
-    /** A value for a message: visible, and {@value #LONGEST} characters at most. */
+    /** A value for a message: visible, and of at most {@value #LONGEST} characters. */
     public static String value(Object value) {
         return shortened(visible(String.valueOf(value).strip(), false), LONGEST);
     }
@@ -33,7 +33,7 @@ public final class PlainText {
     }
 
     /**
-     * A message in one line: visible, every quoted value and every word in it {@value #LONGEST} characters at most.
+     * A message in one line: visible, with at most {@value #LONGEST} characters of every quoted value and every word.
      * Line breaks and tabs become spaces.
      */
     public static String line(String message) {

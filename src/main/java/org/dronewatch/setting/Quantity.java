@@ -141,9 +141,9 @@ public enum Quantity {
     }
 
     /**
-     * The number that was probably typed without a unit, of a value that is displayed in another unit: {@code 60} if an
-     * angle of 60 rad may have been meant to be 60 degrees. Empty for a value that was probably converted, which has
-     * many digits.
+     * For a value that is displayed in another unit, the number that was probably typed without a unit: {@code 60} if
+     * an angle of 60 rad may have been meant to be 60 degrees. Empty for a value with many digits, which was probably
+     * converted.
      */
     public Optional<String> bare(double value) {
         String written = plain(value);

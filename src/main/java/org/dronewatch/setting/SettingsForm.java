@@ -118,7 +118,8 @@ public final class SettingsForm {
     }
 
     /**
-     * The current names of components that had other names in earlier versions, by those names; see {@link Formerly}.
+     * The current names of components that had other names in earlier versions, by the earlier names; see
+     * {@link Formerly}.
      */
     public Map<String, String> renamed() {
         return renamed;

@@ -18,8 +18,8 @@ public final class Spelling {
     private Spelling() {}
 
     /**
-     * The names nearest to a mistyped one, nearest first: by how many letters must be changed, added or removed;
-     * capitals do not matter.
+     * The names nearest to a mistyped one, nearest first. The distance is the number of letters that must be changed,
+     * added or removed; capitals do not matter.
      */
     public static List<String> nearest(String typed, Collection<String> names, int count) {
         return names.stream()

@@ -77,7 +77,8 @@ final class Heights {
         if (impossible > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "terrain: %,d posts have impossible heights (%.0f, or not between %.0f and %.0f m): they are holes",
+                    "terrain: %,d posts have impossible heights (%.0f, or not between %.0f and %.0f m): they are"
+                            + " treated as holes",
                     impossible,
                     USUAL_NODATA,
                     LOWEST,

@@ -57,13 +57,13 @@ final class CoverageForm extends JPanel {
         }
         cell.putClientProperty("JTextField.placeholderText", "side / 100");
         add(row(
-                named("Drone", drones, "The drone that is put into every cell"),
+                named("Drone", drones, "The drone that is placed in every cell"),
                 drones,
                 named(
                         "Heading",
                         headings,
-                        "The heading on which the sensors are least or most likely to detect it, or towards what is"
-                                + " protected"),
+                        "The heading on which the sensors are least or most likely to detect it, or the one towards"
+                                + " what is protected"),
                 headings,
                 button));
         add(row(

@@ -28,7 +28,7 @@ public final class SiteMemory {
     /**
      * An empty memory.
      *
-     * @param most how much is kept when something new is added, bytes
+     * @param most how much may be kept when something new is added, bytes
      */
     public SiteMemory(long most) {
         this.most = most;
@@ -59,7 +59,7 @@ public final class SiteMemory {
         return made;
     }
 
-    /** The memory that all things take that are kept now, bytes. */
+    /** The memory that everything kept now takes, bytes. */
     public synchronized long bytes() {
         return kept.values().stream().mapToLong(Kept::bytes).sum();
     }

@@ -105,7 +105,7 @@ class CampaignReportTest {
                 .contains(String.format(
                         Locale.ROOT,
                         "The better variant is far: the difference between far and near, %+.1f percentage points"
-                                + " (%+.1f to %+.1f), is more than chance (p = 0.016).",
+                                + " (%+.1f to %+.1f), is more than chance can explain (p = 0.016).",
                         -100.0 * pair.get("difference").asDouble(),
                         -100.0 * pair.get("high").asDouble(),
                         -100.0 * pair.get("low").asDouble()));

@@ -75,7 +75,7 @@ class BirdsTest {
         Path out = directory.resolve("out");
         String printed = main("run", SCENE.toString(), "--observations", "--out", out.toString());
         assertThat(printed)
-                .contains("was a bird: buzzard")
+                .contains("was caused by a bird: buzzard")
                 .containsPattern("\\(false alarms: radar \\d+ \\(all of them birds\\)\\)")
                 .doesNotContain(" gull ");
         List<String> rows = Files.readAllLines(out.resolve("detections.csv"));
@@ -89,7 +89,7 @@ class BirdsTest {
                 .containsPattern("\"birds\" : \\[ \\{\\s+\"bird\" : \"buzzard\"")
                 .doesNotContain("\"drone\" : \"buzzard\"");
         assertThat(Files.readString(out.resolve("report.html")))
-                .contains("raised by radar, was a bird: 'buzzard'", "starling (flock of 12)")
+                .contains("raised by radar, was caused by a bird: 'buzzard'", "starling (flock of 12)")
                 .contains("None: every sensor detects every drone.");
     }
 

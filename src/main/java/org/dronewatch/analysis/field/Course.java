@@ -86,7 +86,7 @@ public record Course(
         return new Course(Kind.INBOUND, 0.0, target, Optional.empty());
     }
 
-    /** The first of several courses whose heading is that of one of them, given by its number, at every place. */
+    /** The first of several courses that has, at every place, the same heading as one of them, given by its number. */
     static int firstOnSameHeading(List<Course> courses, int number) {
         Course course = courses.get(number);
         int first = 0;

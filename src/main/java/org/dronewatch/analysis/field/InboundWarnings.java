@@ -41,7 +41,7 @@ public record InboundWarnings(
         all = List.copyOf(all);
     }
 
-    /** The number of flights of which it is unknown whether the required response is met. */
+    /** The number of flights for which it is unknown whether the required response is met. */
     public long undecided() {
         return all.stream().filter(one -> one.isUndecided(response)).count();
     }

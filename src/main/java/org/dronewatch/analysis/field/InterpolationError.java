@@ -15,7 +15,7 @@ import java.util.Optional;
  * @param hidden where something is
  */
 public record InterpolationError(int places, int heldOut, double largely, Bounds inSight, Bounds hidden) {
-    /** A field whose error is largely above this is not accurate, dB. */
+    /** A field is not accurate if its error exceeds this at more than 5 % of the positions, dB. */
     public static final double ACCURATE = 0.5;
 
     private static final double LARGE_PART = 0.95;

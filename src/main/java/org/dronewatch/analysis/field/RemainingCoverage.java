@@ -39,7 +39,7 @@ public record RemainingCoverage(
     }
 
     /**
-     * By how much fewer cells are covered: {@link #gone} less {@link #gained}. Below 0 is possible.
+     * How many fewer cells are covered: {@link #gone} less {@link #gained}, which may be below 0.
      */
     public int lost() {
         return covered - remaining;

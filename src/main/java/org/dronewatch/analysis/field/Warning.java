@@ -22,12 +22,12 @@ public record Warning(
         return time.isPresent() && time.getAsDouble() >= response;
     }
 
-    /** Whether it is unknown if that is so, since its flight begins too near. */
+    /** Whether it is unknown if it is detected in time, since its flight begins too near. */
     public boolean isUndecided(double response) {
         return isFromStart && !isInTime(response);
     }
 
-    /** Whether that is not so. */
+    /** Whether it is certainly not detected in time. */
     public boolean isLate(double response) {
         return !isFromStart && !isInTime(response);
     }

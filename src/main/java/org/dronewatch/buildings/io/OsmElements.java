@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 
-/** Receives the elements of an OpenStreetMap file in its order. */
+/** Receives the elements of an OpenStreetMap file in the order of the file. */
 interface OsmElements {
     /** Maximum number of tags of an element, which no element of OpenStreetMap reaches; they are kept in a table. */
     int MOST_TAGS = 10_000;

@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The land cover of a map, drawn into a raster, with the lines of the report about it. It is drawn in this order: the
- * sea; areas, the larger ones first; waterways, lakes; paved areas; railways; paths; roads.
+ * sea; areas, the larger ones first; waterways; lakes; paved areas; railways; paths; roads.
  */
 public final class LandSurvey {
     private static final int EXAMPLES = 3;

@@ -19,7 +19,7 @@ public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
     boolean isSecond(int evaluation, int factor);
 
     /**
-     * The value of a factor in an evaluation as a quantile of its distribution, from 0, below 1.
+     * The value of a factor in an evaluation as a quantile of its distribution, 0 or more and below 1.
      *
      * @param evaluation from 0, below {@link #size()}
      */
@@ -39,7 +39,7 @@ public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
     @FunctionalInterface
     interface Uniform01 {
         /**
-         * A number from 0, below 1.
+         * A number of 0 or more and below 1.
          *
          * @param isSecond for the second value of the factor
          */

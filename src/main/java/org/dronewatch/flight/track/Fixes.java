@@ -61,8 +61,8 @@ final class Fixes {
             if (last.isTimed() != fix.isTimed()) {
                 throw new InputException(name + ":" + fix.line() + ": "
                         + (fix.isTimed()
-                                ? "has a time, others before have none"
-                                : "has no time, others before have one"));
+                                ? "has a time, but points before it have none"
+                                : "has no time, but points before it have one"));
             }
             if (fix.time() < last.time()) {
                 throw new InputException(name + ":" + fix.line() + ": is " + (float) (last.time() - fix.time())

@@ -51,9 +51,9 @@ final class TrackedFlight implements FlightSource {
     private void checkHeights() {
         for (Fixes.Fix fix : points.fixes()) {
             if (fix.height().isEmpty() && settings.heights() != Track.Heights.SURFACE) {
-                throw new InputException(
-                        name + ":" + fix.line()
-                                + ": has no height: with 'heights: surface' and a 'verticalOffset' it flies that much above the surface");
+                throw new InputException(name + ":" + fix.line()
+                        + ": has no height: with 'heights: surface' and a 'verticalOffset' the drone flies that"
+                        + " much above the surface");
             }
         }
     }

@@ -203,7 +203,7 @@ final class GltfScene {
         int[] corners = corners(primitive, positions, matrix);
         if (mode == TRIANGLES && corners.length % 3 != 0) {
             throw new InputException(
-                    file.name() + ": a primitive of " + corners.length + " corners, which are not whole triangles");
+                    file.name() + ": a primitive of " + corners.length + " corners, not a whole number of triangles");
         }
         String material = material(primitive);
         // A transform that mirrors turns triangles inside out.

@@ -112,7 +112,7 @@ public record ModelSettings(
         return SettingsForm.with(this, "position", other);
     }
 
-    /** These settings with another heading, rad clockwise from above. */
+    /** These settings with another heading, clockwise as seen from above, rad. */
     public ModelSettings withHeading(double angle) {
         return SettingsForm.with(this, "heading", angle);
     }

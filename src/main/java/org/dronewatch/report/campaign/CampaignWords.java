@@ -123,7 +123,7 @@ public final class CampaignWords {
                 .orElse("");
     }
 
-    /** That runs end too early, if some do. */
+    /** A line that says that runs end too early, if some do. */
     public static Optional<String> cutShort(CampaignSummary summary) {
         String counts = summary.variants().entrySet().stream()
                 .filter(one -> one.getValue().cutShort() > 0)

@@ -22,7 +22,7 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.RunResult;
 
-/** Pictures of single cases from above, in which the colour of a flight says which sensors detect the drone there. */
+/** Pictures of single cases from above, in which the colour of a flight shows which sensors detect the drone there. */
 public final class CasePictures {
     private static final int WIDTH = 920;
     private static final int HEIGHT = 552;
@@ -70,7 +70,7 @@ public final class CasePictures {
         Backdrop site =
                 picture.backdrop(above, WIDTH, HEIGHT, picture.openRoof(moment.time()), Fineness.FINE, () -> false);
         String caption = flown.name() + ", from above, north up, " + moment.words()
-                + ". The colour of the flight says which sensors detect the drone; it is dashed where none does.";
+                + ". The colour of the flight shows which sensors detect the drone; it is dashed where none does.";
         return Figure.of(caption, picture.draw(site, state, SiteStyle.DEFAULT));
     }
 

@@ -68,8 +68,8 @@ final class PairWords {
         return isChance(difference)
                 ? "It remains open which is better: the" + of + "no more than chance can explain ("
                         + ShareWords.p(difference) + ")."
-                : "The better variant is " + first + ": the" + of + "more than chance (" + ShareWords.p(difference)
-                        + ").";
+                : "The better variant is " + first + ": the" + of + "more than chance can explain ("
+                        + ShareWords.p(difference) + ").";
     }
 
     /** With several pairs, a small p is to be expected of some by chance (Bonferroni's correction). */
@@ -96,11 +96,11 @@ final class PairWords {
                 ? ""
                 : String.format(
                         Locale.ROOT,
-                        " With %,d pairs, p must be below %.2g to count as more than chance.",
+                        " With %,d pairs, p must be below %.2g for a difference to count as more than chance.",
                         pairs.size(),
                         SIGNIFICANT / pairs.size());
-        return "All variants face the same attacks. Only attacks in which one of a pair is better say which one"
-                + " is better: p is the probability that chance alone divides them so unevenly." + limit
+        return "All variants face the same attacks. Only attacks in which one of a pair is better show which one"
+                + " is better: p is the probability that chance alone would divide them at least as unevenly." + limit
                 + (pairs.size() > MOST_PAIRS ? " These are " + MOST_PAIRS + " of them; campaign.json has all." : "");
     }
 
@@ -131,7 +131,7 @@ final class PairWords {
             }
         }
         return counts + "The difference, " + ShareWords.difference(difference, false) + ", is "
-                + (isChance(difference) ? "no more than chance can explain" : "more than chance") + " ("
+                + (isChance(difference) ? "no more than chance can explain" : "more than chance can explain") + " ("
                 + ShareWords.p(difference) + "). The first cases that decide: " + String.join("; ", cases) + ".";
     }
 }

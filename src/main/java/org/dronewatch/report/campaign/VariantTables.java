@@ -96,7 +96,7 @@ final class VariantTables {
     }
 
     private String introduction(List<Integer> seen, int variants) {
-        return "In how many of the attacks from each of eight directions " + ShareWords.clause(headline)
+        return "The share of the attacks from each of eight directions in which " + ShareWords.clause(headline)
                 + ": the rim is 100 %."
                 + (seen.size() < VariantSummary.SECTORS ? " Attacks came only from " + names(seen) + "." : "")
                 + (variants > SeriesStyle.MOST

@@ -158,7 +158,7 @@ final class CoverageReport {
                                         ? "in single looks."
                                         : inputs.hasDefaultProbability()
                                                 ? "elsewhere."
-                                                : "where none detects it with one of "
+                                                : "where none detects it with a probability of "
                                                         + number(FieldCoverage.DEFAULT_COVERED) + "."))
                 + Html.table(head, rows);
     }

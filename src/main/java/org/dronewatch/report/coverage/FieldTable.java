@@ -22,7 +22,7 @@ public final class FieldTable {
 
     private FieldTable() {}
 
-    /** The fraction of the known cells at each height that is covered, and the dominant causes of all of them. */
+    /** The fraction of the known cells at each height that is covered, and the dominant causes in all of them. */
     public static List<String> causes(FieldSummary summary, CoverageInputs inputs) {
         Set<Cause> causes = EnumSet.noneOf(Cause.class);
         summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));

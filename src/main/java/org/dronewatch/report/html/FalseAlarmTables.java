@@ -59,7 +59,7 @@ final class FalseAlarmTables {
     private String birds() {
         return counted.birds().entrySet().stream()
                 .map(one -> format(
-                        " The alert at %.1f s, raised by %s, was a bird: '%s'.",
+                        " The alert at %.1f s, raised by %s, was caused by a bird: '%s'.",
                         one.getValue().time(), String.join(", ", one.getValue().sensors()), one.getKey()))
                 .collect(Collectors.joining());
     }

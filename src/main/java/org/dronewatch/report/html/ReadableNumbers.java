@@ -12,12 +12,12 @@ public final class ReadableNumbers {
 
     private ReadableNumbers() {}
 
-    /** One decimal at most; none for whole numbers and for 100 and above. */
+    /** A number with one decimal at most; with none if it is whole, or 100 or above. */
     public static String number(double value) {
         return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
     }
 
-    /** With its unit; a number without one is a probability. */
+    /** A number with its unit; one without a unit is a probability. */
     public static String measured(double value, String unit) {
         if (!unit.isEmpty()) {
             return number(value) + " " + unit;

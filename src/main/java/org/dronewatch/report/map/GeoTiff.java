@@ -36,7 +36,7 @@ import org.dronewatch.geo.Origin;
 
 /**
  * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) of one band, compressed by deflate: classes with a palette, numbers
- * and counts. TIFF has no names of classes: they go into a file beside it, where GDAL and QGIS read them. Equal grids
+ * and counts. TIFF has no names for classes: they go into a file beside it, where GDAL and QGIS read them. Equal grids
  * give the same bytes.
  */
 public final class GeoTiff {

@@ -26,7 +26,7 @@ sealed interface Shape {
      * An area on the ground plan.
      *
      * @param rings its edge, counterclockwise, and then its holes, clockwise; each ends where it begins
-     * @param top how high what covers it reaches above the ground, m; empty for a mark on the ground
+     * @param top height above the ground of the top of whatever covers it, m; empty for a mark on the ground
      */
     record Area(List<List<GeoPoint>> rings, OptionalDouble top) implements Shape {
         /** Copies the lists: later changes by the caller have no effect. */

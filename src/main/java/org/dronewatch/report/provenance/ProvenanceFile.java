@@ -19,7 +19,7 @@ public final class ProvenanceFile {
     /** The name of the file. */
     public static final String NAME = "provenance.json";
 
-    /** All keys; {@code command} only if there was a command. */
+    /** All keys, with {@code command} only if there was a command. */
     public static ObjectNode of(Provenance provenance, SceneResult result) {
         ObjectNode root = program(provenance.date(), provenance.command(), result.threads());
         addTimes(root, result.timing());
@@ -30,7 +30,7 @@ public final class ProvenanceFile {
     }
 
     /**
-     * That of results without a run.
+     * The contents for results without a run.
      *
      * @param scene name of the scene
      * @param threads number of worker threads
@@ -44,7 +44,7 @@ public final class ProvenanceFile {
     }
 
     /**
-     * That of a campaign.
+     * The contents for a campaign.
      *
      * @param command the arguments of the command line
      * @param files the campaign file, and the table of its cases if it has one

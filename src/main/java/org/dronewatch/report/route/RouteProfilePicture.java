@@ -56,9 +56,10 @@ final class RouteProfilePicture {
                 .setYAxisMax(0, highest + 0.1 * (highest - lowest) + 1.0);
         if (inputs.response() > 0.0) {
             double critical = at(points, route.critical(inputs.response()));
-            XYSeries last = chart.addSeries("last moment in time", new double[] {critical, critical}, new double[] {
-                Math.min(0.0, lowest), highest
-            });
+            XYSeries last =
+                    chart.addSeries("latest detection in time", new double[] {critical, critical}, new double[] {
+                        Math.min(0.0, lowest), highest
+                    });
             Charts.asReference(last);
         }
         return chart;

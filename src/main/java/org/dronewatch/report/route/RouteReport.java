@@ -82,8 +82,9 @@ final class RouteReport {
                                 ? " while " + number(survey.response()) + " s are left for the response."
                                 : " before it reaches " + inputs.targetInWords() + ".")
                         + " 'Detected' is the probability that any sensor detects it at all, from every look along the route"
-                        + " as it is flown; 'search' is what the search, which knows the middle of each cell, has it to be;"
-                        + " 'time left' is that between"
+                        + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"
+                        + " cell;"
+                        + " 'time left' is the time between"
                         + " the typical (median) first detection and the drone's arrival. No route can have less exposure"
                         + " in the search than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"
                         + " means 95 %.");

@@ -44,7 +44,7 @@ public final class PreparedSites {
     private final Consumer<String> progress;
 
     /**
-     * With the store of this process, see {@link StorePlace}.
+     * Uses the store of this process; see {@link StorePlace}.
      *
      * @param directory directory against which relative paths are resolved
      * @param progress receives a line before each step that takes seconds, and one if the store cannot be written

@@ -70,7 +70,7 @@ public final class SiteStore {
     }
 
     /**
-     * The store of this process, see {@link StorePlace}.
+     * The store of this process; see {@link StorePlace}.
      *
      * @param worth what takes less time than this to prepare is not kept, s
      * @param notes receives at most one line, when a file cannot be written

@@ -105,7 +105,7 @@ public final class StoreReader {
         return values;
     }
 
-    /** The length of what follows, of which each part takes at least some bytes. */
+    /** The number of parts that follow, each of which takes at least a number of bytes. */
     public int length(int bytesEach) throws IOException {
         int count = nextInt();
         if (count < 0 || (long) count * bytesEach > left) {
@@ -117,7 +117,7 @@ public final class StoreReader {
     /** Takes some values from the buffer. */
     private interface Taking {
         /**
-         * Takes them without moving the buffer's position.
+         * Takes the values without moving the buffer's position.
          *
          * @param start index of the first of them among all values
          * @param some how many

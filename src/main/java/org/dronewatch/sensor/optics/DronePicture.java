@@ -113,7 +113,7 @@ public final class DronePicture {
      *
      * @param enough as for that count
      * @param isSufficient whether the bounds suffice as they are
-     * @return false where a picture of the drone is drawn faster
+     * @return false where it is faster to draw a picture of the drone
      */
     public boolean refine(PixelBounds there, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
         return there.refine(dynamicView, drone, enough, isSufficient);

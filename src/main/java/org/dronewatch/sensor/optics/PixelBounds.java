@@ -8,9 +8,9 @@ import org.dronewatch.drone.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**
- * Bounds on the number of pixels that show a level drone at a position; they hold on every heading: the rays of the
- * pixels around it are looked up in masks of its silhouette, and in the image of the site; only those for which neither
- * is certain are traced to the drone, and only on request. Reused for many positions. One per thread.
+ * Bounds on the number of pixels that show a level drone at a position; they hold on every heading. The rays of the
+ * pixels around the drone are looked up in masks of its silhouette, and in the image of the site. Only rays for which
+ * neither is certain are traced to the drone, and only on request. Reused for many positions. One per thread.
  */
 public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */
@@ -50,7 +50,9 @@ public final class PixelBounds {
         return pixels.set(site, table, at);
     }
 
-    /** Whether the site certainly hides the drone, however it turns, or it is between the rays of the pixels. */
+    /**
+     * Whether the site certainly hides the drone, however it turns, or the drone lies between the rays of the pixels.
+     */
     public boolean isInvisible() {
         return pixels.isInvisible();
     }
@@ -61,7 +63,7 @@ public final class PixelBounds {
     }
 
     /**
-     * Examines all pixels around the drone, if only a sample has been; then count again.
+     * Examines all pixels around the drone if only a sample of them has been examined; the caller then counts again.
      *
      * @return false if all have been examined, or are too many
      */

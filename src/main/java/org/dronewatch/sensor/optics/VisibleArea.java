@@ -14,7 +14,8 @@ import org.jogamp.vecmath.Matrix4d;
 /**
  * The area of a drone in a camera's image, in pixels and fractions of pixels: for drones smaller than a pixel, and for
  * thermal images, in which a pixel integrates over its area. The drone is sampled by rays whose spacing adapts to its
- * size, so that the area is accurate to a few percent at any distance. Drones do not hide each other. One thread.
+ * size, so that the area is accurate to a few percent at any distance. Drones do not hide each other. One thread at a
+ * time.
  */
 public final class VisibleArea {
     /**
@@ -82,7 +83,7 @@ public final class VisibleArea {
     }
 
     /**
-     * The same of a drone that nothing hides, or less if that is enough.
+     * The same for a drone that nothing hides, or less if that is enough.
      *
      * @param silhouette knows many of the rays: its bounds must be {@linkplain SilhouetteArea#isOf those} of the drone
      */

@@ -22,7 +22,7 @@ public sealed interface RadarDetection {
     Decision on(Fluctuation fluctuation);
 
     /**
-     * The decision on echoes of targets with a log-normally distributed cross-section from look to look.
+     * The decision on echoes of targets whose cross-section is log-normally distributed from look to look.
      *
      * @param spread standard deviation of the cross-section in decibels, above 0 and at most 20 dB
      */

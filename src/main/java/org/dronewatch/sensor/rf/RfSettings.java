@@ -197,7 +197,7 @@ public record RfSettings(
         return SettingsForm.with(this, Map.of("groundReflection", Optional.of(ground), "polarisation", other));
     }
 
-    /** These settings with the man-made noise of some surroundings. */
+    /** These settings with the man-made noise of a type of surroundings. */
     public RfSettings withEnvironment(ManMadeNoise noise) {
         return SettingsForm.with(this, "environment", Optional.of(noise));
     }

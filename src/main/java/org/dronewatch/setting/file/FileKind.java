@@ -8,7 +8,7 @@ import java.util.function.BiPredicate;
 
 /** The kind of a file that was named where another is expected, recognised by its first characters or its name. */
 public enum FileKind {
-    /** GeoTIFF among them. */
+    /** TIFF, which includes GeoTIFF. */
     TIFF("a TIFF file", "world.terrain", (name, start) -> start.matches("(?s)(II[*+]\0|MM\0[*+]).*")),
     /** ESRI's text format of elevations. */
     ASCII_GRID("an ESRI ASCII grid", "world.terrain", (name, start) -> start.matches("(?is)\\s*(ncols|nrows)\\s.*")),

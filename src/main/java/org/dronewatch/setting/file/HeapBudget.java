@@ -4,7 +4,7 @@ import org.dronewatch.setting.InputException;
 
 /**
  * The memory that the content of one file may take: half of what Java may use, so that a file which unpacks to more is
- * refused in one line before memory runs out. What is taken is estimated by the caller. One thread at a time.
+ * refused in one line before memory runs out. The caller estimates what is taken. One thread at a time.
  */
 public final class HeapBudget {
     private static final int MEBIBYTE = 1 << 20;
@@ -24,7 +24,7 @@ public final class HeapBudget {
         this(file, advice, Runtime.getRuntime().maxMemory());
     }
 
-    /** The same for another size of the heap, bytes. */
+    /** The same for a heap of another size, bytes. */
     public HeapBudget(String file, String advice, long heap) {
         this.file = file;
         this.advice = advice;
@@ -43,7 +43,7 @@ public final class HeapBudget {
     }
 
     /**
-     * Checks whether there is memory for something that is soon dropped.
+     * Checks whether there is memory for something that is needed only for a short time.
      *
      * @param bytes 0 or more
      * @throws InputException when there is not

@@ -32,7 +32,7 @@ public final class SettingsFile {
     }
 
     /**
-     * The document of a file as nodes, unread.
+     * The document of a file as nodes, not yet converted to settings.
      *
      * @throws InputException when it is not such a document
      */
@@ -61,7 +61,7 @@ public final class SettingsFile {
      * Reads a record from a part of a document.
      *
      * @param type a record, or an interface with kinds
-     * @param directory directory of relative file names
+     * @param directory directory against which relative file names are resolved
      * @param used receives the settings that are written under a former name
      * @throws InputException with a line for each mistake
      */
@@ -73,8 +73,8 @@ public final class SettingsFile {
     }
 
     /**
-     * An equivalent YAML file for a record: numbers exactly and with their units, omitting settings that have their
-     * default value.
+     * The text of an equivalent YAML file for a record: numbers are exact and have units, and settings with their
+     * default values are omitted.
      *
      * @param kinds among which to choose where the record has an interface
      * @param from directory of relative file names in the settings

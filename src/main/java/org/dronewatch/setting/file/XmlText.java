@@ -124,7 +124,7 @@ public final class XmlText {
         return name + ":" + line() + ": ";
     }
 
-    /** The text of the element here, up to its end, as far as it is not very long. */
+    /** The text of the element here, up to its end; only the beginning of a very long one. */
     public String content() throws XMLStreamException {
         StringBuilder text = new StringBuilder();
         int inside = depth;

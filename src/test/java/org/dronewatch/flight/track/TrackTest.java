@@ -178,7 +178,7 @@ class TrackTest {
                 "<ele>120.0</ele> | <ele>NaN</ele> | a.gpx:5: ele NaN must be -100000.0 to 100000.0",
                 "03:00:10Z | 03:00:60Z | a.gpx:5: time '2026-11-24T03:00:60Z' must be written as in",
                 "03:00:10Z | 03:59:10Z | a.gpx:6: is 3529.5 s before the point in line 5: times must increase",
-                "<time>2026-11-24T03:00:10Z</time> | '' | a.gpx:6: has a time, others before have none",
+                "<time>2026-11-24T03:00:10Z</time> | '' | a.gpx:6: has a time, but points before it have none",
                 "</trk> | '' | a.gpx:11: not well-formed XML",
                 "trkpt | point | a.gpx: has no track with points",
                 "<gpx | <!DOCTYPE gpx [<!ENTITY a \"b\">]><gpx | a.gpx:2: has a document type",

@@ -441,7 +441,7 @@ class ModelFormatsTest {
                 "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"children\":[1,1]},{\"mesh\":0}] | node 1 is a child twice",
                 "\"scene\":0 | \"scene\":3 | scene 3 does not exist",
                 "\"material\":0 | \"material\":7 | material 7 does not exist",
-                "\"count\":24 | \"count\":23 | a primitive of 23 corners, which are not whole triangles",
+                "\"count\":24 | \"count\":23 | a primitive of 23 corners, not a whole number of triangles",
                 "\"count\":6 | \"count\":5 | accessor 1: vertex index 5 must be 0 to 4",
                 "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"] | requires the extension 'EXT_mesh_gpu_instancing', which is not read",
                 "\"nodes\":[0] | \"nodes\":[5] | node 5 does not exist",

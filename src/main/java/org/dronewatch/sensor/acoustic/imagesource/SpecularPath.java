@@ -46,8 +46,8 @@ public final class SpecularPath {
     }
 
     /**
-     * Sets the curvature of subsequent paths by the air: each leg must be unobstructed as an arc, too. By default,
-     * paths are straight.
+     * Sets the curvature that the air gives to subsequent paths: each leg must be unobstructed as an arc, too. By
+     * default, paths are straight.
      *
      * @param isSoundAhead whether sound travels from a path's beginning to its end, and not the other way
      */

@@ -20,10 +20,10 @@ final class LevelAssessment {
     }
 
     /**
-     * The signal in the level model: certain where the straight ray is loud enough, which is traced first, and where
-     * even that would be too quiet; estimated from some looks otherwise. The first of these is the look of a run with
-     * the same random numbers. The quantity of an estimate is the median of the best levels, the upper of the two in
-     * the middle, so that it reaches the threshold when half of the looks do.
+     * The signal in the level model. It is certain where the straight ray, which is traced first, is loud enough, and
+     * where even that ray would be too quiet; otherwise it is estimated from several looks. The first of these is the
+     * look of a run with the same random numbers. The quantity of an estimate is the median of the best levels, the
+     * upper of the two in the middle, so that it reaches the threshold when half of the looks do.
      *
      * @param others the looks after the first, unless the ray budget ended a ray of the first: then they
      *     are like the first

@@ -4,8 +4,8 @@ import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Products of energies in all bands with factors: most of what happens to the energy of a ray. By vector instructions
- * where they can be used; the results are the same without, bit for bit.
+ * Products of energies in all bands with factors: most of what happens to the energy of a ray. Uses vector instructions
+ * where possible; without them, the results are the same, bit for bit.
  */
 public final class BandFactors {
     static final int BANDS = OctaveBands.COUNT;
@@ -50,7 +50,7 @@ public final class BandFactors {
         }
     }
 
-    /** The sum over all bands, in pairs: one addition need not wait for seven others. */
+    /** The sum over all bands, added in pairs, so that no addition has to wait for seven others. */
     public static double sum(double[] values) {
         return ((values[0] + values[1]) + (values[2] + values[3]))
                 + ((values[4] + values[5]) + (values[6] + values[7]));
