@@ -54,7 +54,7 @@ import org.dronewatch.world.World;
  *     one another, as in the table; {@code soundPowerLevel} sets the loudness
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; omit it for none
- * @param emission model of its sound, given these settings and its flight: steady, or a kind from another jar
+ * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
  * @param performance limits of its flight, as far as they are known; if it is omitted, they are typical of its
  *     airframe, and flights are not checked against them
  * @param swarm number and formation of a swarm of such drones; omit it for a single drone

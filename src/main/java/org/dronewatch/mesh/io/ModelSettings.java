@@ -26,7 +26,7 @@ import org.dronewatch.setting.SettingsForm;
  *     of {@code world.origin.height}; omit it for a model in local coordinates
  * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; with a
  *     {@code crs}, the point at which the coordinates of the grid are zero, which matters only if the file's
- *     coordinates are shifted: (-155000, -463000, 0) if these numbers were subtracted from them
+ *     coordinates are shifted: (-155000, -463000, 0) if 155,000 and 463,000 were subtracted from them
  * @param position position of the model's origin, m; with a {@code crs}, a correction of the model's position
  * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which states the
  *     direction of north
