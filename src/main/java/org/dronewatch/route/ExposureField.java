@@ -26,6 +26,19 @@ public interface ExposureField {
     double rate(double x, double y, double z, double heading, int mode);
 
     /**
+     * The rate on a leg, 1/s, where speed or climb matter, too: by default, they do not.
+     *
+     * @param x east, m
+     * @param y north, m
+     * @param z up, m
+     * @param motion of the drone
+     * @param mode number of the drone's {@link RouteMode}
+     */
+    default double rate(double x, double y, double z, LegMotion motion, int mode) {
+        return rate(x, y, z, motion.heading(), mode);
+    }
+
+    /**
      * A lower bound of the rates at all positions in a box, on all headings, 1/s, 0 or more; the tighter it is, the
      * tighter is the lower bound of a weakest route.
      *

@@ -1,5 +1,6 @@
 package org.dronewatch.route;
 
+import java.util.Arrays;
 import org.dronewatch.parallel.Workers;
 
 /** The rates of a field at all open posts, in all modes and directions. Immutable. */
@@ -15,23 +16,26 @@ final class PostRates {
         this.rates =
                 new float[problem.modes().size() * directions][problem.grid().size()];
         RouteGrid grid = problem.grid();
+        LegMotion[] motions = new LegMotion[rates.length];
+        Arrays.setAll(motions, i -> problem.modes()
+                .get(i / directions)
+                .motion(problem.directions().heading(i % directions)));
         Workers.forEach(grid.rows() * grid.levels(), row -> {
             for (int post = row * grid.columns(); post < (row + 1) * grid.columns(); post++) {
                 if (grid.isOpen(post)) {
-                    set(problem, post);
+                    set(problem, post, motions);
                 }
             }
         });
     }
 
-    private void set(RouteProblem problem, int post) {
+    private void set(RouteProblem problem, int post, LegMotion... motions) {
         RouteGrid grid = problem.grid();
         double x = grid.x(post);
         double y = grid.y(post);
         double z = grid.z(post);
         for (int i = 0; i < rates.length; i++) {
-            double heading = problem.directions().heading(i % directions);
-            double rate = problem.field().rate(x, y, z, heading, i / directions);
+            double rate = problem.field().rate(x, y, z, motions[i], i / directions);
             // A post may coincide with a sensor; no leg through it is worth its price.
             rates[i][post] = rate < Float.MAX_VALUE ? (float) rate : Float.MAX_VALUE;
         }

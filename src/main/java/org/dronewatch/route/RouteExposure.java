@@ -71,7 +71,7 @@ final class RouteExposure {
         if (!(time > 0.0) || time == Double.POSITIVE_INFINITY) {
             return time;
         }
-        double heading = StrictMath.atan2(dx, dy);
+        LegMotion motion = LegMotion.along(dx, dy, dz, time);
         int pieces = Math.max(1, (int) Math.ceil(Math.sqrt(horizontal * horizontal + dz * dz) / step));
         double sum = 0.0;
         for (int i = 0; i < pieces; i++) {
@@ -79,10 +79,10 @@ final class RouteExposure {
             double off = 0.5 * OFF_CENTRE / pieces;
             double before = middle - off;
             double after = middle + off;
-            sum += AT_CENTRE * field.rate(x + middle * dx, y + middle * dy, z + middle * dz, heading, mode)
+            sum += AT_CENTRE * field.rate(x + middle * dx, y + middle * dy, z + middle * dz, motion, mode)
                     + OUTSIDE
-                            * (field.rate(x + before * dx, y + before * dy, z + before * dz, heading, mode)
-                                    + field.rate(x + after * dx, y + after * dy, z + after * dz, heading, mode));
+                            * (field.rate(x + before * dx, y + before * dy, z + before * dz, motion, mode)
+                                    + field.rate(x + after * dx, y + after * dy, z + after * dz, motion, mode));
         }
         return time * sum / pieces;
     }

@@ -55,6 +55,13 @@ public record RouteMode(String name, double speed, double climb, double sink, do
                 -1.0 / limits.glideRatio());
     }
 
+    /** The motion on a heading, clockwise from north, rad: level or, gliding, on the best glide. */
+    LegMotion motion(double heading) {
+        double slope = isGlide() ? steepest : 0.0;
+        double level = speed / Math.sqrt(1.0 + slope * slope);
+        return new LegMotion(heading, level * StrictMath.sin(heading), level * StrictMath.cos(heading), slope * level);
+    }
+
     /** Whether it can only descend. */
     public boolean isGlide() {
         return steepest < 0.0;

@@ -13,14 +13,18 @@ record SiteExposure(List<FieldExposure> modes) implements ExposureField {
     }
 
     static SiteExposure of(List<ModeField> modes, SceneSettings settings) {
-        return new SiteExposure(modes.stream()
-                .map(mode -> FieldExposure.of(mode.field(), settings))
-                .toList());
+        return new SiteExposure(
+                modes.stream().map(mode -> FieldExposure.of(mode, settings)).toList());
     }
 
     @Override
     public double rate(double x, double y, double z, double heading, int mode) {
         return modes.get(mode).rate(x, y, z, heading, mode);
+    }
+
+    @Override
+    public double rate(double x, double y, double z, LegMotion motion, int mode) {
+        return modes.get(mode).rate(x, y, z, motion, mode);
     }
 
     @Override

@@ -22,6 +22,15 @@ record SummedExposure(List<ExposureField> parts, double constant) implements Exp
     }
 
     @Override
+    public double rate(double x, double y, double z, LegMotion motion, int mode) {
+        double sum = constant;
+        for (int i = 0; i < parts.size(); i++) {
+            sum += parts.get(i).rate(x, y, z, motion, mode);
+        }
+        return sum;
+    }
+
+    @Override
     public double least(Position low, Position high, int mode) {
         double sum = constant;
         for (int i = 0; i < parts.size(); i++) {

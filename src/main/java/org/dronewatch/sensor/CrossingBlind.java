@@ -4,4 +4,12 @@ package org.dronewatch.sensor;
  * Settings of a sensor that rejects what neither approaches nor recedes, and so may miss a drone that flies across its
  * line of sight. A capability: {@link SensorSettings#as}.
  */
-public interface CrossingBlind {}
+public interface CrossingBlind {
+    /**
+     * The fraction of a drone's signal that is not rejected because of its radial speed, 0 to 1. All else being equal,
+     * a drone is the more likely to be detected the greater this is.
+     *
+     * @param radialSpeed the rate at which its distance changes, m/s, of either sign
+     */
+    double response(double radialSpeed);
+}

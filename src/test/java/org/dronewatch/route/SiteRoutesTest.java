@@ -8,14 +8,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import java.util.SplittableRandom;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Visibility;
 import org.junit.jupiter.api.BeforeEach;
@@ -41,13 +47,18 @@ class SiteRoutesTest {
         field = site.field(GRID, 2);
     }
 
+    private FieldExposure exposure() {
+        DroneSettings drone = site.settings().drones().get(FieldSite.DRONE);
+        return FieldExposure.of(ModeField.powered(field, drone), site.settings());
+    }
+
     private double rate() {
         return site.settings().enabledSensors().get("round").rate();
     }
 
     @Test
     void ratesAreThoseOfTheLooksInEveryCell() {
-        FieldExposure exposure = FieldExposure.of(field, site.settings());
+        FieldExposure exposure = exposure();
         long seed = 31;
         SplittableRandom random = new SplittableRandom(seed);
         int detecting = 0;
@@ -72,7 +83,7 @@ class SiteRoutesTest {
     /** On both courses across its line of sight, the radar is blind; elsewhere it is not. */
     @Test
     void aCourseAcrossTheLineOfSightHasItsOwnRate() {
-        FieldExposure exposure = FieldExposure.of(field, site.settings());
+        FieldExposure exposure = exposure();
         double bearing = Math.atan2(90.0, -50.0);
         for (double side = -1.0; side <= 1.0; side += 2.0) {
             double across = bearing + side * Math.PI / 2;
@@ -81,6 +92,50 @@ class SiteRoutesTest {
                     .isEqualTo(0.0);
         }
         assertThat(exposure.rate(90.0, -50.0, 60.0, bearing, 0)).isCloseTo(rate() * CERTAIN, within(1e-6));
+    }
+
+    /** At any position, heading, speed and climb, in cells that are in sight: as if the drone were assessed there. */
+    @Test
+    void aRadarIsBlindExactlyWhereTheRadialSpeedIsTooLow() {
+        FieldExposure exposure = exposure();
+        Assessor assessor = new Assessor(
+                "round",
+                site.settings().enabledSensors().get("round"),
+                site.stage().world());
+        Drone drone = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
+        SplittableRandom random = new SplittableRandom(5);
+        int blind = 0;
+        int compared = 0;
+        while (compared < 1500) {
+            int level = random.nextInt(3);
+            Position at = field.middle(level, random.nextInt(25), random.nextInt(25))
+                    .plus(new Position(random.nextDouble(), random.nextDouble(), random.nextDouble()).times(9.0));
+            Position away = at.minus(RADAR).unit().times(12.0);
+            LegMotion receding = LegMotion.along(away.x(), away.y(), away.z(), 1.0);
+            double heading = 2.0 * Math.PI * random.nextDouble();
+            double speed = 4.0 + 8.0 * random.nextDouble();
+            LegMotion motion = LegMotion.along(
+                    speed * Math.sin(heading), speed * Math.cos(heading), 6.0 * (random.nextDouble() - 0.5), 1.0);
+            boolean isSeen = exposure.rate(at.x(), at.y(), at.z(), receding, 0) > 0.0
+                    && isDetected(assessor, drone, at, receding);
+            if (isSeen) {
+                boolean isExpected = isDetected(assessor, drone, at, motion);
+                assertThat(exposure.rate(at.x(), at.y(), at.z(), motion, 0))
+                        .as("%s, %s", at, motion)
+                        .isCloseTo(isExpected ? rate() * CERTAIN : 0.0, within(1e-6));
+                blind += isExpected ? 0 : 1;
+                compared++;
+            }
+        }
+        assertThat(blind).isBetween(300, 1000);
+    }
+
+    private static boolean isDetected(Assessor assessor, Drone drone, Position at, LegMotion motion) {
+        Position velocity = new Position(motion.east(), motion.north(), motion.up());
+        return assessor.assess(
+                        drone.at(new FlightState(at, velocity, motion.heading())), Optional.empty(), new Random(0))
+                .cause()
+                .equals(Cause.DETECTED);
     }
 
     /** Only a course that is exactly that of the compass is nearer than one across the line of sight. */
@@ -215,7 +270,7 @@ class SiteRoutesTest {
     void theSensorSeesNoMoreThanTheWholeRoute() {
         SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
         WeakestRoute route = routes.fromAnywhere().orElseThrow();
-        FieldExposure exposure = FieldExposure.of(field, site.settings());
+        FieldExposure exposure = exposure();
 
         assertThat(routes.bySensor(route)).containsOnlyKeys("round");
         assertThat(routes.bySensor(route).get("round")).isGreaterThanOrEqualTo(route.exposure() - 1e-9);

@@ -17,8 +17,8 @@ final class FieldOfRegard {
     FieldOfRegard(RadarSettings settings) {
         this.settings = settings;
         this.outline = settings.outline();
-        this.slowest = settings.notch().isPresent() ? 0.0 : settings.minSpeed();
-        this.fastest = Math.min(settings.maxSpeed(), settings.budget().migrationSpeed());
+        this.slowest = settings.slowest();
+        this.fastest = settings.fastest();
     }
 
     /** Whether a drone is within the angles and ranges. */

@@ -144,11 +144,27 @@ public record RadarSettings(
         }
     }
 
-    /** The cells of a scan. With a notch all speeds count, however slow. */
+    /** The cells of a scan. */
     ResolutionCells cells() {
-        double slowest = notch.isPresent() ? 0.0 : minSpeed;
         return new ResolutionCells(
-                azimuthWidth, elevationWidth, minRange, maxRange, slowest, maxSpeed, frequency, beam);
+                azimuthWidth, elevationWidth, minRange, maxRange, slowest(), maxSpeed, frequency, beam);
+    }
+
+    /** The least radial speed that it looks at, m/s: with a notch, which decides for itself what is too slow, any. */
+    double slowest() {
+        return notch.isPresent() ? 0.0 : minSpeed;
+    }
+
+    /** The greatest radial speed that it looks at, m/s. */
+    double fastest() {
+        return Math.min(maxSpeed, budget.migrationSpeed());
+    }
+
+    @Override
+    public double response(double radialSpeed) {
+        double speed = Math.abs(radialSpeed);
+        boolean isLookedAt = speed >= slowest() && speed <= fastest();
+        return isLookedAt ? notch.map(filter -> filter.response(radialSpeed)).orElse(1.0) : 0.0;
     }
 
     private static void checkTilt(double tilt, double most) {

@@ -1,0 +1,257 @@
+package org.dronewatch.route;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.CrossingBlind;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * The rates at which one sensor of a detection field detects a drone in one mode of flight. A sensor whose looks are
+ * independent has the rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One
+ * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see
+ * {@link Chance#hazard}): the resulting probability of detection is not too low.
+ *
+ * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds is
+ * asked which fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
+ * heading on which the same fraction passes in the middle of the cell, or between those on which less and more of it
+ * does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
+ */
+final class SensorRates {
+    /** The steps of a probability in a field. */
+    private static final int STEPS = 250;
+
+    /** Less than this passes like nothing, as a power of ten. */
+    private static final double NOTHING = -3.0;
+
+    private final DetectionField field;
+    private final int sensor;
+    private final FieldCells cells;
+    private final Optional<CrossingBlind> blind;
+    private final Position position;
+
+    /** Of the courses that matter: first the compass headings, then those across the line of sight. */
+    private final int[] courses;
+
+    private final int headings;
+
+    /** The motions on the compass headings. */
+    private final LegMotion[] motions;
+
+    /** The sides on which the other courses cross the line of sight: 1 clockwise from it, -1 anticlockwise. */
+    private final double[] sides;
+
+    /** By step of the probability, 1/s. */
+    private final double[] rates = new double[STEPS + 1];
+
+    /**
+     * The rates of a sensor.
+     *
+     * @param sensor its number in the field
+     */
+    SensorRates(ModeField flown, int sensor, SceneSettings settings) {
+        this.field = flown.field();
+        this.sensor = sensor;
+        this.cells = new FieldCells(field);
+        SensorSettings<?> its = settings.enabledSensors().get(field.sensors().get(sensor));
+        this.blind = its.as(CrossingBlind.class);
+        this.position = its.position();
+        List<Course> all = field.courses();
+        int[] compass = IntStream.range(0, all.size())
+                .filter(i -> all.get(i).kind() == Course.Kind.COMPASS)
+                .toArray();
+        int[] across = IntStream.range(0, all.size())
+                .filter(i -> all.get(i)
+                        .sensor()
+                        .filter(field.sensors().get(sensor)::equals)
+                        .isPresent())
+                .toArray();
+        this.headings = compass.length;
+        this.courses =
+                IntStream.concat(IntStream.of(compass), IntStream.of(across)).toArray();
+        this.motions = IntStream.of(compass)
+                .mapToObj(i -> flown.mode().motion(all.get(i).angle()))
+                .toArray(LegMotion[]::new);
+        this.sides = IntStream.of(across)
+                .mapToDouble(i -> Math.signum(all.get(i).angle()))
+                .toArray();
+        for (int step = 1; step <= STEPS; step++) {
+            rates[step] = rate(its, (double) step / STEPS);
+        }
+    }
+
+    private static double rate(SensorSettings<?> sensor, double probability) {
+        double capped = Math.min(FieldExposure.HIGHEST, probability);
+        double hazard = sensor.chance().hazard(capped, sensor.rate(), capped);
+        return sensor.chance() == Chance.PER_LOOK ? hazard : capped * hazard;
+    }
+
+    /** The number of the sensor in the field. */
+    int sensor() {
+        return sensor;
+    }
+
+    /** The number of compass headings. */
+    int headings() {
+        return headings;
+    }
+
+    private int steps(int level, int column, int row, int course) {
+        return field.steps(sensor, level, column, row, courses[course]);
+    }
+
+    /** The rate at a position in a cell, 1/s. */
+    double rate(int level, int column, int row, double x, double y, double z, LegMotion motion) {
+        if (blind.isEmpty()) {
+            return rates[steps(level, column, row, nearest(motion))];
+        }
+        if (isAlike(level, column, row)) {
+            return rates[steps(level, column, row, 0)];
+        }
+        double passing = blind.get().response(radial(x, y, z, motion.east(), motion.north(), motion.up()));
+        return new Between(level, column, row, motion, passing).rate();
+    }
+
+    /** The course on which the sensor sees most nearly what it sees of a drone at a position in a cell. */
+    int course(int level, int column, int row, double x, double y, double z, LegMotion motion) {
+        if (blind.isEmpty() || isAlike(level, column, row)) {
+            return courses[nearest(motion)];
+        }
+        double passing = blind.get().response(radial(x, y, z, motion.east(), motion.north(), motion.up()));
+        return courses[new Between(level, column, row, motion, passing).nearer()];
+    }
+
+    /**
+     * The least rate in a cell on one compass heading; of a sensor that rejects low radial speeds, that on any course.
+     */
+    double least(int level, int column, int row, int heading) {
+        if (blind.isEmpty()) {
+            return rates[steps(level, column, row, heading)];
+        }
+        int least = STEPS;
+        for (int course = 0; course < courses.length; course++) {
+            least = Math.min(least, steps(level, column, row, course));
+        }
+        return rates[least];
+    }
+
+    private boolean isAlike(int level, int column, int row) {
+        int first = steps(level, column, row, 0);
+        for (int course = 1; course < courses.length; course++) {
+            if (steps(level, column, row, course) != first) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The compass heading that is nearest to that of a motion. */
+    private int nearest(LegMotion motion) {
+        int nearest = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < headings; i++) {
+            double along = motion.east() * motions[i].east() + motion.north() * motions[i].north();
+            nearest = along > most ? i : nearest;
+            most = Math.max(along, most);
+        }
+        return nearest;
+    }
+
+    /** The rate at which the distance from the sensor changes, m/s. */
+    private double radial(double x, double y, double z, double east, double north, double up) {
+        double dx = x - position.x();
+        double dy = y - position.y();
+        double dz = z - position.z();
+        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return (dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL);
+    }
+
+    /** The courses of a cell on which no more and no less of the signal passes than of a drone on another course. */
+    private final class Between {
+        private final int level;
+        private final int column;
+        private final int row;
+        private final LegMotion motion;
+        private final double passing;
+        private int below = -1;
+        private int above = -1;
+        private double passingBelow;
+        private double passingAbove;
+        private double alongBelow;
+        private double alongAbove;
+
+        Between(int level, int column, int row, LegMotion motion, double passing) {
+            this.level = level;
+            this.column = column;
+            this.row = row;
+            this.motion = motion;
+            this.passing = passing;
+            double x = cells.x(column);
+            double y = cells.y(row);
+            double z = cells.z(level, column, row);
+            for (int course = 0; course < headings; course++) {
+                LegMotion on = motions[course];
+                double along = motion.east() * on.east() + motion.north() * on.north();
+                take(course, blind.get().response(radial(x, y, z, on.east(), on.north(), on.up())), along);
+            }
+            double dx = x - position.x();
+            double dy = y - position.y();
+            for (int i = 0; i < sides.length; i++) {
+                double along = sides[i] * (motion.east() * dy - motion.north() * dx);
+                double sunk = blind.get().response(radial(x, y, z, 0.0, 0.0, motions[0].up()));
+                take(headings + i, sunk, along);
+            }
+        }
+
+        /** Of several courses on which equally much passes, that with the nearest heading. */
+        private void take(int course, double passes, double along) {
+            if (passes <= passing
+                    && (below < 0 || passes > passingBelow || passes == passingBelow && along > alongBelow)) {
+                below = course;
+                passingBelow = passes;
+                alongBelow = along;
+            }
+            if (passes >= passing
+                    && (above < 0 || passes < passingAbove || passes == passingAbove && along > alongAbove)) {
+                above = course;
+                passingAbove = passes;
+                alongAbove = along;
+            }
+        }
+
+        double rate() {
+            int low = steps(level, column, row, below < 0 ? above : below);
+            int high = steps(level, column, row, above < 0 ? below : above);
+            if (low == high) {
+                return rates[low];
+            }
+            int between = (int) Math.rint(low + fraction() * (high - low));
+            // 0 and 1 are exact.
+            boolean isExact = between == low || between == high;
+            return rates[isExact ? between : Math.max(1, Math.min(STEPS - 1, between))];
+        }
+
+        /** Whether more like the course above, 0 to 1, by the level of what passes. */
+        private double fraction() {
+            double low = decades(passingBelow);
+            double high = decades(passingAbove);
+            return high > low ? (decades(passing) - low) / (high - low) : 0.0;
+        }
+
+        int nearer() {
+            if (below < 0 || above < 0) {
+                return below < 0 ? above : below;
+            }
+            return fraction() < 0.5 ? below : above;
+        }
+    }
+
+    private static double decades(double passing) {
+        return Math.max(NOTHING, Math.log10(passing));
+    }
+}
