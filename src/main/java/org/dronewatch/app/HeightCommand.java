@@ -20,7 +20,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Says how high the site is at a place, and what is there. */
+/** Prints the heights of a site at a place, and what is there. */
 @Command(
         name = "height",
         mixinStandardHelpOptions = true,
@@ -55,7 +55,7 @@ final class HeightCommand implements Callable<Integer> {
         SceneRunner runner = choice.runner(choice.create());
         runner.notes(spec.commandLine().getErr()::println);
         SceneSettings settings = SceneChoice.settingsOfRun(runner, 0);
-        // What is no place is refused before the site is loaded.
+        // Anything that is not a place is refused before the site is loaded.
         Position place = runner.place(AT, at, settings);
         World world = runner.world(settings);
         SurfaceColumn column = SurfaceColumn.at(world, place.x(), place.y());

@@ -172,7 +172,7 @@ public final class Main implements Runnable {
         }
         commands.setOut(new PlainPrinter(commands.getOut()));
         try {
-            // What is wrong with the class path is said before anything is done.
+            // Errors in the class path are reported before anything is done.
             KindRegistry.found();
             MeshReaders.found();
         } catch (InputException e) {

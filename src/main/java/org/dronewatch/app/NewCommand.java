@@ -202,7 +202,7 @@ final class NewCommand implements Callable<Integer> {
         }
     }
 
-    /** The world of a scene as it is so far; what is read is said once. */
+    /** The world of a scene as it is so far; what is read is reported once. */
     private World world(Path file, boolean isFirst) {
         SceneRunner runner = new SceneRunner(new SceneFile(file)).notes(note -> {
             if (isFirst) {

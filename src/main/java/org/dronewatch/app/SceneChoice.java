@@ -60,7 +60,7 @@ final class SceneChoice {
             Optional<Path> file = sceneFile();
             return file.isPresent() && Files.isSameFile(file.get(), path);
         } catch (IOException e) {
-            // One of them does not exist, and reading or writing will say so if it should.
+            // One of them does not exist; reading or writing will report that if it matters.
             return false;
         }
     }

@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Opens a window in which a scene is looked at while it runs and afterwards. */
+/** Opens a window that shows a scene while it runs and afterwards. */
 @Command(
         name = "view",
         mixinStandardHelpOptions = true,

@@ -5,8 +5,8 @@ import org.jogamp.vecmath.SingularMatrixException;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * The pinhole picture that a set of rays is said to be: found from the rays of its four corners, checked against every
- * ray. Tiles whose rays are not those of the picture are known as such.
+ * The pinhole picture that a set of rays is declared to form: found from the rays of its four corners, checked against
+ * every ray. Tiles whose rays are not those of the picture are known as such.
  */
 final class Picture {
     /** How far a given direction may be from the picture's: a few roundings of a unit vector of floats. */

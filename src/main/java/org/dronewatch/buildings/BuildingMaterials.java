@@ -6,7 +6,7 @@ import java.util.Map;
 
 /** What buildings are made of, by the tags of OpenStreetMap, as names in the table of acoustic surfaces. */
 final class BuildingMaterials {
-    /** Follows the material of what has an assumed height. */
+    /** Follows the name of the material of a building whose height is assumed. */
     static final String ASSUMED = ":assumed-height";
 
     /** Colours of buildings whose material is not known, and of those whose height is not known: red, green, blue. */

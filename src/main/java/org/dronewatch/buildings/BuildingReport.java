@@ -19,7 +19,7 @@ final class BuildingReport {
     /** Further above or below the ground than most foundations, m. */
     private static final double FLOATING = 3.0;
 
-    /** Roofs that are lower than the ground by less are as high, m. */
+    /** Roofs that are lower than the ground by less than this count as level with it, m. */
     private static final double ROUNDED = 0.05;
 
     private static final String OPEN_STREET_MAP =

@@ -21,10 +21,10 @@ final class BuildingSite {
     /** Thickness of the roof of a building without walls, m. */
     private static final double SLAB = 0.3;
 
-    /** Corners of an outline that are nearer to each other are one, m. */
+    /** Corners of an outline that are nearer to each other than this count as one, m. */
     private static final double NEAR = 1e-3;
 
-    /** Less is no building, m2. */
+    /** A smaller outline is not a building, m2. */
     private static final double SMALLEST = 0.1;
 
     /** The largest difference between an outline and the pieces of its roof, as a fraction of its area. */

@@ -17,7 +17,7 @@ import org.dronewatch.terrain.TerrainGround;
  * the terrain. Nothing passes through them, as through dense foliage.
  */
 final class Canopies {
-    /** What the edge of a wood is to sound, in the table of surfaces. */
+    /** The acoustic surface of the edge of a wood, by its name in the table of surfaces. */
     static final String MATERIAL = "foliage_edge";
 
     /** Woods in daylight: red, green, blue. */
@@ -70,7 +70,7 @@ final class Canopies {
         near(box, ground -> fan(within(triangle, ground), OptionalDouble.empty(), ground));
     }
 
-    /** Names each triangle of the ground near a rectangle once. */
+    /** Lists each triangle of the ground near a rectangle once. */
     private void near(double[] box, IntConsumer target) {
         Set<Integer> seen = new HashSet<>();
         terrain.orElseThrow().trianglesNear(box[0], box[1], box[2], box[3], ground -> {

@@ -10,13 +10,13 @@ import org.dronewatch.geometry.Ints;
 
 /** The outlines of a solid of a city model: the rim of all that faces downwards, as a plan shows it. */
 final class CityOutlines {
-    /** Less is no outline, m2. */
+    /** A smaller area is not an outline, m2. */
     private static final double SMALLEST = 0.1;
 
     private CityOutlines() {}
 
     /**
-     * The outlines of one solid, one for each piece of its floor that stands apart.
+     * The outlines of one solid, one for each separate piece of its floor.
      *
      * @param id what the model calls it
      * @param corners three numbers of vertices for each triangle of the closed solid

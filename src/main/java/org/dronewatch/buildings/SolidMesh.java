@@ -13,7 +13,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /** Collects the triangles of closed solids, which face outwards. */
 final class SolidMesh {
-    /** Corners nearer than this are one: a tenth of a millimetre, m. */
+    /** Corners nearer to each other than this count as one: a tenth of a millimetre, m. */
     private static final double WELD = 1e-4;
 
     private final Floats vertices = new Floats();

@@ -17,7 +17,7 @@ final class SpilledValues {
     private long size;
 
     /**
-     * None yet.
+     * No values yet.
      *
      * @throws InputException when the temporary directory cannot be written
      */

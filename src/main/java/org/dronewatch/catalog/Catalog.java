@@ -264,8 +264,8 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The user's file of a name; whatever has the name is meant, also what cannot be read as a file: then the message
-     * says so.
+     * The user's file of a name: whatever has the name is meant, even if it cannot be read as a file, which the message
+     * then states.
      */
     private Optional<Path> ownFile(String name) {
         return name.matches(NAME)

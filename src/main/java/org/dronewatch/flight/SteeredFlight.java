@@ -162,7 +162,7 @@ public final class SteeredFlight implements FlownPath {
         steering = Thread.currentThread();
     }
 
-    /** Advances the flight: it is then known up to this time, and at this time unless a command changes it. */
+    /** Advances the flight: it is then known before this time, and also at it unless a command still changes it. */
     synchronized void advance(double time) {
         now = Math.max(now, time);
     }

@@ -16,10 +16,10 @@ final class Coincidences {
     /** Looks over which the number of another sensor's looks within a time is averaged. */
     private static final int LOOKS = 1000;
 
-    /** Bearings over which is averaged. */
+    /** The number of bearings over which the mean is taken. */
     private static final int BEARINGS = 180;
 
-    /** Looks at the same time are, but for rounding. */
+    /** Tolerance within which looks count as taken at the same time. */
     private static final double ROUNDING = 1e-9;
 
     private final AlertRule.SeveralSensors rule;

@@ -27,7 +27,7 @@ public record ProtectedArea(
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double height) {
     private static final int MOST = 1000;
 
-    /** Less is a line, m2. */
+    /** A smaller area is a line, m2. */
     private static final double SMALLEST = 0.01;
 
     /** Checks the limits. */

@@ -4,9 +4,9 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.LongTask;
 
 /**
- * Builds a tree top down: split where {@link SahSplitFinder} says, stop when no split is cheaper than a leaf. Follows
- * Wald and Havran (2006). Large parts grow side by side on the {@link org.dronewatch.parallel.Workers} of the calling
- * thread; the tree is the same for any number of them.
+ * Builds a tree top down: split where {@link SahSplitFinder} finds it cheapest, stop when no split is cheaper than a
+ * leaf. Follows Wald and Havran (2006). Large parts grow side by side on the {@link org.dronewatch.parallel.Workers} of
+ * the calling thread; the tree is the same for any number of them.
  *
  * <p>Two limits bound what degenerate input can do: on the depth ({@link #depthLimit}), and on the references to
  * triangles in the leaves ({@link #MAX_REFERENCES}), which {@link TreeGrower} divides among the parts of the tree.

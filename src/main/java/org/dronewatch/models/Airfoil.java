@@ -21,7 +21,7 @@ record Airfoil(double camber, double thickness) {
     private static final Point RIGHT = new Point(1, 0, 0);
 
     /**
-     * Where a section stands.
+     * The position of a section.
      *
      * @param nose leading edge
      * @param chord length from the leading to the trailing edge, metres, straight backward

@@ -182,7 +182,7 @@ public final class Workers implements AutoCloseable {
         }
     }
 
-    /** One loop: its numbers are given out one by one to whoever comes. */
+    /** One loop: its numbers are given out one by one to the threads that ask for them. */
     private static final class Loop<S> {
         private final Workers workers;
         private final int count;

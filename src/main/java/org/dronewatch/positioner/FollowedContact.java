@@ -9,8 +9,8 @@ import org.dronewatch.geometry.Position;
 /**
  * What a positioner knows of the contact that it follows. Positions that sensors measured are smoothed and predicted by
  * an {@link AlphaBeta} filter. Where there are directions only, two of them from different places give positions, which
- * go through a filter of their own; one alone gives a line. A sighting without a measured elevation keeps the height
- * that other sightings gave.
+ * go through a separate filter; one alone gives a line. A sighting without a measured elevation keeps the height that
+ * other sightings gave.
  */
 final class FollowedContact {
     /** A crossing with a smaller error, as a fraction of the range, is a position. */

@@ -8,7 +8,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ModelGrid;
 import org.jogamp.vecmath.Matrix4d;
 
-/** Paints a drone into a canvas where it stands before what is there. */
+/** Paints a drone into a canvas where it is in front of what is already there. */
 final class DronePainter {
     private final Drone drone;
     private final int colour;

@@ -138,9 +138,9 @@ final class LinePainter {
     }
 
     /**
-     * Whether a point is in the picture, kept by the cut, and nothing stands before it.
+     * Whether a point is in the picture, kept by the cut, and nothing hides it.
      *
-     * @param size of the thing there, m: what stands nearer to it than this is a part of it
+     * @param size of the thing there, m: what is nearer to it than this is a part of it
      */
     boolean sees(Position point, double size) {
         if (cut != null && !cut.keeps(point)) {

@@ -279,7 +279,7 @@ final class SitePainter {
                 && Math.abs(facets.cosine(one, other)) < 0.8;
     }
 
-    /** Paints drones over a canvas that holds the world: where they stand before it. */
+    /** Paints drones over a canvas that holds the world: where they are in front of it. */
     void paint(CameraObject camera, Cut cut, List<Drone> drones, Canvas canvas) {
         for (Drone drone : drones) {
             if (cut == null || cut.keeps(drone.origin())) {

@@ -19,8 +19,8 @@ import org.dronewatch.sensor.optics.CameraObject;
 
 /**
  * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as cameras whose
- * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones and birds as rings. What
- * stands behind something is drawn pale.
+ * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones and birds as rings.
+ * Symbols behind something are drawn pale.
  */
 final class Symbols {
     private static final Color DETECTING = new Color(0xffd23f);
@@ -61,7 +61,7 @@ final class Symbols {
     /**
      * For one picture.
      *
-     * @param sight knows what stands before what
+     * @param sight knows what hides what
      * @param toPicture pixels of the picture for one of the camera's
      * @param scale pixels of the picture for one of a screen of normal density
      */

@@ -5,7 +5,7 @@ import org.dronewatch.run.Frame;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.alarm.FalseAlarmSource;
 
-/** The rows of {@code detections.csv}: what sensors gain, lose, and take for a drone although it is none. */
+/** The rows of {@code detections.csv}: what sensors gain, lose, and mistake for a drone. */
 final class DetectionTable {
     /** Its columns. */
     static final String COLUMNS = "run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s";

@@ -104,7 +104,7 @@ public final class WholeFile {
         }
     }
 
-    /** The first line of the file, as far as it is not very long; empty when it cannot be read as a file. */
+    /** The first line of the file, or the beginning of a very long one; empty when it cannot be read as a file. */
     private String firstLine() {
         if (!RegularFile.obstacle(file).isEmpty()) {
             return "";

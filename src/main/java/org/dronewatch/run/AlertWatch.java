@@ -86,7 +86,7 @@ public final class AlertWatch {
         }
     }
 
-    /** Counts an alert for what is no drone. */
+    /** Counts an alert for something that is not a drone. */
     private void count(Alert alert) {
         Optional<String> drone = association.droneOf(alert.contact());
         drone.filter(birds::contains).ifPresent(bird -> birdAlerts.put(bird, alert));

@@ -97,12 +97,12 @@ final class ScenePlaces {
             Path here = file.resolveSibling("").toAbsolutePath();
             return Optional.of(SettingsFile.read(part, WorldSettings.class, kinds, here, new FormerNames()));
         } catch (InputException e) {
-            // Whoever reads the whole file says so, beside its other mistakes.
+            // Reading the whole file reports this, together with its other mistakes.
             return Optional.empty();
         }
     }
 
-    /** Otherwise whoever reads the whole file says what is missing. */
+    /** Otherwise reading the whole file reports what is missing. */
     private static boolean isComplete(WorldSettings world) {
         try {
             SceneSettings.of(world);

@@ -79,10 +79,10 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     }
 
     /**
-     * What the probability of a look must reach: what the observer drew, if he knows the drone, finds it in this look,
-     * or could not find it anyway; infinite while he could, but has not.
+     * What the probability of a look must reach: what the observer drew, if the drone is known, is found in this look,
+     * or could not be found anyway; infinite while the observer could find it, but has not.
      *
-     * @param isKnown whether he need not search
+     * @param isKnown whether the observer need not search
      * @param drone name of the drone
      * @param rate looks per second, Hz
      * @param probability probability of the look, 0 to 1

@@ -89,7 +89,7 @@ public final class Limits {
     /** The limits of a number in words, as in {@code above 0 and at most 100}; empty when it must only be finite. */
     public static String inWords(In limits) {
         Quantity quantity = limits.value();
-        // Where the unit is not that of a bare number it must be said.
+        // Where the unit is not that of a bare number, it must be stated.
         String unit = quantity.displayUnit().equals(quantity.unit()) ? "" : " " + quantity.displayUnit();
         boolean closedBelow = limits.from() > limits.above();
         boolean closedAbove = limits.to() < limits.below();

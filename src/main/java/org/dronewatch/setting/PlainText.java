@@ -11,7 +11,7 @@ public final class PlainText {
     /** Maximum number of characters of a value repeated in a message. */
     public static final int LONGEST = 200;
 
-    /** Maximum number of characters of a message; its end, where the limit stands, is kept. */
+    /** Maximum number of characters of a message; its end, which states the limit, is kept. */
     private static final int LONGEST_LINE = 600;
 
     private static final String GAP = "...";
@@ -84,7 +84,7 @@ public final class PlainText {
         return shown.toString();
     }
 
-    /** Shortens what stands between single quotes; an apostrophe within a word is none. */
+    /** Shortens text between single quotes; an apostrophe within a word is not a quote. */
     private static String withShortQuotes(String text) {
         StringBuilder shown = new StringBuilder(text.length());
         int done = 0;

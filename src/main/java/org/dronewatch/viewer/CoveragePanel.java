@@ -143,7 +143,7 @@ final class CoveragePanel extends JPanel {
         }
     }
 
-    /** Computes what the form says. */
+    /** Computes the coverage with the inputs of the form. */
     void compute() {
         if (run == null || awaited != null || !form.isPossible()) {
             return;
@@ -266,12 +266,12 @@ final class CoveragePanel extends JPanel {
         return shown;
     }
 
-    /** What it says about the coverage. */
+    /** The text about the coverage. */
     String message() {
         return message.getText();
     }
 
-    /** What it says about the cell under the pointer. */
+    /** The text about the cell under the pointer. */
     String cell() {
         return cell.getText();
     }

@@ -22,7 +22,7 @@ final class SceneSaving {
     /**
      * For a pane.
      *
-     * @param name of the scene, which a file is called unless the user says otherwise
+     * @param name of the scene, which is the name of a file unless the user chooses another
      * @param text gives settings as the text of a file; throws InputException when they cannot be written
      */
     SceneSaving(ViewerPane pane, String name, BiFunction<SceneSettings, Path, String> text) {

@@ -187,8 +187,8 @@ final class OsmFeatures implements OsmElements {
         List<long[]> outers = joined(relation, true);
         List<long[]> inners = joined(relation, false);
         if (outers.isEmpty()) {
-            // A relation of type 'building' may only bind together an outline and its parts, which are ways of their
-            // own.
+            // A relation of type 'building' may only bind together an outline and its parts, which are separate
+            // ways.
             if ("multipolygon".equals(relation.tags.get("type")) && isNear(relation)) {
                 leave("outline beyond the area or the file");
             }

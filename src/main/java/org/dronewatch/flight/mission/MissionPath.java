@@ -68,7 +68,7 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
         private final Position[] points;
         private final double[] along;
 
-        /** A way along points that differ, m. */
+        /** A path through points that differ, m. */
         Course(Position[] points) {
             this.points = points.clone();
             this.along = new double[points.length];
@@ -81,7 +81,7 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
             return along[along.length - 1];
         }
 
-        /** The piece in which a distance along the way lies. */
+        /** The piece in which a distance along the path lies. */
         int piece(double distance) {
             int low = 0;
             int high = points.length - 2;
@@ -106,7 +106,7 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
                     : points[piece].plus(direction(piece).times(distance - along[piece]));
         }
 
-        /** The greatest rise for each metre of the way, upwards (1) or downwards (-1); 0 if there is none. */
+        /** The greatest rise for each metre of the path, upwards (1) or downwards (-1); 0 if there is none. */
         double steepest(double sign) {
             double steepest = 0.0;
             for (int i = 0; i < points.length - 1; i++) {

@@ -22,7 +22,7 @@ import tools.jackson.databind.JsonNode;
  *
  * @param hash its name and the hash of its bytes
  * @param home where the drone is launched; empty when the plan does not say
- * @param homeHeight height of the launch above sea level, as the plan has it, m
+ * @param homeHeight height of the launch above sea level, as the plan states it, m
  * @param speed of the vehicle, m/s
  * @param steps what it does
  * @param warnings what is left out or flown otherwise, a line for each

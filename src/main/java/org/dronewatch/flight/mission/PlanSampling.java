@@ -19,7 +19,7 @@ final class PlanSampling {
     /** The most samples: a longer flight is sampled more rarely. */
     private static final int MOST_SAMPLES = 200_000;
 
-    /** Slower than this the drone waits, m/s. */
+    /** A drone slower than this waits, m/s. */
     private static final double STILL = 0.02;
 
     /** The shortest wait that counts: at a corner, a drone is slow for a moment, too, s. */

@@ -38,16 +38,18 @@ public final class PlanWriter {
     /** Heights relative to the launch, as QGroundControl numbers its modes. */
     private static final int RELATIVE_MODE = 1;
 
-    /** Autopilots do not take off to less, m. */
+    /** Autopilots do not take off to lower heights, m. */
     private static final double LOWEST = 1.0;
 
-    /** Nearer than this to the surface a flight has landed; less aside than this it goes straight up or down, m. */
+    /**
+     * A flight nearer than this to the surface has landed; one that moves aside by less goes straight up or down, m.
+     */
     private static final double NEAR = 0.5;
 
     /** Smaller changes of speed are not worth an item. */
     private static final double SAME_SPEED = 0.01;
 
-    /** Of a flight that goes nowhere, m/s. */
+    /** The speed of a flight that goes nowhere, m/s. */
     private static final double USUAL_SPEED = 5.0;
 
     private static final int DECIMALS_OF_DEGREES = 8;

@@ -59,7 +59,7 @@ final class GpxFile {
         return file.chosen(wanted);
     }
 
-    /** Names of tracks stand before their points. */
+    /** Names of tracks come before their points. */
     private void start(XmlText xml) throws XMLStreamException {
         switch (xml.element()) {
             case "trk", "rte" -> {

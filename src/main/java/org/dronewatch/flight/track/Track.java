@@ -12,8 +12,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.BoundedFile;
 
 /**
- * A flight recorded in a GPX track or a CSV log. The drone flies in a straight line and at constant speed from each
- * point to the next, and passes each at its recorded time; the run begins at the time of the first point. The drone
+ * A flight recorded in a GPX track or a CSV log, in a straight line and at constant speed from each point to the next:
+ * the drone passes each point at its recorded time, and the time of the first point is the start of the run. The drone
  * stays at the last point. Without times, it flies through the points as with {@code waypoints}.
  *
  * @param log path of the {@code .gpx} or {@code .csv} file

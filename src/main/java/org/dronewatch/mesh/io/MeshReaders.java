@@ -70,7 +70,7 @@ public final class MeshReaders {
         return Collections.unmodifiableMap(byExtension);
     }
 
-    /** What reads a file of this name; a name with no known extension is taken for that of an OBJ file. */
+    /** The reader of a file of this name; a name with no known extension is taken for that of an OBJ file. */
     MeshReader of(String fileName) {
         return byExtension.getOrDefault(extension(fileName), byExtension.get(OBJ));
     }

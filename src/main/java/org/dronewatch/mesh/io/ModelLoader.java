@@ -72,7 +72,7 @@ public final class ModelLoader {
         }
     }
 
-    /** What is to be said about a model in millimetres that is read in metres, or the other way round; else nothing. */
+    /** A warning about a model in millimetres that is read in metres, or the other way round; otherwise nothing. */
     private static String doubtAboutSize(LoadedModel model, ModelRole role) {
         AABB box = model.mesh().bounds();
         double high = box.maxZ() - box.minZ();
@@ -105,7 +105,7 @@ public final class ModelLoader {
                 model.name(), model.mesh(), model.dropped(), model.skipped(), model.colours(), model.files(), warnings);
     }
 
-    /** Nothing else may lie so far away: it is in coordinates of a map, and its floats have lost what they say. */
+    /** Nothing else may lie so far away: it is in coordinates of a map, and its floats have lost their precision. */
     private static LoadedModel doubtIfFar(LoadedModel model, ModelSettings settings) {
         AABB box = model.mesh().bounds();
         double far = Math.max(

@@ -11,7 +11,7 @@ import org.dronewatch.sensor.Cause;
 
 /** Tables of a {@link Coverage}: areas, and the causes for which each sensor misses the drone elsewhere. */
 public final class CoverageTable {
-    /** What is said of a sensor that may detect the drone, but less often than is asked for. */
+    /** The words for a sensor that may detect the drone, but less often than is asked for. */
     static final String TOO_RARELY = "detected, but with too low a probability";
 
     private static final String NAMES = "%-24s %-10s";

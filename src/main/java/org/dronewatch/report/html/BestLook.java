@@ -6,8 +6,8 @@ package org.dronewatch.report.html;
  * @param time s
  * @param range m
  * @param value measured value
- * @param threshold value required for a detection; infinite where an observer had not found the drone yet, though he
- *     could
+ * @param threshold value required for a detection; infinite where an observer had not found the drone yet, but could
+ *     have
  * @param unit of both
  */
 record BestLook(double time, double range, double value, double threshold, String unit) {

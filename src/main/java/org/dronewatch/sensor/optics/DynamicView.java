@@ -14,7 +14,7 @@ import org.jogamp.vecmath.Matrix4d;
 /**
  * The drones in one frame over a static view: for each drone, only its significant pixels are traced, against its own
  * tree, with the ray moved into its model space. Directions are not normalised again there, so that distances can be
- * compared. Each pixel belongs to the nearest drone that stands before the world. Used by one thread at a time.
+ * compared. Each pixel belongs to the nearest drone that is in front of the world. Used by one thread at a time.
  */
 final class DynamicView {
     /**
@@ -202,7 +202,7 @@ final class DynamicView {
         }
     }
 
-    /** Gives a pixel to a drone that stands before the world and before all drones that were drawn before it. */
+    /** Gives a pixel to a drone that is in front of the world and of all drones that were drawn before it. */
     private void claim(int column, int row, float distance, Background background, int number) {
         if (!(distance < background.distance(column, row))) {
             return;

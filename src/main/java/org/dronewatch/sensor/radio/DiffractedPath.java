@@ -41,7 +41,7 @@ final class DiffractedPath {
     private int mainPoint = -1;
 
     /**
-     * @param section what stands there
+     * @param section the section with its obstacles
      * @param above on which side of the line: that of positive t, or the other
      * @param wavelength m
      */

@@ -153,7 +153,7 @@ final class Section {
         for (int i = 0; i < points; i++) {
             double beyond = length - u[i];
             boolean isOutside = Math.hypot(u[i], t[i]) + Math.hypot(beyond, t[i]) > sum;
-            // What rises behind an antenna is in nobody's way.
+            // What rises behind an antenna obstructs nothing.
             markOpen(representative(i), isOutside && u[i] > 0.0 && beyond > 0.0, t[i]);
         }
         for (int i = 0; i < count; i++) {

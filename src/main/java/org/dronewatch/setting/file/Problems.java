@@ -21,7 +21,7 @@ final class Problems {
     /**
      * Adds one.
      *
-     * @param mark where it stands
+     * @param mark its location
      * @param field path of the setting, empty for the whole document
      */
     void add(Mark mark, String field, String message) {

@@ -68,7 +68,7 @@ final class RejectedParts {
         return rejection(others).filter(why::equals).isPresent();
     }
 
-    /** Parts that could not be read: what is said about them is said already. */
+    /** Parts that could not be read, which has been reported already. */
     private Set<String> unread() {
         Set<String> names = new LinkedHashSet<>(mapping.values().keySet());
         names.removeAll(values.keySet());

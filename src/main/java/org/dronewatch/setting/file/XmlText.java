@@ -71,7 +71,7 @@ public final class XmlText {
 
     private void begin(String root) throws XMLStreamException {
         while (next() != XMLStreamConstants.START_ELEMENT) {
-            // What may stand before the outermost element.
+            // What may come before the outermost element.
         }
         if (!element().equals(root)) {
             throw new InputException(

@@ -217,7 +217,7 @@ final class YamlFile {
         return new Mark(name, Math.max(1, at.getLineNr()), Math.max(1, at.getColumnNr()));
     }
 
-    /** What the library says, without the excerpts that it draws under it. */
+    /** The library's message, without the excerpts that it draws under it. */
     private InputException broken(JacksonException e) {
         TokenStreamLocation at = e.getLocation();
         String place = at == null || at.getLineNr() < 1 ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr();

@@ -208,7 +208,7 @@ final class AsciiGridFile implements ElevationFile {
         return header.containsKey("nodata_value");
     }
 
-    /** What stands between spaces and ends of lines. */
+    /** The text between spaces and ends of lines. */
     private static final class Words implements AutoCloseable {
         private final InputStream in;
         private final String name;

@@ -24,7 +24,7 @@ public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
     private static final double OCTAVE = Math.pow(10.0, 0.15) - Math.pow(10.0, -0.15);
 
-    /** Errors beyond are no measurement. */
+    /** A direction with a larger error is not a measurement. */
     private static final double GREATEST = Math.toRadians(30.0);
 
     private final ArraySettings array;
@@ -132,7 +132,7 @@ public final class DirectionFinder {
         double turn = bearingError * random.nextGaussian();
         double raise = random.nextGaussian();
         boolean hasElevation = elevationError <= GREATEST;
-        // A level ring hears from below what it hears from above; it takes everything for above.
+        // A level ring hears from below what it hears from above; it assumes that everything is above.
         double truth = this.array.shape() == ArraySettings.Shape.RING
                 ? Math.abs(direction.elevation())
                 : direction.elevation();

@@ -123,7 +123,8 @@ public final class NearEdges {
     }
 
     /**
-     * The point of an edge over which the way is shortest: where it is straight once both legs are turned into a plane.
+     * The point of an edge over which the path is shortest: where it is straight once both legs are turned into a
+     * plane.
      *
      * @param raised by how much the edge is higher where arcs of sound are straight, m
      */

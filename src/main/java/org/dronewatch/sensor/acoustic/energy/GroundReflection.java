@@ -15,7 +15,7 @@ import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * What the ground below direct sound reflects of it: where the model says so, both interfere, unless walls dominate:
+ * What the ground below direct sound reflects of it. Where the model states it, both interfere, unless walls dominate:
  * where other reflections carry more energy than both together, phases are taken as random, that of the ground
  * reflection included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air
  * bends the paths, those reflections come from here even if they do not interfere, since the straight paths meet the

@@ -220,7 +220,7 @@ final class ReceiverSphere {
         return Math.PI * reach(length) * reach(length);
     }
 
-    /** Whether nothing stands between the centre and a point of a ray. */
+    /** Whether nothing is in the way between the centre and a point of a ray. */
     private boolean isSeen(AcousticRay ray, double at) {
         return visibility.isFree(
                 centre.x(),

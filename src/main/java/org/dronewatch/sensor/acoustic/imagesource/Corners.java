@@ -3,8 +3,8 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import org.dronewatch.world.Visibility;
 
 /**
- * Where walls meet, rounding decides on which side of the other walls a point in one of them lies. This looks a little
- * away from there. One per thread.
+ * Where walls meet, rounding decides on which side of the other walls a point in one of them lies. This class tests
+ * points slightly away from there. One per thread.
  */
 final class Corners {
     /** How far away, as a multiple of the planes' tolerance. */

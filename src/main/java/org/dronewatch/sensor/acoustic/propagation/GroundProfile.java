@@ -44,7 +44,7 @@ final class GroundProfile {
     }
 
     /**
-     * Whether nothing stands between a point at a height, m, and the two points.
+     * Whether nothing is in the way between a point at a height, m, and the two points.
      *
      * @param bulge how the ground is bent where arcs are straight, by level distances, 1/m
      */

@@ -50,7 +50,7 @@ public final class LineSpectrum {
             broadband[own] = Math.max(0.0, broadband[own] - tone.share());
             tone.heard(approach, soundSpeed)
                     .ifPresent(frequency -> NarrowBand.ofLine(frequency, wind).ifPresent(heard -> {
-                        // In the air it has the frequency that is heard. A band without sound says nothing of its way.
+                        // In the air it has the frequency that is heard. A silent band reveals nothing of its path.
                         boolean known = Double.isFinite(powerLevels.get(heard.octave()));
                         int travelling = known ? heard.octave() : own;
                         double power = Levels.toRatio(powerLevels.get(own) - powerLevels.get(travelling));
