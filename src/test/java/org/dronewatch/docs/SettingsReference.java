@@ -242,7 +242,8 @@ final class SettingsReference {
     /** {@code RadarSettings}: "Radar settings". */
     private static String title(Class<?> type) {
         String words = Choices.name(type.getSimpleName()).replace('-', ' ');
-        return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+        String sentence = words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+        return sentence.replace("Rf ", "RF ").replace("Sah ", "SAH ").replace("Pop up", "Pop-up");
     }
 
     private static String anchor(Class<?> type) {
