@@ -5,6 +5,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
@@ -15,7 +17,9 @@ import org.dronewatch.sensor.SensorSettings;
  * The rates at which one sensor of a detection field detects a drone in one mode of flight. A sensor whose looks are
  * independent has the rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One
  * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see
- * {@link Chance#hazard}): the resulting probability of detection is not too low.
+ * {@link Chance#hazard}): the resulting probability of detection is not too low. Where levels are interpolated, a
+ * probability between 0 and 1 stands for what is not known about a place, and all looks there have the same outcome: as
+ * many of them count as independent as the drone passes distances between traced positions.
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds is
  * asked which fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
@@ -80,14 +84,26 @@ final class SensorRates {
         this.sides = IntStream.of(across)
                 .mapToDouble(i -> Math.signum(all.get(i).angle()))
                 .toArray();
+        double looks = Math.min(its.rate(), flown.mode().speed() / unknownOver());
         for (int step = 1; step <= STEPS; step++) {
-            rates[step] = rate(its, (double) step / STEPS);
+            rates[step] = rate(its, (double) step / STEPS, step == STEPS ? its.rate() : looks);
         }
     }
 
-    private static double rate(SensorSettings<?> sensor, double probability) {
+    /** Over which distance it remains unknown which level arrives: between traced positions; 0 if it is known, m. */
+    private double unknownOver() {
+        InterpolationError error = field.interpolated().get(field.sensors().get(sensor));
+        if (error == null) {
+            return 0.0;
+        }
+        FieldGrid grid = field.grid();
+        double area = field.columnsWithGround() * grid.cell() * grid.cell();
+        return Math.sqrt(area * grid.heights().size() / error.places());
+    }
+
+    private static double rate(SensorSettings<?> sensor, double probability, double looks) {
         double capped = Math.min(FieldExposure.HIGHEST, probability);
-        double hazard = sensor.chance().hazard(capped, sensor.rate(), capped);
+        double hazard = sensor.chance().hazard(capped, looks, capped);
         return sensor.chance() == Chance.PER_LOOK ? hazard : capped * hazard;
     }
 

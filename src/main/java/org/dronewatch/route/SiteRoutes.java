@@ -144,11 +144,20 @@ public final class SiteRoutes {
 
     /** The weakest route from the starts in a sector; empty if none leads from there within the endurance. */
     public Optional<WeakestRoute> from(int sector) {
+        return within(starts(sector));
+    }
+
+    private BitSet starts(int sector) {
         BitSet starts = new BitSet();
         problem.starts().stream()
                 .filter(post -> sector(problem.grid().position(post)) == sector)
                 .forEach(starts::set);
-        return within(starts);
+        return starts;
+    }
+
+    /** The least exposure, with the price of time, over the posts alone of the routes from a sector. */
+    double overPosts(int sector) {
+        return starts(sector).stream().mapToDouble(routes::overPosts).min().orElse(Double.POSITIVE_INFINITY);
     }
 
     /** The weakest route from any start; empty if none leads from there within the endurance. */

@@ -1,0 +1,111 @@
+package org.dronewatch.route;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.dronewatch.LongForm;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.RaySensor;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Among four boxes, the levels of a microphone are interpolated, so that it is not certain in which cells it detects a
+ * drone: of many short flights through these, as many are detected as their exposures say. Only in the long form.
+ */
+class InterpolatedExposureTest {
+    private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 400, 4, List.of(3.0, 10.0, 20.0, 60.0));
+    private static final int FLIGHTS = 250;
+    private static final double SPEED = 12.0;
+    private static final double RATE = 2.0;
+
+    @TempDir
+    private Path directory;
+
+    @Test
+    void asManyFlightsAreDetectedAsTheirExposuresSay() throws IOException {
+        assumeThat(LongForm.IS_ON).isTrue();
+        FieldSite site = FieldSite.in(
+                directory,
+                "  ear: {kind: acoustic, position: [0, 0, 4], rate: 2, propagation: {kind: energy-model, rays: 100}}\n");
+        DetectionField field = site.field(GRID, 2);
+        DroneSettings settings = site.settings().drones().get(FieldSite.DRONE);
+        FieldExposure exposure = FieldExposure.of(ModeField.powered(field, settings), site.settings());
+        Assessor ear = new Assessor(
+                "ear", site.settings().enabledSensors().get("ear"), site.stage().world());
+        Drone drone = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
+        long seed = System.nanoTime();
+        SplittableRandom random = new SplittableRandom(seed);
+        double predicted = 0.0;
+        double variance = 0.0;
+        int detected = 0;
+        for (int flights = 0; flights < FLIGHTS; ) {
+            Position from = anywhere(random);
+            double heading = 2.0 * Math.PI * random.nextDouble();
+            Position velocity = new Position(SPEED * Math.sin(heading), SPEED * Math.cos(heading), 0.0);
+            int looks = 5 + random.nextInt(15);
+            double sum = exposure(exposure, from, velocity, looks);
+            double chance = -Math.expm1(-sum);
+            // A look from a cell that is certain to detect the drone adds 13.8.
+            if (sum > 0.0 && sum < 6.0 && isInside(from.plus(velocity.times(looks / RATE)))) {
+                flights++;
+                predicted += chance;
+                variance += chance * (1.0 - chance);
+                detected += isDetected(ear, drone, from, velocity, looks) ? 1 : 0;
+            }
+        }
+        assertThat(site.settings().enabledSensors().get("ear").rate()).isEqualTo(RATE);
+        assertThat(field.interpolated()).containsKey("ear");
+        System.out.printf(
+                "InterpolatedExposureTest: seed %d, %.1f predicted, %d detected%n", seed, predicted, detected);
+        assertThat(Math.abs(detected - predicted)).isLessThan(4.0 * Math.sqrt(variance));
+    }
+
+    private static Position anywhere(SplittableRandom random) {
+        return new Position(
+                400 * (random.nextDouble() - 0.5), 400 * (random.nextDouble() - 0.5), 3 + 20 * random.nextDouble());
+    }
+
+    private static boolean isInside(Position at) {
+        return Math.max(Math.abs(at.x()), Math.abs(at.y())) < 199.0;
+    }
+
+    private static double exposure(FieldExposure field, Position from, Position velocity, int looks) {
+        LegMotion motion = LegMotion.along(velocity.x(), velocity.y(), 0.0, 1.0);
+        double sum = 0.0;
+        for (int look = 0; look < looks; look++) {
+            Position at = from.plus(velocity.times(look / RATE));
+            sum += field.rate(at.x(), at.y(), at.z(), motion, 0) / RATE;
+        }
+        return sum;
+    }
+
+    private static boolean isDetected(Assessor ear, Drone drone, Position from, Position velocity, int looks) {
+        double heading = Math.atan2(velocity.x(), velocity.y());
+        for (int look = 0; look < looks; look++) {
+            Position at = from.plus(velocity.times(look / RATE));
+            if (ear.assess(
+                                    drone.at(new FlightState(at, velocity, heading)),
+                                    Optional.empty(),
+                                    Draws.stream(7, "ear", FieldSite.DRONE, 0, RaySensor.RAYS))
+                            .probability()
+                    > 0.0) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
