@@ -1,0 +1,57 @@
+package org.dronewatch.placement;
+
+import java.util.Arrays;
+
+/** What one candidate contributes: the rows that it reaches, in ascending order, with a value for each. Immutable. */
+public final class CandidateColumn {
+    private final int[] rows;
+    private final double[] values;
+
+    /**
+     * A column.
+     *
+     * @param rows from 0, ascending
+     * @param values as many, 0 or more
+     * @throws IllegalArgumentException when rows do not ascend, or a value is below 0 or not finite
+     */
+    public CandidateColumn(int[] rows, double[] values) {
+        if (rows.length != values.length) {
+            throw new IllegalArgumentException(rows.length + " rows, but " + values.length + " values");
+        }
+        for (int at = 0; at < rows.length; at++) {
+            if (rows[at] < 0 || at > 0 && rows[at] <= rows[at - 1]) {
+                throw new IllegalArgumentException("row " + rows[at] + ": rows must be 0 or more, and ascend");
+            }
+            if (!(values[at] >= 0.0) || Double.isInfinite(values[at])) {
+                throw new IllegalArgumentException("value " + values[at] + ": must be 0 or more");
+            }
+        }
+        this.rows = rows.clone();
+        this.values = values.clone();
+    }
+
+    /** The number of rows that it reaches. */
+    public int size() {
+        return rows.length;
+    }
+
+    /** A row that it reaches, from 0. */
+    public int row(int at) {
+        return rows[at];
+    }
+
+    /** Its value there. */
+    public double value(int at) {
+        return values[at];
+    }
+
+    /** The greatest row that it reaches; -1 if there is none. */
+    int lastRow() {
+        return rows.length == 0 ? -1 : rows[rows.length - 1];
+    }
+
+    @Override
+    public String toString() {
+        return "rows " + Arrays.toString(rows) + ", values " + Arrays.toString(values);
+    }
+}

@@ -1,0 +1,17 @@
+package org.dronewatch.placement;
+
+/**
+ * How many candidates of a kind may be chosen.
+ *
+ * @param atLeast 0 or more
+ * @param atMost at least {@code atLeast}
+ */
+public record KindLimits(int atLeast, int atMost) {
+    /** Checks the limits. */
+    public KindLimits {
+        if (atLeast < 0 || atMost < atLeast) {
+            throw new IllegalArgumentException(
+                    "at least " + atLeast + ", at most " + atMost + ": must be 0 or more, and not contradict");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package org.dronewatch.placement;
+
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+
+/**
+ * What a layout must comply with, beside the fixed candidates and exclusive places of its table. Immutable.
+ *
+ * @param budget greatest sum of costs; infinite for none
+ * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for any
+ * @param kinds limits by kind
+ * @param fold in a row, the value that so many chosen candidates reach counts: 1 or more
+ * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate
+ */
+public record PlacementConditions(
+        double budget, int atMost, Map<String, KindLimits> kinds, int fold, OptionalDouble anyoneLost) {
+    /** No condition. */
+    public static final PlacementConditions NONE =
+            new PlacementConditions(Double.POSITIVE_INFINITY, Integer.MAX_VALUE, Map.of(), 1, OptionalDouble.empty());
+
+    private static final int MOST_FOLD = 100;
+
+    /** Checks the limits. */
+    public PlacementConditions {
+        if (!(budget >= 0.0)) {
+            throw new IllegalArgumentException("budget " + budget + ": must be 0 or more");
+        }
+        if (atMost < 0) {
+            throw new IllegalArgumentException("number of chosen candidates " + atMost + ": must be 0 or more");
+        }
+        if (fold < 1 || fold > MOST_FOLD) {
+            throw new IllegalArgumentException("fold " + fold + ": must be 1 to " + MOST_FOLD);
+        }
+        kinds = Map.copyOf(new TreeMap<>(kinds));
+    }
+
+    /** A copy with another budget. */
+    public PlacementConditions withBudget(double other) {
+        return new PlacementConditions(other, atMost, kinds, fold, anyoneLost);
+    }
+
+    /** A copy with another greatest number of chosen candidates. */
+    public PlacementConditions withAtMost(int other) {
+        return new PlacementConditions(budget, other, kinds, fold, anyoneLost);
+    }
+
+    /** A copy with other limits by kind. */
+    public PlacementConditions withKinds(Map<String, KindLimits> other) {
+        return new PlacementConditions(budget, atMost, other, fold, anyoneLost);
+    }
+
+    /** A copy in which another number of candidates must reach a value. */
+    public PlacementConditions withFold(int other) {
+        return new PlacementConditions(budget, atMost, kinds, other, anyoneLost);
+    }
+
+    /** A copy in which a value must remain after the worst loss. */
+    public PlacementConditions withAnyoneLost(double value) {
+        return new PlacementConditions(budget, atMost, kinds, fold, OptionalDouble.of(value));
+    }
+}

@@ -1,0 +1,182 @@
+package org.dronewatch.placement;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Candidates, what is to be made best, and conditions. Immutable; for all threads. */
+public final class PlacementProblem {
+    /** The greatest probability that counts. */
+    public static final double CERTAIN = 1.0 - 1e-6;
+
+    /** Sums of costs may exceed the budget by this fraction, which rounding explains. */
+    public static final double ROUNDING = 1e-12;
+
+    private final CandidateTable table;
+    private final PlacementObjective objective;
+    private final PlacementConditions conditions;
+    private final double[] undetected;
+
+    /**
+     * A problem.
+     *
+     * @throws IllegalArgumentException when a k-fold condition makes no sense for the objective, a probability is
+     *     above 1, or a row lists neither an impact for every candidate nor one where nothing detects
+     */
+    public PlacementProblem(CandidateTable table, PlacementObjective objective, PlacementConditions conditions) {
+        if (conditions.fold() > 1 && !objective.takesBest()) {
+            throw new IllegalArgumentException("fold " + conditions.fold() + ": must be 1 for " + objective);
+        }
+        this.table = table;
+        this.objective = objective;
+        this.conditions = conditions;
+        this.undetected = objective.isImpact() ? impactsWithout() : new double[table.rows()];
+        if (objective == PlacementObjective.JOINT_PROBABILITY) {
+            checkProbabilities();
+        }
+    }
+
+    private double[] impactsWithout() {
+        double[] worst = new double[table.rows()];
+        int[] counts = new int[table.rows()];
+        for (int candidate = 0; candidate < table.size(); candidate++) {
+            CandidateColumn column = table.column(candidate);
+            for (int at = 0; at < column.size(); at++) {
+                worst[column.row(at)] = Math.max(worst[column.row(at)], column.value(at));
+                counts[column.row(at)]++;
+            }
+        }
+        for (int row = 0; row < worst.length; row++) {
+            if (!Double.isNaN(table.undetected(row))) {
+                worst[row] = table.undetected(row);
+            } else if (counts[row] < table.size()) {
+                throw new IllegalArgumentException("row " + row + ": " + counts[row] + " of " + table.size()
+                        + " candidates have an impact: the impact where nothing detects is missing");
+            }
+        }
+        return worst;
+    }
+
+    private void checkProbabilities() {
+        for (int candidate = 0; candidate < table.size(); candidate++) {
+            CandidateColumn column = table.column(candidate);
+            for (int at = 0; at < column.size(); at++) {
+                if (column.value(at) > 1.0) {
+                    throw new IllegalArgumentException("probability " + column.value(at) + " of candidate "
+                            + table.candidates().get(candidate).name() + ": must be at most 1");
+                }
+            }
+        }
+    }
+
+    /** Candidates and what they contribute. */
+    public CandidateTable table() {
+        return table;
+    }
+
+    /** What is to be made best. */
+    public PlacementObjective objective() {
+        return objective;
+    }
+
+    /** What a layout must comply with. */
+    public PlacementConditions conditions() {
+        return conditions;
+    }
+
+    /** The impact in a row where too few detect: as stated, or else the worst of all candidates; 0 without impacts. */
+    public double undetected(int row) {
+        return undetected[row];
+    }
+
+    /** The sum of the costs of candidates. */
+    public double cost(List<Integer> chosen) {
+        return chosen.stream()
+                .mapToDouble(candidate -> table.candidates().get(candidate).cost())
+                .sum();
+    }
+
+    /** Whether a layout complies with every condition. */
+    public boolean isAllowed(List<Integer> chosen) {
+        return chosen.size() <= conditions.atMost()
+                && cost(chosen) <= conditions.budget() * (1.0 + ROUNDING)
+                && hasFixed(chosen)
+                && hasOneAtPlace(chosen)
+                && hasKinds(chosen)
+                && survivesLoss(chosen);
+    }
+
+    private boolean hasFixed(List<Integer> chosen) {
+        for (int candidate = 0; candidate < table.size(); candidate++) {
+            if (table.candidates().get(candidate).fixed() && !chosen.contains(candidate)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean hasOneAtPlace(List<Integer> chosen) {
+        Set<String> taken = new HashSet<>();
+        return chosen.stream()
+                .map(candidate -> table.candidates().get(candidate).exclusive())
+                .allMatch(place -> place.isEmpty() || taken.add(place));
+    }
+
+    private boolean hasKinds(List<Integer> chosen) {
+        Map<String, Integer> counts = new HashMap<>();
+        chosen.forEach(
+                candidate -> counts.merge(table.candidates().get(candidate).kind(), 1, Integer::sum));
+        return conditions.kinds().entrySet().stream().allMatch(limits -> {
+            int count = counts.getOrDefault(limits.getKey(), 0);
+            return count >= limits.getValue().atLeast()
+                    && count <= limits.getValue().atMost();
+        });
+    }
+
+    private boolean survivesLoss(List<Integer> chosen) {
+        if (conditions.anyoneLost().isEmpty()) {
+            return true;
+        }
+        double needed = conditions.anyoneLost().getAsDouble();
+        double remaining = valueAfterWorstLoss(chosen);
+        double tolerance = 1e-9 * Math.max(1.0, Math.abs(needed));
+        return objective.isGreatest() ? remaining >= needed - tolerance : remaining <= needed + tolerance;
+    }
+
+    /** The value after the loss of the chosen candidate whose loss is worst; that of none if none is chosen. */
+    public double valueAfterWorstLoss(List<Integer> chosen) {
+        double worst = chosen.isEmpty() ? value(chosen) : Double.NaN;
+        for (Integer lost : chosen) {
+            double value =
+                    value(chosen.stream().filter(other -> !other.equals(lost)).toList());
+            boolean isWorse = objective.isGreatest() ? value < worst : value > worst;
+            worst = Double.isNaN(worst) || isWorse ? value : worst;
+        }
+        return worst;
+    }
+
+    /** The value of the objective for a layout, whether it is allowed or not. */
+    public double value(List<Integer> chosen) {
+        return new LayoutValue(this, chosen).value();
+    }
+
+    /** The chosen candidates, their values sorted from the best, row by row. */
+    double[][] sortedValues(List<Integer> chosen) {
+        double[][] values = new double[table.rows()][];
+        Arrays.fill(values, new double[0]);
+        for (int candidate : chosen) {
+            CandidateColumn column = table.column(candidate);
+            for (int at = 0; at < column.size(); at++) {
+                double[] before = values[column.row(at)];
+                double[] after = Arrays.copyOf(before, before.length + 1);
+                after[before.length] = column.value(at);
+                values[column.row(at)] = after;
+            }
+        }
+        Arrays.stream(values).forEach(Arrays::sort);
+        return values;
+    }
+}

@@ -1,0 +1,75 @@
+package org.dronewatch.placement.solver;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SolverLimits;
+
+/**
+ * Begins with a greedy choice and swaps, and proves the best by branch and bound over Lagrangian relaxations, or,
+ * for the worst impact, by bisecting its levels. The result depends on the problem and the gap alone, unless a time
+ * limit ends the search. For all threads.
+ */
+public final class ExactSolver implements PlacementSolver {
+    private static final double NANOS = 1e-9;
+
+    @Override
+    public Optional<PlacementResult> solve(PlacementProblem problem, SolverLimits limits) {
+        long begun = System.nanoTime();
+        BooleanSupplier isStopped =
+                () -> limits.isStopped().getAsBoolean() || NANOS * (System.nanoTime() - begun) > limits.seconds();
+        Gains gains = new Gains(problem);
+        OptionalDouble needed = problem.conditions().anyoneLost().isPresent()
+                ? OptionalDouble.of(
+                        gains.gainOf(problem.conditions().anyoneLost().getAsDouble()))
+                : OptionalDouble.empty();
+        Incumbent incumbent = new Incumbent(gains, new Rules(problem), needed);
+        Cutoff cutoff = new Cutoff(gains, incumbent, limits.gap());
+        Start start = new Start(gains, incumbent, isStopped);
+        double open = gains.form == Gains.Form.BEST_LEAST
+                ? new LevelSearch(gains, incumbent, cutoff, needed, start, isStopped).search()
+                : new BranchAndBound(gains, incumbent, cutoff, start, isStopped).search();
+        if (!incumbent.isFound()) {
+            return Optional.empty();
+        }
+        boolean isComplete = open <= incumbent.value() || cutoff.isHopeless(open);
+        return Optional.of(result(problem, incumbent, gains.reported(cutoff.bound(open)), isComplete));
+    }
+
+    private static PlacementResult result(
+            PlacementProblem problem, Incumbent incumbent, double bound, boolean isComplete) {
+        List<Integer> chosen = trimmed(problem, incumbent);
+        double value = problem.value(chosen);
+        boolean isBeyond = problem.objective().isGreatest() ? bound > value : bound < value;
+        boolean isProven = Math.abs(bound - value) <= 1e-9 * Math.max(1.0, Math.abs(value));
+        return new PlacementResult(
+                chosen, value, isBeyond && !isProven ? bound : value, problem.cost(chosen), isComplete);
+    }
+
+    /** Without candidates that add nothing, the dearest first. */
+    private static List<Integer> trimmed(PlacementProblem problem, Incumbent incumbent) {
+        int[] chosen = incumbent.chosen();
+        double[] costs = incumbent.rules().cost;
+        List<Integer> byCost = IntStream.of(chosen)
+                .boxed()
+                .sorted(Comparator.comparingDouble((Integer candidate) -> -costs[candidate])
+                        .thenComparing(Comparator.reverseOrder()))
+                .toList();
+        for (int candidate : byCost) {
+            int[] fewer =
+                    IntStream.of(chosen).filter(other -> other != candidate).toArray();
+            boolean isFixed = problem.table().candidates().get(candidate).fixed();
+            if (!isFixed && incumbent.isAsGood(fewer)) {
+                chosen = fewer;
+            }
+        }
+        return Arrays.stream(chosen).sorted().boxed().toList();
+    }
+}

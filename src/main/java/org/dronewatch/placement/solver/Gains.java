@@ -1,0 +1,130 @@
+package org.dronewatch.placement.solver;
+
+import java.util.Arrays;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.PlacementObjective;
+import org.dronewatch.placement.PlacementProblem;
+
+/**
+ * A problem in the form that all searches share: gains of 0 or more, the greater the better, with the weights of the
+ * rows in them. Impacts become what is saved of the impact where nothing detects; probabilities become -ln(1 - p),
+ * which add up. Immutable; for all threads.
+ */
+final class Gains {
+    /** How the gains of the chosen candidates in a row are joined, and the rows to a value. */
+    enum Form {
+        /** The sum over rows of the k-th best gain. */
+        BEST_SUM,
+        /** The least of the rows' k-th best gains. */
+        BEST_LEAST,
+        /** The least of the rows' sums of gains. */
+        SUM_LEAST,
+        /** The sum over rows of weight times 1 - exp(-sum of gains). */
+        SATURATED_SUM
+    }
+
+    final Form form;
+    final int fold;
+
+    /** By candidate: the rows that it reaches, ascending, and its gains there. */
+    final int[][] rows;
+
+    final double[][] gains;
+
+    /** By row: the gain without any candidate. */
+    final double[] floor;
+
+    /** By row: its weight, for saturated sums only. */
+    final double[] weight;
+
+    private final double base;
+    private final boolean isGreatest;
+
+    Gains(PlacementProblem problem) {
+        PlacementObjective objective = problem.objective();
+        int size = problem.table().size();
+        fold = problem.conditions().fold();
+        form = switch (objective) {
+            case COVERED_WEIGHT, MEAN_IMPACT -> Form.BEST_SUM;
+            case WORST_IMPACT -> Form.BEST_LEAST;
+            case WEAKEST_ROW -> Form.SUM_LEAST;
+            case JOINT_PROBABILITY -> Form.SATURATED_SUM;
+        };
+        isGreatest = objective.isGreatest();
+        base = isGreatest ? 0.0 : impactOfNone(problem);
+        EqualRows equal = new EqualRows(problem.table(), problem::undetected);
+        floor = new double[equal.size()];
+        weight = new double[equal.size()];
+        for (int row = 0; row < floor.length; row++) {
+            floor[row] = form == Form.BEST_LEAST ? base - problem.undetected(equal.first(row)) : 0.0;
+            weight[row] = equal.weight(row);
+        }
+        rows = new int[size][];
+        gains = new double[size][];
+        for (int candidate = 0; candidate < size; candidate++) {
+            fill(candidate, problem, equal);
+        }
+    }
+
+    private static double impactOfNone(PlacementProblem problem) {
+        double sum = 0.0;
+        double greatest = 0.0;
+        for (int row = 0; row < problem.table().rows(); row++) {
+            sum += problem.table().weight(row) * problem.undetected(row);
+            greatest = Math.max(greatest, problem.undetected(row));
+        }
+        return problem.objective() == PlacementObjective.MEAN_IMPACT ? sum : greatest;
+    }
+
+    private void fill(int candidate, PlacementProblem problem, EqualRows equal) {
+        CandidateColumn column = problem.table().column(candidate);
+        int[] reached = new int[column.size()];
+        double[] values = new double[column.size()];
+        int count = 0;
+        for (int at = 0; at < column.size(); at++) {
+            int row = equal.merged(column.row(at));
+            if (equal.first(row) == column.row(at)) {
+                double gain = gain(problem, column.row(at), column.value(at), weight[row]);
+                if (gain > floor[row]) {
+                    reached[count] = row;
+                    values[count++] = gain;
+                }
+            }
+        }
+        rows[candidate] = Arrays.copyOf(reached, count);
+        gains[candidate] = Arrays.copyOf(values, count);
+    }
+
+    private double gain(PlacementProblem problem, int row, double value, double rowWeight) {
+        return switch (problem.objective()) {
+            case COVERED_WEIGHT -> rowWeight * value;
+            case MEAN_IMPACT -> rowWeight * Math.max(0.0, problem.undetected(row) - value);
+            case WORST_IMPACT -> base - Math.min(problem.undetected(row), value);
+            case WEAKEST_ROW -> value;
+            case JOINT_PROBABILITY -> -Math.log1p(-Math.min(value, PlacementProblem.CERTAIN));
+        };
+    }
+
+    int candidates() {
+        return rows.length;
+    }
+
+    int rowCount() {
+        return floor.length;
+    }
+
+    /** Whether each candidate gains less the more others are chosen: then the greedy choice has a guarantee. */
+    boolean isSubmodular() {
+        return form == Form.SATURATED_SUM || form == Form.BEST_SUM && fold == 1;
+    }
+
+    /** The value of the objective for a sum of gains. */
+    double reported(double gain) {
+        return isGreatest ? gain : base - gain;
+    }
+
+    /** The sum of gains for a value of the objective. */
+    double gainOf(double value) {
+        return isGreatest ? value : base - value;
+    }
+}

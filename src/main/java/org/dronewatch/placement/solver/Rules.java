@@ -1,0 +1,88 @@
+package org.dronewatch.placement.solver;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.KindLimits;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.placement.PlacementProblem;
+
+/** The conditions of a problem by index, without the one about losses. Immutable; for all threads. */
+final class Rules {
+    final int size;
+    final double[] cost;
+    final double budget;
+    final int atMost;
+
+    /** By candidate: the exclusive place that it takes; -1 for none. */
+    final int[] place;
+
+    final int places;
+
+    /** By candidate: the limited kind that it is of; -1 for none. */
+    final int[] kind;
+
+    final int[] kindAtLeast;
+    final int[] kindAtMost;
+
+    /** The candidates that are always chosen, ascending. */
+    final int[] fixed;
+
+    /** By place: whether all its candidates are of one limited kind, or of none. */
+    final boolean[] isNested;
+
+    Rules(PlacementProblem problem) {
+        List<Candidate> candidates = problem.table().candidates();
+        PlacementConditions conditions = problem.conditions();
+        size = candidates.size();
+        cost = candidates.stream().mapToDouble(Candidate::cost).toArray();
+        budget = conditions.budget() * (1.0 + PlacementProblem.ROUNDING);
+        atMost = conditions.atMost();
+        List<String> places = candidates.stream()
+                .map(Candidate::exclusive)
+                .filter(name -> !name.isEmpty())
+                .distinct()
+                .toList();
+        this.places = places.size();
+        place = candidates.stream()
+                .mapToInt(candidate -> places.indexOf(candidate.exclusive()))
+                .toArray();
+        List<Map.Entry<String, KindLimits>> kinds =
+                new ArrayList<>(conditions.kinds().entrySet());
+        kinds.sort(Map.Entry.comparingByKey());
+        List<String> names = kinds.stream().map(Map.Entry::getKey).toList();
+        kind = candidates.stream()
+                .mapToInt(candidate -> names.indexOf(candidate.kind()))
+                .toArray();
+        kindAtLeast =
+                kinds.stream().mapToInt(entry -> entry.getValue().atLeast()).toArray();
+        kindAtMost = kinds.stream().mapToInt(entry -> entry.getValue().atMost()).toArray();
+        int[] all = new int[size];
+        Arrays.setAll(all, candidate -> candidate);
+        fixed = Arrays.stream(all)
+                .filter(number -> candidates.get(number).fixed())
+                .toArray();
+        isNested = nested();
+    }
+
+    private boolean[] nested() {
+        boolean[] nested = new boolean[places];
+        Arrays.fill(nested, true);
+        int[] kindOfPlace = new int[places];
+        Arrays.fill(kindOfPlace, -2);
+        for (int candidate = 0; candidate < size; candidate++) {
+            int at = place[candidate];
+            if (at >= 0) {
+                nested[at] &= kindOfPlace[at] == -2 || kindOfPlace[at] == kind[candidate];
+                kindOfPlace[at] = kind[candidate];
+            }
+        }
+        return nested;
+    }
+
+    int kinds() {
+        return kindAtLeast.length;
+    }
+}
