@@ -16,11 +16,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * A guard who looks around without binoculars: he notices a drone in line of sight once it appears large enough to him.
+ * A guard who looks around without binoculars, and notices a drone in line of sight once it appears large enough.
  *
- * @param position his eyes, m
- * @param rate how often he looks around, Hz
- * @param acuity the smallest angle under which he notices something in the sky, rad
+ * @param position the guard's eyes, m
+ * @param rate how often the guard looks around, Hz
+ * @param acuity the smallest angle under which the guard notices something in the sky, rad
  */
 public record GuardSettings(
         Position position,

@@ -32,7 +32,7 @@ final class CaseOptions {
     @Option(
             names = "--picture",
             paramLabel = "FILE.png",
-            description = "With --case: also writes a picture from above, in which the colour of the flight says"
+            description = "With --case: also writes a picture from above, in which the colour of the flight shows"
                     + " which sensors detect the drone; the first variant, unless --variant names another.")
     private String picture;
 

@@ -32,7 +32,7 @@ final class ComparedScenes {
     @Option(
             names = "--with",
             paramLabel = "PATH=VALUE",
-            description = "What is different in the second scene, as for --set.")
+            description = "Overrides a setting in the second scene only, as --set does in both.")
     private List<String> changes = new ArrayList<>();
 
     @Option(

@@ -26,8 +26,8 @@ final class RouteOptions {
     @Option(
             names = "--side",
             paramLabel = "L",
-            description = "Length of a side of the area, centred on the protected zone or on the sensors; by default"
-                    + " 250 m more on each side than the drone covers during the response.")
+            description = "Length of a side of the area, centred on the protected zone or on the sensors; by"
+                    + " default the area extends 250 m farther on each side than the drone flies during the response.")
     private String side;
 
     @Option(

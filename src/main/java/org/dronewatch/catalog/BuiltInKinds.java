@@ -80,7 +80,7 @@ public final class BuiltInKinds implements KindGroup {
                 SoundEmission.class,
                 "steady",
                 SteadyEmission.class,
-                "the sound that the settings state, however the drone flies"));
+                "radiates the sound that the settings state, however the drone flies"));
     }
 
     private static List<Kind<?>> propagations() {
@@ -88,8 +88,8 @@ public final class BuiltInKinds implements KindGroup {
                 propagation(
                         "level-model",
                         LevelModel.class,
-                        "each ray carries the full sound level; calibrated, not physical"),
-                propagation("energy-model", EnergyModel.class, "octave-band energy; physical"));
+                        "traces rays that each carry the full sound level; calibrated, not physical"),
+                propagation("energy-model", EnergyModel.class, "traces energy in octave bands; physical"));
     }
 
     private static Kind<?> sensor(String name, Class<? extends SensorSettings<?>> settings, String summary) {

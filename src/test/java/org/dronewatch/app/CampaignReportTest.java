@@ -100,7 +100,7 @@ class CampaignReportTest {
         assertThat(pair.get("p").asDouble()).isBetween(0.0155, 0.016);
         assertThat(verdict)
                 .contains("In 60 attacks, the alert is in time in "
-                        + words(variants.get("far").get("in_time")) + " with far, "
+                        + words(variants.get("far").get("in_time")) + " with far, in "
                         + words(variants.get("near").get("in_time")) + " with near.")
                 .contains(String.format(
                         Locale.ROOT,

@@ -130,6 +130,18 @@ class CoverageConditionsTest {
         assertThat(row).matches(" +10 m +round \\d+\\.\\d +round \\d+\\.\\d +none +eye \\d+\\.\\d");
     }
 
+    /** A site whose sensors cover nothing as it is cannot lose anything. */
+    @Test
+    void whereNothingIsCoveredNothingIsLost() throws IOException {
+        Outcome nothing = coverage(
+                "--set=sensors.round.enabled=false",
+                "--set=world.light.illuminance=0.001 lx",
+                "--conditions=" + Files.writeString(directory.resolve("rain.yaml"), "rain: {world.rain: 10 mm/h}"),
+                "--out=" + directory.resolve("nothing"));
+        assertThat(nothing.out()).contains("rain: nothing is covered as it is, so nothing can be lost");
+        assertThat(Files.readString(directory.resolve("nothing/report.html"))).doesNotContain("most by");
+    }
+
     /** A column for each condition: light for what is covered, dark for what is not. */
     @Test
     void thePictureIsDarkWhereNothingIsCovered() throws IOException {

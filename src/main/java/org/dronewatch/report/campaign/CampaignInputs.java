@@ -44,7 +44,7 @@ final class CampaignInputs {
     }
 
     private String introduction(CampaignSettings settings) {
-        return "The scene is " + settings.scene() + ", the seed " + settings.seed()
+        return "The scene is " + settings.scene() + ", and the seed is " + settings.seed()
                 + ". The probabilities hold for the distributions below, which are assumptions: nobody knows where"
                 + " the next attack will come from. "
                 + settings.until()
@@ -57,8 +57,9 @@ final class CampaignInputs {
                                 ReadableNumbers.number(ShareWords.PERCENT * until.halfWidth())))
                         .orElse("")
                 + (hasProvenance
-                        ? "runs.csv has all cases, campaign.json all figures, and provenance.json the origin of both."
-                        : "runs.csv has all cases, and campaign.json all figures.");
+                        ? "runs.csv contains all cases, campaign.json all figures, and provenance.json the origin of"
+                                + " both."
+                        : "runs.csv contains all cases, and campaign.json all figures.");
     }
 
     private static String changed(Map<String, String> changes) {

@@ -120,7 +120,7 @@ final class CampaignReport {
                 .map(name -> ShareWords.withInterval(
                                 variants.get(name).proportion(headline).orElseThrow())
                         + (isAlone ? "" : " with " + name))
-                .collect(Collectors.joining(", "));
+                .collect(Collectors.joining(", in "));
         return String.format(Locale.ROOT, "In %,d attacks, ", cases) + ShareWords.clause(headline) + " in " + named
                 + (ranked.size() > MOST_NAMED ? ", and less often with the others" : "")
                 + ". In brackets: the 95 % confidence interval of the probability.";

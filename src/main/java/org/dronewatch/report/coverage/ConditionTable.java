@@ -101,6 +101,9 @@ public final class ConditionTable {
                 first = -1;
             }
         }
+        if (asItIs.heights().stream().allMatch(height -> height.summary().covered() == 0)) {
+            return condition.name() + ": nothing is covered as it is, so nothing can be lost";
+        }
         return condition.name() + ": "
                 + (bands.isEmpty()
                         ? "at each height, more than half of the coverage remains"

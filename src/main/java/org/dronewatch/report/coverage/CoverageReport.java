@@ -150,7 +150,8 @@ final class CoverageReport {
         }
         return Html.plain(
                         "p",
-                        "In % of the known area at each height: where at least one sensor detects the drone "
+                        "The table states, in % of the known area at each height, where at least one sensor detects the"
+                                + " drone "
                                 + (inputs.within().isEmpty() ? "in one look " : time())
                                 + "with a probability of " + number(inputs.covered())
                                 + " or more, and the causes of all sensors' misses "
@@ -172,7 +173,8 @@ final class CoverageReport {
                     new ArrayList<>(List.of(number(summary.heights().get(height).height()) + " m"));
             for (ConditionCoverage one : conditions) {
                 ConditionCoverage.Height its = one.heights().get(height);
-                row.add(percent(its.summary().covered(), its.summary()) + "; most by " + ConditionTable.best(its));
+                row.add(percent(its.summary().covered(), its.summary())
+                        + (its.summary().covered() > 0 ? "; most by " + ConditionTable.best(its) : ""));
             }
             rows.add(row);
         }
@@ -182,7 +184,8 @@ final class CoverageReport {
                 .toList();
         return Html.plain(
                         "p",
-                        "The % of the known area that is covered, and the sensor that covers most, with its percentage.")
+                        "The table states the percentage of the known area that is covered, and the sensor that covers"
+                                + " most, with its percentage.")
                 + Html.table(head, rows)
                 + list(words);
     }
@@ -191,14 +194,14 @@ final class CoverageReport {
         FieldGrid grid = summary.coverage().field().grid();
         List<String> items = new ArrayList<>();
         items.add((inputs.area()
-                        .map(name -> "The protected zone '" + name + "', in an area of ")
-                        .orElse("An area of "))
+                        .map(name -> "The area assessed is the protected zone '" + name + "', in a square of ")
+                        .orElse("The area assessed is "))
                 + number(grid.side()) + " m by " + number(grid.side()) + " m in cells of "
                 + number(grid.cell()) + " m: what is smaller than a cell may be missed.");
         items.add(
                 "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"
                         + " those that are unknown because they, or the line of sight to them, are beyond the known ground.");
-        items.add("The drone '" + inputs.drone() + "' alone, in level flight at its cruise speed; sensors on"
+        items.add("Only the drone '" + inputs.drone() + "' flies, level and at its cruise speed; sensors on"
                 + " positioners "
                 + (inputs.terms().pointing() == FieldTerms.Turning.CUED
                         ? "have turned to it."

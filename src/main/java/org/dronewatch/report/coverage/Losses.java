@@ -30,8 +30,9 @@ final class Losses {
         StringBuilder html = new StringBuilder();
         html.append(Html.plain(
                 "p",
-                "Covered, in % of the known area at each height, with all sensors and without each one. Without a sensor,"
-                        + " the drone may fly on the heading that suits the others least."));
+                "The table states the coverage, in % of the known area at each height, with all sensors and"
+                        + " without each one. Without a sensor, the drone may fly on the heading that suits the"
+                        + " others least."));
         html.append(table());
         List<String> bands = sensors.stream()
                 .map(this::band)

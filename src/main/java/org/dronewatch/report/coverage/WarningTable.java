@@ -70,7 +70,7 @@ public final class WarningTable {
     private static List<String> open(InboundWarnings warnings) {
         List<String> lines = new ArrayList<>();
         if (warnings.all().stream().anyMatch(Warning::isFromStart)) {
-            lines.add(AT_LEAST + "... : detected where the flight begins, or where the known ground does");
+            lines.add(AT_LEAST + "... : detected where the flight begins, or where the known ground begins");
         }
         if (warnings.undecided() > 0) {
             lines.add("unknown whether a warning of " + Numbers.text(warnings.response()) + " s is given: "

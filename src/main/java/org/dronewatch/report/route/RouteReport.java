@@ -77,7 +77,8 @@ final class RouteReport {
     private String introduction() {
         return Html.plain(
                 "p",
-                "From each direction, the route on which the sensors are least likely to detect the drone"
+                "The table lists, for each direction, the route on which the sensors are least likely to detect the"
+                        + " drone"
                         + (survey.response() > 0.0
                                 ? " while " + number(survey.response()) + " s are left for the response."
                                 : " before it reaches " + inputs.targetInWords() + ".")
@@ -159,7 +160,7 @@ final class RouteReport {
 
     private List<String> scope(SensorTables sensors) {
         List<String> items = new ArrayList<>();
-        items.add("An area of " + number(inputs.grid().side()) + " m by "
+        items.add("The area searched is " + number(inputs.grid().side()) + " m by "
                 + number(inputs.grid().side())
                 + " m in cells of " + number(inputs.grid().cell()) + " m, at heights of "
                 + number(inputs.grid().heights().get(0)) + " to "
@@ -168,9 +169,10 @@ final class RouteReport {
                 + " be missed.");
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");
-        items.add("The drone '" + inputs.drone() + "' alone, within its limits of climb, descent and turns; sensors on"
-                + " positioners "
-                + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
+        items.add(
+                "Only the drone '" + inputs.drone() + "' flies, within its limits of climb, descent and turns; sensors"
+                        + " on positioners "
+                        + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
         items.add("Sensors count as independent, which they are not where they look past the same obstacle.");
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());
