@@ -12,8 +12,6 @@ import org.dronewatch.world.Obstacle;
  * @param explanation why it is not sufficient; {@link Explanation#DETECTED} when it is
  */
 public record Assessment(Signal signal, Explanation explanation) {
-    private static final String DECIBELS = "dB";
-
     /**
      * Checks that signal and explanation agree.
      *
@@ -73,12 +71,9 @@ public record Assessment(Signal signal, Explanation explanation) {
         return signal.quantity() - signal.threshold();
     }
 
-    /**
-     * The margin in dB, so that sensors of different kinds can be compared: {@code 10 lg(quantity / threshold)} where
-     * the unit is not dB.
-     */
+    /** The margin in dB; see {@link Signal#marginDb}. */
     public double marginDb() {
-        return unit().equals(DECIBELS) ? margin() : 10.0 * Math.log10(quantity() / threshold());
+        return signal.marginDb();
     }
 
     /** Standard error of the quantity, in its unit; 0 where it is exact. */

@@ -78,7 +78,7 @@ public final class Assessor {
         }
         return world.isKnown(settings.position(), at)
                 ? bounding.boundAtAllHeadings(world, drone, at, pointing)
-                : Optional.of(new AssessmentBounds(0.0, 0.0, Cause.UNKNOWN));
+                : Optional.of(AssessmentBounds.UNKNOWN);
     }
 
     /** As {@link BoundingSensor#bound}, in this assessor's world; otherwise as {@link #boundAtAllHeadings}. */
@@ -89,7 +89,19 @@ public final class Assessor {
         }
         return world.isKnown(settings.position(), state.position())
                 ? bounding.bound(world, drone, state, pointing, steps)
-                : Optional.of(new AssessmentBounds(0.0, 0.0, Cause.UNKNOWN));
+                : Optional.of(AssessmentBounds.UNKNOWN);
+    }
+
+    /** Whether the sensor bounds its assessments. */
+    public boolean isBounding() {
+        return sensor instanceof BoundingSensor;
+    }
+
+    /** As {@link BoundingSensor#greatestMarginDb}, in this assessor's world; infinity for sensors of other kinds. */
+    public double greatestMarginDb(Drone drone, FlightState state, Optional<Pointing> pointing) {
+        return sensor instanceof BoundingSensor bounding
+                ? bounding.greatestMarginDb(world, drone, state, pointing)
+                : Double.POSITIVE_INFINITY;
     }
 
     /** Whether the ground below the line of sight to a drone is known. */

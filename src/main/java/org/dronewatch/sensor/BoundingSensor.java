@@ -38,4 +38,10 @@ public interface BoundingSensor extends AssessableSensor {
      */
     Optional<AssessmentBounds> bound(
             World world, Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps);
+
+    /**
+     * The margin of a drone in a state is at most this, dB; other parameters as for {@link #bound}. Those bounds depend
+     * on what has been prepared for earlier queries; this one is the same in any order of queries.
+     */
+    double greatestMarginDb(World world, Drone drone, FlightState state, Optional<Pointing> pointing);
 }

@@ -20,6 +20,7 @@ public record Signal(
         double threshold,
         double standardError,
         double probabilityError) {
+    private static final String DECIBELS = "dB";
 
     /** The signal of a sensor that compares an exact quantity with a threshold. */
     public static Signal certain(double quantity, String unit, double threshold) {
@@ -34,5 +35,13 @@ public record Signal(
     /** Whether the quantity reaches the threshold: then the probability is at least 0.5. */
     public boolean isDetected() {
         return quantity >= threshold;
+    }
+
+    /**
+     * Quantity minus threshold in dB, so that sensors of different kinds can be compared:
+     * {@code 10 lg(quantity / threshold)} where the unit is not dB.
+     */
+    public double marginDb() {
+        return unit.equals(DECIBELS) ? quantity - threshold : 10.0 * Math.log10(quantity / threshold);
     }
 }

@@ -226,7 +226,7 @@ final class CoveragePanel extends JPanel {
         CellWords words = there.get().words();
         FieldCoverage rest = there.get().coverage();
         if (there.get().evidence().isEmpty()) {
-            cell.setText("At " + words.summary() + ".");
+            cell.setText("At " + words.deciding());
             switches.describe(words, rest);
         } else {
             CellEvidence evidence = there.get().evidence().get();

@@ -119,19 +119,19 @@ final class CoverageSwitches extends JPanel {
         return sensors.stream().map(row -> row.reason().getText()).toList();
     }
 
-    /** States what is known about a cell at once; margins come with the evidence. */
+    /** States what the field keeps about a cell at once: margins of most cells as bounds, in dB. */
     void describe(CellWords words, FieldCoverage coverage) {
         for (Row row : sensors) {
             int sensor = coverage.field().sensors().indexOf(row.box().getText());
             if (sensor < 0) {
                 row.write("-", NONE, "off");
             } else {
-                row.write(words.probability(sensor), NONE, words.cause(sensor));
+                row.write(words.probability(sensor), words.margin(sensor), words.cause(sensor));
             }
         }
     }
 
-    /** Adds margins, and what hides the drone. */
+    /** Adds exact margins, and what hides the drone. */
     void describe(CellWords words, FieldCoverage coverage, CellEvidence evidence) {
         for (Row row : sensors) {
             int sensor = coverage.field().sensors().indexOf(row.box().getText());

@@ -3,64 +3,50 @@ package org.dronewatch.analysis.field;
 import org.dronewatch.sensor.Cause;
 
 /**
- * What is kept of an assessment, as a number of two bytes: its probability in steps of 1/250, where 0 and 250 mean
- * exactly 0 and 1, and its cause.
+ * What is kept of an assessment, as a number of three bytes: its probability in steps of 1/250, where 0 and 250 mean
+ * exactly 0 and 1, its cause, and its {@link MarginCode margin}.
  */
 final class CellCode {
+    /** The bytes of a number. */
+    static final int BYTES = 3;
+
     /** The steps of a probability. */
     static final int STEPS = 250;
 
     private static final Cause[] CAUSES = Cause.values();
     private static final int CAUSE_SHIFT = 8;
-    private static final int BYTE = 0xFF;
+    private static final int MARGIN_SHIFT = 12;
+    private static final int STEP_BITS = (1 << CAUSE_SHIFT) - 1;
+    private static final int CAUSE_BITS = (1 << MARGIN_SHIFT - CAUSE_SHIFT) - 1;
 
     private CellCode() {}
 
-    /** The number for a probability in steps and a cause. */
-    static int of(int steps, Cause cause) {
-        return steps | cause.ordinal() << CAUSE_SHIFT;
+    /** The number for a probability in steps, a cause, and a {@link MarginCode}. */
+    static int of(int steps, Cause cause, int margin) {
+        return steps | cause.ordinal() << CAUSE_SHIFT | margin << MARGIN_SHIFT;
     }
 
     /** The probability in steps. */
     static int steps(int code) {
-        return code & BYTE;
+        return code & STEP_BITS;
     }
 
     /** The cause. */
     static Cause cause(int code) {
-        return CAUSES[code >> CAUSE_SHIFT];
+        return CAUSES[code >> CAUSE_SHIFT & CAUSE_BITS];
     }
 
-    /** The number at a place in an array of bytes. */
-    static int at(byte[] pool, int at) {
-        return pool[at] & BYTE | (pool[at + 1] & BYTE) << CAUSE_SHIFT;
+    /** The margin. */
+    static Margin margin(int code) {
+        return MarginCode.margin(code >> MARGIN_SHIFT);
     }
 
-    /** Writes a number to a place in an array of bytes. */
-    static void put(byte[] pool, int at, int code) {
-        pool[at] = (byte) code;
-        pool[at + 1] = (byte) (code >> CAUSE_SHIFT);
-    }
-
-    /** Whether an entry, and what it points to, can be those of a cell on a number of courses. */
-    static boolean isPossible(int entry, byte[] pool, int courses) {
-        if (entry >= 0) {
-            return isPossible(entry);
-        }
-        long at = -1L - entry;
-        if (at + 2L * courses > pool.length) {
-            return false;
-        }
-        for (int course = 0; course < courses; course++) {
-            if (!isPossible(at(pool, (int) at + 2 * course))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private static boolean isPossible(int code) {
-        return (code & BYTE) <= STEPS && code >> CAUSE_SHIFT < CAUSES.length;
+    /** Whether a number that is not negative is one of these. */
+    static boolean isPossible(int code) {
+        return (code & STEP_BITS) <= STEPS
+                && (code >> CAUSE_SHIFT & CAUSE_BITS) < CAUSES.length
+                && code >> MARGIN_SHIFT + MarginCode.BITS == 0
+                && MarginCode.isPossible(code >> MARGIN_SHIFT);
     }
 
     /** The least number of steps of a probability with which a sensor covers a cell. */

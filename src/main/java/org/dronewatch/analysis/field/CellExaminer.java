@@ -1,6 +1,5 @@
 package org.dronewatch.analysis.field;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -18,8 +17,8 @@ public final class CellExaminer {
      * What the sensors make of a drone in a cell, on the course that counts there.
      *
      * @param sensors by each sensor, in the order of the field
-     * @param deciding number of the sensor whose cause is the dominant one: the one with the highest probability; among
-     *     equals, that whose cause is nearest to a detection, then that with the greatest margin in dB
+     * @param deciding number of the sensor whose cause is the dominant one, as {@link FieldCoverage#deciding} says, by
+     *     exact margins
      */
     public record CellEvidence(List<GapEvidence.Examined> sensors, int deciding) {
         /** Copies the list: later changes by the caller have no effect. */
@@ -47,15 +46,8 @@ public final class CellExaminer {
         List<GapEvidence.Examined> examined = IntStream.range(0, field.sensors().size())
                 .mapToObj(sensor -> GapEvidence.examine(coverage, sensor, height, column, row, search))
                 .toList();
-        int course = coverage.courseAt(height, column, row);
-        Comparator<Integer> order = Comparator.comparing(
-                        (Integer sensor) -> field.steps(sensor, height, column, row, course))
-                .thenComparing(sensor -> field.cause(sensor, height, column, row, course))
-                .thenComparing(sensor -> examined.get(sensor).assessment().marginDb());
-        int deciding = 0;
-        for (int sensor = 1; sensor < examined.size(); sensor++) {
-            deciding = order.compare(sensor, deciding) > 0 ? sensor : deciding;
-        }
+        int deciding = coverage.deciding(
+                height, column, row, sensor -> examined.get(sensor).assessment().marginDb());
         return Optional.of(new CellEvidence(examined, deciding));
     }
 }

@@ -12,9 +12,9 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
- * each sensor detects it, in one look or within a time, and the cause where one look is not sufficient. A sensor on a
- * positioner has turned to the drone, or searches. Everything is assessed once, as in a run; afterwards, any course can
- * be queried without tracing another ray.
+ * each sensor detects it, in one look or within a time, the cause where one look is not sufficient, and the margin of
+ * the signal. A sensor on a positioner has turned to the drone, or searches. Everything is assessed once, as in a run;
+ * afterwards, any course can be queried without tracing another ray.
  *
  * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
  */
@@ -184,6 +184,14 @@ public final class DetectionField {
     /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */
     public Cause cause(int sensor, int height, int column, int row, int course) {
         return all.cause(sensor, height, column, row, course);
+    }
+
+    /**
+     * By how much the signal of a sensor exceeds its threshold, as far as it is kept: in most cells as a bound.
+     * {@link Margin.Known#NOTHING} where the drone cannot be. Parameters as above.
+     */
+    public Margin margin(int sensor, int height, int column, int row, int course) {
+        return all.margin(sensor, height, column, row, course);
     }
 
     /**

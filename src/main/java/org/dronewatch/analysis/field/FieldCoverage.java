@@ -1,6 +1,9 @@
 package org.dronewatch.analysis.field;
 
 import java.util.Collection;
+import java.util.OptionalInt;
+import java.util.function.IntToDoubleFunction;
+import java.util.function.IntUnaryOperator;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
 
@@ -10,8 +13,8 @@ import org.dronewatch.sensor.Cause;
  *
  * <p>The course that counts is one for all sensors: the one with the lowest, or the highest, joint probability
  * {@code 1 - (1 - p1)(1 - p2)...}, and the first of the field's courses among equals. A sensor covers a cell where its
- * probability there is at least a given one. The dominant cause is that of the sensor with the highest probability;
- * among equals, the cause that is nearest to a detection in the order of {@link Cause}.
+ * probability there is at least a given one. The dominant cause is that of the sensor that decides
+ * ({@link #deciding}).
  */
 public final class FieldCoverage {
     /** Which course counts. */
@@ -74,20 +77,16 @@ public final class FieldCoverage {
         int course = course(height, column, row);
         int count = 0;
         int most = 0;
-        int cause = 0;
         boolean leaves = false;
         for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
             int steps = field.steps(sensor, height, column, row, course);
-            int its = field.cause(sensor, height, column, row, course).ordinal();
+            Cause its = field.cause(sensor, height, column, row, course);
             count += steps >= needed ? 1 : 0;
-            leaves |= its == Cause.UNKNOWN.ordinal();
-            if (steps > most || steps == most && its > cause) {
-                most = steps;
-                cause = its;
-            }
+            leaves |= its == Cause.UNKNOWN;
+            most = Math.max(most, Dominance.rank(steps, its));
         }
         courses[cell] = (byte) course;
-        causes[cell] = (byte) cause;
+        causes[cell] = (byte) Dominance.cause(most).ordinal();
         counts[cell] = (short) count;
         unknown[cell] = count == 0 && leaves;
     }
@@ -183,5 +182,33 @@ public final class FieldCoverage {
     /** The dominant cause in a cell that is known. */
     public Cause cause(int height, int column, int row) {
         return CAUSES[causes[index(height, column, row)]];
+    }
+
+    /**
+     * The sensor whose cause is the dominant one in a cell in which a drone can be: the one with the highest
+     * probability; among equals, that whose cause is nearest to a detection in the order of {@link Cause}; then that
+     * with the greatest margin in dB; then the first.
+     *
+     * @return its number; empty if there is none, or if the margins that the field keeps do not decide
+     */
+    public OptionalInt deciding(int height, int column, int row) {
+        int sensors = field.sensors().size();
+        int course = courseAt(height, column, row);
+        return sensors == 0
+                ? OptionalInt.empty()
+                : Dominance.certain(
+                        sensors,
+                        ranks(height, column, row, course),
+                        sensor -> field.margin(sensor, height, column, row, course));
+    }
+
+    /** The same by exact margins of all sensors, dB; there must be a sensor. */
+    int deciding(int height, int column, int row, IntToDoubleFunction margins) {
+        return Dominance.of(field.sensors().size(), ranks(height, column, row, courseAt(height, column, row)), margins);
+    }
+
+    private IntUnaryOperator ranks(int height, int column, int row, int course) {
+        return sensor -> Dominance.rank(
+                field.steps(sensor, height, column, row, course), field.cause(sensor, height, column, row, course));
     }
 }

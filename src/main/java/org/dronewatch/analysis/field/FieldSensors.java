@@ -145,4 +145,9 @@ final class FieldSensors {
     Cause cause(int sensor, int height, int column, int row, int course) {
         return layers.get(sensor).cause(height, column, row, inLayers[course]);
     }
+
+    /** As {@link DetectionField#margin}. */
+    Margin margin(int sensor, int height, int column, int row, int course) {
+        return layers.get(sensor).margin(height, column, row, inLayers[course]);
+    }
 }

@@ -74,36 +74,64 @@ final class LayerRow {
         entries[column] = alike ? codes[0] : -1 - keep();
     }
 
-    private static int code(CellLook look) {
-        Cause cause = look.assessment().cause();
-        return CellCode.of(cause == Cause.UNKNOWN ? 0 : CellCode.steps(look.probability()), cause);
+    private int code(CellLook look) {
+        Assessment assessment = look.assessment();
+        return code(CellCode.steps(look.probability()), assessment.cause(), margin(assessment));
     }
 
     /** Where bounds are too far apart, the drone is assessed. */
     private int code(Position at, int course, Optional<Pointing> pointing) {
         FlightState state = probe.state(at, course);
-        OptionalInt certain = code(assessor.bound(probe.drone(), state, pointing, probe::steps));
-        return certain.isPresent()
-                ? certain.getAsInt()
-                : code(probe.assessInSteps(assessor, probe.drone().at(state), pointing));
+        Optional<AssessmentBounds> bounds =
+                assessor.bound(probe.drone(), state, pointing, probe::steps).filter(this::isDecisive);
+        if (bounds.isPresent()) {
+            Cause cause = bounds.get().cause();
+            return code(probe.steps(bounds.get().least()), cause, margin(cause, state, pointing));
+        }
+        Assessment exact = probe.assessInSteps(assessor, probe.drone().at(state), pointing);
+        int margin = assessor.isBounding() ? margin(exact.cause(), state, pointing) : margin(exact);
+        return code(probe.steps(exact.probability()), exact.cause(), margin);
     }
 
     /** Empty where bounds are more than a step apart. */
     private OptionalInt code(Optional<AssessmentBounds> found) {
-        if (found.isEmpty()) {
-            return OptionalInt.empty();
-        }
-        AssessmentBounds bounds = found.get();
-        int steps = probe.steps(bounds.least());
-        return steps == probe.steps(bounds.greatest())
-                ? OptionalInt.of(CellCode.of(steps, bounds.cause()))
-                : OptionalInt.empty();
+        return found.filter(this::isDecisive).stream()
+                .mapToInt(bounds -> code(probe.steps(bounds.least()), bounds.cause(), margin(bounds)))
+                .findFirst();
+    }
+
+    private boolean isDecisive(AssessmentBounds bounds) {
+        return probe.steps(bounds.least()) == probe.steps(bounds.greatest());
     }
 
     /** A sensor whose line of sight leaves the known ground is not counted on. */
-    private int code(Assessment assessment) {
-        Cause cause = assessment.cause();
-        return CellCode.of(cause == Cause.UNKNOWN ? 0 : probe.steps(assessment.probability()), cause);
+    private static int code(int steps, Cause cause, int margin) {
+        return cause == Cause.UNKNOWN
+                ? CellCode.of(0, Cause.UNKNOWN, MarginCode.NOTHING)
+                : CellCode.of(steps, cause, margin);
+    }
+
+    private static int margin(AssessmentBounds bounds) {
+        return MarginCode.between(bounds.leastMarginDb(), bounds.greatestMarginDb(), bounds.cause() == Cause.DETECTED);
+    }
+
+    /**
+     * That of a sensor which bounds its assessments: whether bounds decide in a state, and which, depends on the masks
+     * that were made for earlier cells, so that only what holds in any case is kept.
+     */
+    private int margin(Cause cause, FlightState state, Optional<Pointing> pointing) {
+        return cause == Cause.DETECTED
+                ? MarginCode.atLeast(0.0)
+                : MarginCode.atMost(Math.min(0.0, assessor.greatestMarginDb(probe.drone(), state, pointing)));
+    }
+
+    /** Of estimates from some looks, and of cameras, which do not count all pixels that show a drone, only the sign. */
+    private int margin(Assessment assessment) {
+        boolean isDetected = assessment.signal().isDetected();
+        if (assessment.probabilityError() > 0.0 || assessor.isBounding() && isDetected) {
+            return isDetected ? MarginCode.atLeast(0.0) : MarginCode.atMost(0.0);
+        }
+        return MarginCode.of(assessment.marginDb());
     }
 
     /** Takes over what was assessed before. */
@@ -114,20 +142,18 @@ final class LayerRow {
             return;
         }
         for (int course = 0; course < courses; course++) {
-            codes[course] = CellCode.at(former.byCourse()[row], -1 - entry + 2 * course);
+            codes[course] = CourseCodes.at(former.byCourse()[row], -1 - entry, course);
         }
         entries[column] = -1 - keep();
     }
 
     private int keep() {
         int at = used;
-        if (pool.length < used + 2 * courses) {
-            pool = Arrays.copyOf(pool, 2 * pool.length + 2 * courses);
+        int most = used + CourseCodes.most(courses);
+        if (pool.length < most) {
+            pool = Arrays.copyOf(pool, 2 * pool.length + most);
         }
-        for (int course = 0; course < courses; course++) {
-            CellCode.put(pool, used, codes[course]);
-            used += 2;
-        }
+        used = CourseCodes.put(pool, at, codes);
         return at;
     }
 

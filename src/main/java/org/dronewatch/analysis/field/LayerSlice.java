@@ -34,10 +34,15 @@ record LayerSlice(int columns, double[] z, int[][] entries, byte[][] byCourse) {
                 throw new IllegalArgumentException("a row of another length");
             }
             for (int entry : entries[row]) {
-                if (!CellCode.isPossible(entry, byCourse[row], courses)) {
+                if (!isPossible(entry, byCourse[row], courses)) {
                     throw new IllegalArgumentException("an impossible entry");
                 }
             }
         }
+    }
+
+    /** Whether an entry, and what it points to, can be those of a cell on a number of courses. */
+    private static boolean isPossible(int entry, byte[] pool, int courses) {
+        return entry >= 0 ? CellCode.isPossible(entry) : CourseCodes.isPossible(pool, -1L - entry, courses);
     }
 }

@@ -9,18 +9,18 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
 
 /**
- * One sensor's assessments of a drone in all cells on all courses: probability and cause. Most of them are the
- * same on every course, and take four bytes for each cell and height; the others take two bytes more for each course
- * ({@link CellCode}).
+ * One sensor's assessments of a drone in all cells on all courses: probability, cause and margin. Most of them are the
+ * same on every course, and take four bytes for each cell and height ({@link CellCode}); the others take some more
+ * ({@link CourseCodes}).
  */
 final class SensorLayer {
     /**
-     * By height and row, then column: probability and cause where all courses are alike; otherwise minus one minus the
+     * By height and row, then column: the code of a cell where all courses are alike; otherwise minus one minus the
      * position in the row's bytes.
      */
     private final int[][] entries;
 
-    /** By height and row: the probabilities and causes of those cells whose courses are not alike. */
+    /** By height and row: the codes of those cells whose courses are not alike. */
     private final byte[][] byCourse;
 
     private final int rows;
@@ -103,12 +103,17 @@ final class SensorLayer {
         return CellCode.cause(at(height, column, row, course));
     }
 
+    /** The margin of the signal; {@link Margin.Known#NOTHING} in a cell in which it cannot be. */
+    Margin margin(int height, int column, int row, int course) {
+        return CellCode.margin(at(height, column, row, course));
+    }
+
     private int at(int height, int column, int row, int course) {
         int index = height * rows + row;
         int entry = entries[index][column];
         if (entry >= 0) {
             return entry;
         }
-        return CellCode.at(byCourse[index], -1 - entry + 2 * course);
+        return CourseCodes.at(byCourse[index], -1 - entry, course);
     }
 }

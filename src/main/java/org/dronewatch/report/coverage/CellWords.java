@@ -5,9 +5,11 @@ import static org.dronewatch.report.html.ReadableNumbers.measured;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalInt;
 import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.GapEvidence;
+import org.dronewatch.analysis.field.Margin;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
@@ -16,6 +18,8 @@ import org.dronewatch.sensor.Cause;
 /** Describes one cell of a coverage: which sensor decides there, and whether each detects the drone, or why not. */
 public final class CellWords {
     private static final double LEAST_SHOWN = 0.005;
+    private static final String NO_SIGNAL = "no signal";
+    private static final String DECIBELS = "dB";
 
     private final FieldCoverage coverage;
     private final SceneSettings settings;
@@ -99,13 +103,58 @@ public final class CellWords {
         return name(cause, coverage.covers(sensor, height, column, row));
     }
 
+    /**
+     * By how much the signal of a sensor, given by its number, exceeds its threshold, as far as the field keeps it:
+     * {@code +3.2 dB}, {@code <= -12 dB}, or that there is no signal; empty if only the sign is kept.
+     */
+    public String margin(int sensor) {
+        Margin margin = kept(sensor);
+        return switch (margin.kind()) {
+            case NO_SIGNAL -> NO_SIGNAL;
+            case VALUE -> signed(margin.db());
+            case AT_LEAST -> margin.db() > 0.0 ? ">= " + signed(margin.db()) : "";
+            case AT_MOST -> margin.db() < 0.0 ? "<= " + signed(margin.db()) : "";
+            case NOTHING -> "";
+        };
+    }
+
+    private Margin kept(int sensor) {
+        return coverage.field().margin(sensor, height, column, row, coverage.courseAt(height, column, row));
+    }
+
+    private static String signed(double db) {
+        return (db < 0.0 ? "-" : "+") + measured(Math.abs(db), DECIBELS);
+    }
+
+    /** What is there, and which sensor decides, from the field alone: as far as the margins that it keeps suffice. */
+    public String deciding() {
+        OptionalInt sensor = coverage.field().isOpen(height, column, row)
+                ? coverage.deciding(height, column, row)
+                : OptionalInt.empty();
+        return sensor.isEmpty()
+                ? summary() + "."
+                : summary() + ". '" + coverage.field().sensors().get(sensor.getAsInt()) + "' decides: probability "
+                        + probability(sensor.getAsInt()) + inWords(kept(sensor.getAsInt())) + ".";
+    }
+
+    private static String inWords(Margin margin) {
+        String distance = measured(Math.abs(margin.db()), DECIBELS);
+        return switch (margin.kind()) {
+            case NO_SIGNAL -> ", " + NO_SIGNAL;
+            case VALUE -> ", " + distance + (margin.db() < 0.0 ? " below" : " above") + " its threshold";
+            case AT_LEAST -> margin.db() > 0.0 ? ", at least " + distance + " above its threshold" : "";
+            case AT_MOST -> margin.db() < 0.0 ? ", at least " + distance + " below its threshold" : "";
+            case NOTHING -> "";
+        };
+    }
+
     /** The difference between signal and threshold: {@code +3.2 dB}, or that there is no signal. */
     public static String margin(GapEvidence.Examined examined) {
         Assessment assessment = examined.assessment();
         double margin = assessment.margin();
         // Of nothing, such as 0 pixels of a drone out of view, no margin can be made.
         if (!Double.isFinite(margin) || assessment.marginDb() == Double.NEGATIVE_INFINITY) {
-            return margin > 0.0 ? "" : "no signal";
+            return margin > 0.0 ? "" : NO_SIGNAL;
         }
         return (margin >= 0.0 ? "+" : "-") + measured(Math.abs(margin), assessment.unit());
     }

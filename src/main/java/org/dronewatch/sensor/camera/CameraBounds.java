@@ -62,9 +62,7 @@ final class CameraBounds {
     private Optional<AssessmentBounds> unseen(DronePicture picture, Position at, Cause cause) {
         Signal nothing = signals.of(
                 signals.view(at, AT_REST, 0, Optional.empty(), picture.camera().focalLength()));
-        double probability = nothing.probability();
-        return Optional.of(
-                new AssessmentBounds(probability, probability, nothing.isDetected() ? Cause.DETECTED : cause));
+        return Optional.of(AssessmentBounds.between(nothing, nothing, nothing.isDetected() ? Cause.DETECTED : cause));
     }
 
     private static boolean isInOutline(DronePicture picture, Position at) {
@@ -112,6 +110,14 @@ final class CameraBounds {
                 : bounds;
     }
 
+    /** As {@link CameraSensor#greatestMarginDb}: that of a drone that fills the rectangle around it. */
+    double greatestMarginDb(DronePicture picture, Drone drone, FlightState state, Optional<Pointing> pointing) {
+        State there = new State(picture, state, pointing);
+        return picture.bounds(world, drone.silhouettes(), state.position())
+                .map(pixels -> there.range(0, pixels.mostInRectangle()).greatestMarginDb)
+                .orElse(Double.POSITIVE_INFINITY);
+    }
+
     /** A state in which the drone may be. */
     private final class State {
         private final DronePicture picture;
@@ -134,7 +140,7 @@ final class CameraBounds {
         Optional<AssessmentBounds> bounds(PixelBounds pixels, DoubleToIntFunction steps) {
             Range seen = range(pixels.least(), pixels.most());
             return steps.applyAsInt(seen.least) == steps.applyAsInt(seen.greatest)
-                    ? cause(pixels, seen).map(cause -> new AssessmentBounds(seen.least, seen.greatest, cause))
+                    ? cause(pixels, seen).map(seen::bounds)
                     : Optional.empty();
         }
 
@@ -166,12 +172,20 @@ final class CameraBounds {
             Signal low = signal(least);
             Signal high = signal(most);
             if (least > 0 || most == 0) {
-                return new Range(low.probability(), high.probability(), low.isDetected(), !high.isDetected());
+                return new Range(
+                        low.probability(),
+                        high.probability(),
+                        low.marginDb(),
+                        high.marginDb(),
+                        low.isDetected(),
+                        !high.isDetected());
             }
             Signal one = signal(1);
             return new Range(
                     Math.min(low.probability(), one.probability()),
                     Math.max(low.probability(), high.probability()),
+                    Math.min(low.marginDb(), one.marginDb()),
+                    Math.max(low.marginDb(), high.marginDb()),
                     low.isDetected() && one.isDetected(),
                     !low.isDetected() && !high.isDetected());
         }
@@ -186,6 +200,16 @@ final class CameraBounds {
         }
     }
 
-    /** The probabilities between two numbers of pixels, and whether the drone is certainly detected, or missed. */
-    private record Range(double least, double greatest, boolean isDetected, boolean isMissed) {}
+    /** The signals between two numbers of pixels, and whether the drone is certainly detected, or missed. */
+    private record Range(
+            double least,
+            double greatest,
+            double leastMarginDb,
+            double greatestMarginDb,
+            boolean isDetected,
+            boolean isMissed) {
+        AssessmentBounds bounds(Cause cause) {
+            return new AssessmentBounds(least, greatest, leastMarginDb, greatestMarginDb, cause);
+        }
+    }
 }

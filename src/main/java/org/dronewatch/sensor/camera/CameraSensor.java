@@ -149,6 +149,14 @@ public final class CameraSensor implements BoundingSensor {
                 : Optional.empty();
     }
 
+    @Override
+    public double greatestMarginDb(World site, Drone drone, FlightState state, Optional<Pointing> where) {
+        turn(site, where);
+        return settings.detection().growsWithPixels()
+                ? bounds.greatestMarginDb(picture, drone, state, pointing)
+                : Double.POSITIVE_INFINITY;
+    }
+
     /** A drone that is outside the image however it turns has no pixels; the cause depends on its position alone. */
     @Override
     public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> where) {

@@ -62,6 +62,11 @@ public final class PixelBounds {
         return pixels.mostAround();
     }
 
+    /** The same, whatever the site hides, and however many pixels have been examined. */
+    public int mostInRectangle() {
+        return pixels.mostInRectangle();
+    }
+
     /**
      * Examines all pixels around the drone if only a sample of them has been examined; the caller then counts again.
      *

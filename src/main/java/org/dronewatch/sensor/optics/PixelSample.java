@@ -208,6 +208,11 @@ final class PixelSample {
         return stride > 1 ? sampled : around;
     }
 
+    /** The number of pixels in the rectangle around the drone: no others can show it. */
+    int mostInRectangle() {
+        return sampled;
+    }
+
     /** Whether all pixels around the drone have been examined. */
     boolean isComplete() {
         return stride == 1;

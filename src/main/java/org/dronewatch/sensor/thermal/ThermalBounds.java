@@ -50,7 +50,7 @@ final class ThermalBounds {
     Optional<AssessmentBounds> atAllHeadings(Drone drone, Position at) {
         Drone there = drone.at(new FlightState(at, AT_REST, 0.0));
         double radius = there.radius();
-        double nothing = signals.of(there, 0.0).probability();
+        Signal nothing = signals.of(there, 0.0);
         if (area.camera().isOutside(at.x(), at.y(), at.z(), radius)) {
             return bounds(nothing, nothing, Cause.OUT_OF_VIEW);
         }
@@ -67,7 +67,7 @@ final class ThermalBounds {
                     : Optional.empty();
         }
         Signal most = signals.atRest(there, bounds.most(at, radius));
-        return most.isDetected() ? Optional.empty() : bounds(nothing, most.probability(), Cause.TOO_WEAK);
+        return most.isDetected() ? Optional.empty() : bounds(nothing, most, Cause.TOO_WEAK);
     }
 
     /** Those of a level drone that nothing hides, from the silhouette of its model. */
@@ -86,15 +86,15 @@ final class ThermalBounds {
             return Optional.empty();
         }
         Cause missed = isInOutline(state.position()) ? Cause.TOO_WEAK : Cause.OUT_OF_VIEW;
-        return bounds(low.probability(), high.probability(), low.isDetected() ? Cause.DETECTED : missed);
+        return bounds(low, high, low.isDetected() ? Cause.DETECTED : missed);
     }
 
     private boolean isInOutline(Position at) {
         return outline.contains(at.minus(camera));
     }
 
-    private static Optional<AssessmentBounds> bounds(double least, double greatest, Cause cause) {
-        return Optional.of(new AssessmentBounds(least, greatest, cause));
+    private static Optional<AssessmentBounds> bounds(Signal weakest, Signal strongest, Cause cause) {
+        return Optional.of(AssessmentBounds.between(weakest, strongest, cause));
     }
 
     /** The area of a drone as {@link VisibleArea#of(Drone, DoublePredicate)}; faster in a state just bounded. */

@@ -147,6 +147,12 @@ public final class ThermalSensor implements BoundingSensor {
         return bounds.of(drone, state, steps);
     }
 
+    @Override
+    public double greatestMarginDb(World world, Drone drone, FlightState state, Optional<Pointing> where) {
+        turn(world, where);
+        return bounds.most(drone.at(state)).marginDb();
+    }
+
     /** A drone that is outside the image however it turns has no area; the cause depends on its position alone. */
     @Override
     public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> where) {

@@ -315,7 +315,9 @@ class DetectionFieldTest {
                         if (one.steps(sensor, height, column, row, course)
                                         != other.steps(sensor, height, column, row, course)
                                 || one.cause(sensor, height, column, row, course)
-                                        != other.cause(sensor, height, column, row, course)) {
+                                        != other.cause(sensor, height, column, row, course)
+                                || !one.margin(sensor, height, column, row, course)
+                                        .equals(other.margin(sensor, height, column, row, course))) {
                             throw new AssertionError(other.sensors().get(sensor) + " differs at height " + height
                                     + ", column " + column + ", row " + row + ", course " + course);
                         }

@@ -18,6 +18,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.store.SiteStore;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.file.FileHash;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
@@ -80,7 +81,8 @@ class LayerStoreTest {
                         int column = cell % field.grid().columns();
                         int row = cell / field.grid().columns();
                         text.append(field.steps(sensor, height, column, row, course))
-                                .append(field.cause(sensor, height, column, row, course));
+                                .append(field.cause(sensor, height, column, row, course))
+                                .append(field.margin(sensor, height, column, row, course));
                     }
                 }
             }
@@ -197,23 +199,42 @@ class LayerStoreTest {
     @Test
     void impossibleSlicesAreRefused() {
         double[] z = {4.0, Double.NaN};
-        byte[] pool = {10, 11, (byte) 250, 0};
-        new LayerSlice(2, z, new int[][] {{-1, 250 | 11 << 8}}, new byte[][] {pool}).check(2, 1, 2);
-        List<LayerSlice> hostile = List.of(
+        int code = CellCode.of(250, Cause.DETECTED, MarginCode.of(-3.2));
+        byte[] pool = new byte[CourseCodes.most(2)];
+        CourseCodes.put(pool, 0, new int[] {code, CellCode.of(10, Cause.TOO_WEAK, MarginCode.NO_SIGNAL)});
+        new LayerSlice(2, z, new int[][] {{-1, code}}, new byte[][] {pool}).check(2, 1, 2);
+        byte[] cut = java.util.Arrays.copyOf(pool, pool.length - 1);
+        List<LayerSlice> hostile = new ArrayList<>(List.of(
                 new LayerSlice(3, z, new int[][] {{0, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, new double[3], new int[][] {{0, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{0, 0, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{0, 0}, {0, 0}}, new byte[][] {pool, pool}),
                 new LayerSlice(2, z, new int[][] {{251, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{12 << 8, 0}}, new byte[][] {pool}),
+                new LayerSlice(2, z, new int[][] {{1 << 24, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{Integer.MAX_VALUE, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{-2, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{Integer.MIN_VALUE, 0}}, new byte[][] {pool}),
-                new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {{10, 12, 0, 0}}),
-                new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {{(byte) 251, 11, 0, 0}}));
+                new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {cut}),
+                new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {new byte[0]})));
+        // More codes than courses, a probability above 1, no such cause, no such margin, twice.
+        int[][] changes = {{0, 2}, {0, 255}, {1, 251}, {2, 12}, {3, 0xff}, {5, 0x20}};
+        for (int[] change : changes) {
+            byte[] changed = pool.clone();
+            changed[change[0]] = (byte) change[1];
+            hostile.add(new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {changed}));
+        }
         for (LayerSlice one : hostile) {
             assertThatThrownBy(() -> one.check(2, 1, 2)).isInstanceOf(IllegalArgumentException.class);
         }
+        byte[] three = new byte[CourseCodes.most(3)];
+        CourseCodes.put(three, 0, new int[] {code, code - 2, code - 1});
+        LayerSlice wrong = new LayerSlice(1, new double[] {4.0}, new int[][] {{-1}}, new byte[][] {three});
+        wrong.check(1, 1, 3);
+        three[three.length - 1] = 0x3f;
+        assertThatThrownBy(() -> wrong.check(1, 1, 3))
+                .as("beyond the list")
+                .isInstanceOf(IllegalArgumentException.class);
     }
 
     /** A length that lies is compared with what is left of the file before memory is taken. */

@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.io.IOException;
@@ -11,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
@@ -22,6 +24,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.field.GapEvidence;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.RemainingCoverage;
 import org.dronewatch.geometry.Position;
@@ -267,7 +270,8 @@ class CoverageSkinTest {
             if (seen.cause(1, 2, row) == Cause.OUT_OF_VIEW) {
                 out++;
                 assertThat(new CellWords(seen, back.settings(), 1, 2, row).deciding(evidence))
-                        .isEqualTo("12 m above the ground: out of view. 'eye' decides: probability 0, no signal.");
+                        .isEqualTo("12 m above the ground: out of view. 'eye' decides: probability 0, no signal.")
+                        .isEqualTo(new CellWords(seen, back.settings(), 1, 2, row).deciding());
             }
         }
         assertThat(out).isPositive();
@@ -372,6 +376,11 @@ class CoverageSkinTest {
             assertThat(words.summary()).endsWith(CoverageTable.name(cause));
             assertThat(words.deciding(evidence))
                     .contains(". '" + field.sensors().get(deciding) + "' decides: probability ");
+            OptionalInt kept = all.deciding(height, column, row);
+            assertThat(words.deciding())
+                    .startsWith(words.summary())
+                    .contains(kept.isEmpty() ? "." : ". '" + field.sensors().get(deciding) + "' decides: probability ");
+            assertIsSameMargin(words.margin(deciding), evidence.sensors().get(deciding));
             if (cause == Cause.HIDDEN_BY_BUILDING) {
                 assertThat(words.deciding(evidence)).contains("hidden by a building (building.obj)");
             }
@@ -380,6 +389,23 @@ class CoverageSkinTest {
                         .contains(": detected. ", "decides: probability 1, ", " above its threshold of ");
                 assertThat(CellWords.margin(evidence.sensors().get(deciding))).startsWith("+");
             }
+        }
+    }
+
+    /** What is said at once against what is said with the evidence. */
+    private static void assertIsSameMargin(String kept, GapEvidence.Examined examined) {
+        double exact = examined.assessment().marginDb();
+        if (kept.isEmpty() || kept.equals("no signal")) {
+            assertThat(kept.isEmpty()).isNotEqualTo(exact == Double.NEGATIVE_INFINITY);
+            return;
+        }
+        double shown = Double.parseDouble(kept.replaceAll("[<>=]+ |,| dB", ""));
+        if (kept.startsWith("<")) {
+            assertThat(exact).isLessThanOrEqualTo(shown);
+        } else if (kept.startsWith(">")) {
+            assertThat(exact).isGreaterThanOrEqualTo(shown);
+        } else {
+            assertThat(exact).isCloseTo(shown, within(0.11));
         }
     }
 

@@ -105,6 +105,7 @@ class CameraBoundsTest {
     private static void check(String as, AssessmentBounds bounds, Assessment drawn) {
         assertThat(bounds.cause()).as(as).isEqualTo(drawn.cause());
         assertThat(drawn.probability()).as(as).isBetween(bounds.least(), bounds.greatest());
+        assertThat(drawn.marginDb()).as(as).isBetween(bounds.leastMarginDb(), bounds.greatestMarginDb());
         assertThat(STEPS.applyAsInt(bounds.least())).as(as).isEqualTo(STEPS.applyAsInt(bounds.greatest()));
     }
 

@@ -251,11 +251,13 @@ class ThermalSensorTest {
                 decided[bounds.cause() == Cause.DETECTED ? 1 : 0]++;
                 assertThat(all.cause()).as(as).isEqualTo(bounds.cause());
                 assertThat(all.probability()).as(as).isBetween(bounds.least(), bounds.greatest());
+                assertThat(all.marginDb()).as(as).isBetween(bounds.leastMarginDb(), bounds.greatestMarginDb());
             });
             quick.boundAtAllHeadings(wall, drone, at, Optional.empty()).ifPresent(bounds -> {
                 bounded.merge(bounds.cause(), 1, Integer::sum);
                 assertThat(all.cause()).as(as).isEqualTo(bounds.cause());
                 assertThat(all.probability()).as(as).isBetween(bounds.least(), bounds.greatest());
+                assertThat(all.marginDb()).as(as).isBetween(bounds.leastMarginDb(), bounds.greatestMarginDb());
             });
         }
         assertThat(bounded)
