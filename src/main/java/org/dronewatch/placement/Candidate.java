@@ -8,7 +8,7 @@ package org.dronewatch.placement;
  * @param kind such as {@code radar}; empty if kinds do not matter
  * @param exclusive the place that it takes: at most one of the candidates with the same text is chosen; empty if it
  *     excludes none
- * @param fixed whether it is there already, and is always chosen; what it costs counts
+ * @param fixed whether it is there already, and is always chosen; its cost counts
  */
 public record Candidate(String name, double cost, String kind, String exclusive, boolean fixed) {
     /** Checks the limits. */

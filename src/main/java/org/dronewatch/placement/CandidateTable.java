@@ -22,7 +22,7 @@ public final class CandidateTable {
      * @param columns one for each candidate
      * @param weights of the rows, 0 or more
      * @param undetected for each row, the impact where no chosen candidate detects; not a number where the table does
-     *     not state it. Matters for impacts only
+     *     not state it. Used for impacts only
      * @throws IllegalArgumentException when these contradict each other
      */
     public CandidateTable(

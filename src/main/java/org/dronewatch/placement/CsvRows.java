@@ -30,7 +30,7 @@ final class CsvRows {
      * A file.
      *
      * @param known the columns that it may have
-     * @param required so many of the first of these must be there
+     * @param required how many of the first of these must be there
      */
     private CsvRows(Path file, List<String> known, int required) {
         this.name = PlainText.value(file);

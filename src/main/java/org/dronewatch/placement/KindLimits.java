@@ -10,8 +10,8 @@ public record KindLimits(int atLeast, int atMost) {
     /** Checks the limits. */
     public KindLimits {
         if (atLeast < 0 || atMost < atLeast) {
-            throw new IllegalArgumentException(
-                    "at least " + atLeast + ", at most " + atMost + ": must be 0 or more, and not contradict");
+            throw new IllegalArgumentException("at least " + atLeast + ", at most " + atMost
+                    + ": must be 0 or more, and must not contradict each other");
         }
     }
 }

@@ -5,12 +5,12 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 
 /**
- * What a layout must comply with, beside the fixed candidates and exclusive places of its table. Immutable.
+ * What a layout must comply with, in addition to the fixed candidates and exclusive places of its table. Immutable.
  *
  * @param budget greatest sum of costs; infinite for none
  * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for any
  * @param kinds limits by kind
- * @param fold in a row, the value that so many chosen candidates reach counts: 1 or more
+ * @param fold how many chosen candidates must reach a value for it to count in a row, 1 or more
  * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate
  */
 public record PlacementConditions(

@@ -1,10 +1,13 @@
 package org.dronewatch.placement;
 
-/** What is to be made best. With k-fold conditions, the k-th best of the chosen candidates counts in a row. */
+/**
+ * The objective of a placement: what is maximised or minimised. With k-fold conditions, the k-th best of the chosen
+ * candidates counts in a row.
+ */
 public enum PlacementObjective {
     /**
-     * The greatest sum, over the rows, of weight times the best value of a chosen candidate; 0 where none reaches.
-     * With values of 1, it is the covered weight.
+     * The greatest sum, over the rows, of weight times the best value of a chosen candidate; 0 where none reaches the
+     * row. With values of 1, it is the covered weight.
      */
     COVERED_WEIGHT(true),
     /**

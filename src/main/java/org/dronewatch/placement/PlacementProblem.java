@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Candidates, what is to be made best, and conditions. Immutable; for all threads. */
+/** Candidates, an objective, and conditions. Immutable; for all threads. */
 public final class PlacementProblem {
     /** The greatest probability that counts. */
     public static final double CERTAIN = 1.0 - 1e-6;
@@ -77,7 +77,7 @@ public final class PlacementProblem {
         return table;
     }
 
-    /** What is to be made best. */
+    /** The objective. */
     public PlacementObjective objective() {
         return objective;
     }

@@ -7,10 +7,10 @@ import java.util.function.BooleanSupplier;
  *
  * @param gap it ends once value and bound differ by at most this fraction of the value; 0 to prove the best
  * @param seconds it ends after this time; infinite for no limit. What it has found by then depends on the machine
- * @param isStopped asked again and again; it ends soon after this is true
+ * @param isStopped queried repeatedly; it ends soon after this is true
  */
 public record SolverLimits(double gap, double seconds, BooleanSupplier isStopped) {
-    /** Until the best is proven. */
+    /** No limit: the search ends once the best is proven. */
     public static final SolverLimits NONE = new SolverLimits(0.0, Double.POSITIVE_INFINITY, () -> false);
 
     /** Checks the limits. */

@@ -1,2 +1,2 @@
-/** The best layout for the money: candidates, what each contributes, conditions, and what is to be made best. */
+/** The best layout for the money: candidates, what each contributes, conditions, and an objective. */
 package org.dronewatch.placement;

@@ -194,7 +194,7 @@ final class MissionRoute {
                             + ", the launch, from which its height is measured: the site has a hole or ends there"));
             warnings.accept(String.format(
                     Locale.ROOT,
-                    "%s: the launch lies where the site has a hole or ends: heights are measured from %.1f m above sea level, as the plan says",
+                    "%s: the launch lies where the site has a hole or ends: heights are measured from %.1f m above sea level, as the plan states",
                     settings.plan(),
                     height));
             return height;

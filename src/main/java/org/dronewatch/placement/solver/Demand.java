@@ -1,7 +1,7 @@
 package org.dronewatch.placement.solver;
 
 /**
- * So many of some candidates must be chosen.
+ * A number of some candidates that must be chosen.
  *
  * @param candidates ascending
  * @param need 1 or more

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * A Lagrangian relaxation: for any multipliers of the rows, an upper bound of the gain of all choices that agree with
- * some decisions. The rows no longer bind the candidates together, so that each has a share of its own. Not
+ * some decisions. The rows no longer bind the candidates together, so that each has a separate share. Not
  * thread-safe.
  */
 abstract class Dual {
@@ -29,7 +29,7 @@ abstract class Dual {
             case BEST_SUM -> new BestSumDual(gains, rules);
             case SUM_LEAST -> new SumLeastDual(gains, rules);
             case SATURATED_SUM -> new SaturatedSumDual(gains, rules);
-            case BEST_LEAST -> throw new IllegalArgumentException("the p-centre has a search of its own");
+            case BEST_LEAST -> throw new IllegalArgumentException("the p-centre has a separate search");
         };
     }
 

@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * The choice with the greatest sum of shares, at least as great as any that complies. Number, kinds and the exclusive
  * places of one kind each form a laminar matroid, for which the greedy choice is the best; the budget enters by a
- * price, the Lagrange multiplier with the least bound. Minimum numbers and the other exclusive places are left out
- * of account. Not thread-safe.
+ * price, the Lagrange multiplier with the least bound. Minimum numbers and the other exclusive places are not taken
+ * into account. Not thread-safe.
  */
 final class Selection {
     private static final int BISECTIONS = 24;

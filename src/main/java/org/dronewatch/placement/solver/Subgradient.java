@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 final class Subgradient {
     private static final int PATIENCE = 12;
 
-    /** So many steps lie between two choices that are improved by swaps. */
+    /** The number of steps between two choices that are improved by swaps. */
     private static final int PERIOD = 8;
 
     private static final double LEAST_FACTOR = 1e-3;

@@ -89,8 +89,8 @@ final class TiffDirectory {
 
     private void checkTags(long count) {
         if (count < 1 || count > MOST_TAGS) {
-            throw new InputException(bytes.name() + ": says that it has " + count + " tags, must be 1 to " + MOST_TAGS
-                    + ": it is damaged");
+            throw new InputException(
+                    bytes.name() + ": states " + count + " tags, must be 1 to " + MOST_TAGS + ": it is damaged");
         }
     }
 
