@@ -71,7 +71,7 @@ record FreeSight(World world, Drone drone, String sensor, long seed) {
     /** How likely a look is to detect the drone at a range. */
     @FunctionalInterface
     interface Probability {
-        /** At a range in m: 0 to 1. */
+        /** The probability at a range in m, 0 to 1. */
         double at(double range);
     }
 }

@@ -57,7 +57,7 @@ public abstract class RayPacket {
         return hits[ray];
     }
 
-    /** How far from its origin a ray hits a triangle, m; undefined if it hits none. */
+    /** The distance from the origin of a ray to the triangle that it hits, m; undefined if it hits none. */
     public final double distance(int ray) {
         return distances[ray];
     }

@@ -95,7 +95,7 @@ public final class VariantSummary {
         return cutShort;
     }
 
-    /** How many cases have an outcome; empty where it makes no sense in any. */
+    /** The number of cases that have an outcome, of those in which it makes sense; empty if there are none. */
     public Optional<Proportion> proportion(Outcome outcome) {
         return proportion(outcomes, outcome);
     }
@@ -119,7 +119,7 @@ public final class VariantSummary {
         return proportion(drones.getOrDefault(drone, Map.of()), outcome);
     }
 
-    /** In how many cases each sensor was the first to detect, by its name; in the order of the names. */
+    /** The number of cases in which each sensor was the first to detect, by its name; in the order of the names. */
     public Map<String, Integer> firstSensors() {
         return Collections.unmodifiableMap(firstSensors);
     }

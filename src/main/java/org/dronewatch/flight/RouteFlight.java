@@ -72,7 +72,7 @@ public record RouteFlight(Position from, List<RouteLeg> legs) implements FlightP
     }
 
     /**
-     * When it arrives at the end, s.
+     * The time at which it arrives at the end, s.
      *
      * @param speed cruise speed, m/s
      */

@@ -27,7 +27,7 @@ enum RasterMode {
         }
     };
 
-    /** How many triangles are many. */
+    /** The number of triangles from which they count as many. */
     static final int MANY_TRIANGLES = 500_000;
 
     private final int nodesAtOnce;

@@ -50,7 +50,7 @@ public final class PlanDirections {
         return angle < 0.0 ? angle + 2.0 * Math.PI : angle;
     }
 
-    /** How many directions there are. */
+    /** The number of directions. */
     public int count() {
         return steps.length;
     }

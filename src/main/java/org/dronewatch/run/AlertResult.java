@@ -33,7 +33,7 @@ public record AlertResult(
         Optional<String> zone,
         Optional<Boolean> inTime) {
 
-    /** When the alert was raised, s; empty if never. */
+    /** The time at which the alert was raised, s; empty if never. */
     public OptionalDouble time() {
         return alert.map(one -> OptionalDouble.of(one.time())).orElse(OptionalDouble.empty());
     }

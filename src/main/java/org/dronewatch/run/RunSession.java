@@ -111,14 +111,17 @@ public final class RunSession implements AutoCloseable {
         return stage;
     }
 
-    /** When the next sensors look, seconds since the start of the run; empty when the run has ended or is cancelled. */
+    /**
+     * The time at which the next sensors look, seconds since the start of the run; empty when the run has ended or is
+     * cancelled.
+     */
     public OptionalDouble nextTime() {
         double next = stage.nextLook();
         boolean over = isEnded() || isPastEnd(next) || control.cancelled().getAsBoolean();
         return over ? OptionalDouble.empty() : OptionalDouble.of(next);
     }
 
-    /** When sensors last looked, seconds since the start of the run; 0 before they have. */
+    /** The time at which sensors last looked, seconds since the start of the run; 0 before they have. */
     public double reached() {
         return reached;
     }

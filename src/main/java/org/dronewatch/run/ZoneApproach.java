@@ -37,7 +37,7 @@ public final class ZoneApproach {
         this.reach = path.topSpeed().orElse(Double.POSITIVE_INFINITY) * step;
     }
 
-    /** When it first reaches the zone, seconds since the start of the run; empty if it does not. */
+    /** The time at which it first reaches the zone, seconds since the start of the run; empty if it does not. */
     public OptionalDouble entered() {
         Position from = path.position(0.0);
         int segment = 0;

@@ -22,12 +22,12 @@ public final class SweptValue {
         this.quantity = path.quantity(settings);
     }
 
-    /** With the whole path: {@code sensors.camera.fov=30 deg}. */
+    /** The value with the whole path of the setting: {@code sensors.camera.fov=30 deg}. */
     public String text() {
         return (parameter + "=" + number() + " " + quantity.displayUnit()).strip();
     }
 
-    /** With the name of the setting only: {@code fov 30 deg}. */
+    /** The value with the name of the setting only: {@code fov 30 deg}. */
     public String shortText() {
         return name() + " " + value();
     }

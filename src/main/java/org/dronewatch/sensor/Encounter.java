@@ -31,8 +31,9 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     public static final double SEARCH_TIME = 3.4;
 
     /**
-     * How long a drone may be out of sight within one encounter, s: three times the search time, after which the
-     * observer has to search again. Assumed. For a sensor with a low rate, 1.5 times the interval between two looks.
+     * The longest time for which a drone may be out of sight within one encounter, s: three times the search time,
+     * after which the observer has to search again. Assumed. For a sensor with a low rate, 1.5 times the interval
+     * between two looks.
      */
     public static final double GAP = 10.0;
 

@@ -19,7 +19,7 @@ public record Measurement(LookId look, Reading reading, Optional<Sighting> sight
         return look.sensor();
     }
 
-    /** When the sensor obtained it, seconds since the start of the run. */
+    /** The time at which the sensor obtained it, seconds since the start of the run. */
     public double time() {
         return look.time();
     }

@@ -85,12 +85,14 @@ public record Observation(
         return truth.drone();
     }
 
-    /** When the measured event happened, seconds since the start of the run. */
+    /** The time at which the measured event happened, seconds since the start of the run. */
     public double time() {
         return truth.time();
     }
 
-    /** When it reached the sensor, seconds since the start of the run: later than {@link #time} for sound. */
+    /**
+     * The time at which it reached the sensor, seconds since the start of the run: later than {@link #time} for sound.
+     */
     public double arrival() {
         return look.time();
     }

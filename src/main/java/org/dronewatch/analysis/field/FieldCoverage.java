@@ -163,7 +163,7 @@ public final class FieldCoverage {
                 && !field.isOutside(height, column, row);
     }
 
-    /** How many sensors cover a cell. */
+    /** The number of sensors that cover a cell. */
     public int count(int height, int column, int row) {
         return counts[index(height, column, row)];
     }

@@ -90,7 +90,10 @@ public final class VisibleHeights {
         return columns;
     }
 
-    /** In how many columns a sensor, given by its number, has a clear line of sight from a height, m, or lower. */
+    /**
+     * The number of columns in which a sensor, given by its number, has a clear line of sight from a height, m, or
+     * lower.
+     */
     public int count(int sensor, double height) {
         int count = 0;
         for (float its : heights[sensor]) {

@@ -89,8 +89,7 @@ record CellState(StateKind kind, Cause cause) implements Comparable<CellState> {
         };
     }
 
-    /**
-     * In words.
+    /** The state in words.
      *
      * @param isWithin whether the drone has to be detected within a time
      */
@@ -99,7 +98,7 @@ record CellState(StateKind kind, Cause cause) implements Comparable<CellState> {
             case COVERED, MISSED, UNKNOWN -> CoverageTable.name(cause);
             case LOST -> "no longer covered";
             case NO_SENSOR -> "no sensor";
-            case TOO_RARELY -> isWithin ? "detected given more time" : "detected, but less surely";
+            case TOO_RARELY -> isWithin ? "detected given more time" : "detected, but less reliably";
             case INSIDE -> "inside something solid";
             case OUTSIDE -> "outside the area";
         };

@@ -83,7 +83,7 @@ public final class FieldTable {
         return (lost < 0 ? "-" : "") + percent(Math.abs(lost), height);
     }
 
-    /** In how many columns each sensor has a clear line of sight from each height or lower, in percent. */
+    /** The percentage of columns in which each sensor has a clear line of sight from each height or lower. */
     public static List<String> visible(VisibleHeights visible) {
         List<Double> heights = visible.grid().heights();
         List<String> lines = new ArrayList<>();
@@ -105,7 +105,7 @@ public final class FieldTable {
         return lines;
     }
 
-    /** In how many columns a sensor detects the drone at each height or lower, in percent. */
+    /** The percentage of columns in which a sensor detects the drone at each height or lower. */
     public static List<String> detectable(DetectableHeights detectable) {
         StringBuilder header = new StringBuilder(text("%-24s", ""));
         StringBuilder line = new StringBuilder(text("%-24s", "detected"));

@@ -116,7 +116,7 @@ final class MapContent implements DrawnFeatures {
         return features;
     }
 
-    /** Those of all roles that most scenes have, and of the others where they occur. */
+    /** The folders of all roles that most scenes have, and of the others where they occur. */
     @Override
     public List<String> folders() {
         List<StyledFeature> features = features();

@@ -28,7 +28,7 @@ enum Role {
     /** Width of lines in pixels. */
     static final double STROKE = 2.0;
 
-    /** How opaque areas are, 0 to 1: they lie over one another and over the map. */
+    /** The opacity of areas, 0 to 1: they lie over one another and over the map. */
     static final double OPACITY = 0.15;
 
     private final String folder;
@@ -44,7 +44,7 @@ enum Role {
         return folder;
     }
 
-    /** How large its marker is. */
+    /** The size of its marker. */
     Size size() {
         return size;
     }

@@ -64,8 +64,8 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
     }
 
     /**
-     * How many runs with the same seeds detect the drone with all cues: positioners follow what their own sensors see,
-     * and other sensors, or false alarms, cue them. Each is a plain run.
+     * The number of runs with the same seeds that detect the drone with all cues: positioners follow what their own
+     * sensors see, and other sensors, or false alarms, cue them. Each is a plain run.
      *
      * @param scene parameters as above
      */

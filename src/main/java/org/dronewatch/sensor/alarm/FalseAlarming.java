@@ -22,8 +22,8 @@ public interface FalseAlarming {
     }
 
     /**
-     * How many of three random numbers, 0 to 1 each, determine the cell of a false alarm, 0 to 3; 0 unless overridden,
-     * for a sensor that measures no direction.
+     * The number of random numbers, each from 0 to 1, that determine the cell of a false alarm, 0 to 3; 0 unless
+     * overridden, for a sensor that measures no direction.
      */
     default int dimensions() {
         return 0;

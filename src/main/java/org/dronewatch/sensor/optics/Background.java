@@ -6,6 +6,6 @@ interface Background {
     /** Nothing: every drone is seen whole. */
     Background NOTHING = (column, row) -> Float.POSITIVE_INFINITY;
 
-    /** How far away it is along a pixel's ray, m; infinity for none. */
+    /** Its distance along a pixel's ray, m; infinity for none. */
     float distance(int column, int row);
 }

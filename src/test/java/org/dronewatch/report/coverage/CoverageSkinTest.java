@@ -145,7 +145,7 @@ class CoverageSkinTest {
             }
             assertThat(words(skin))
                     .contains(String.format(Locale.ROOT, "detected: %.1f %%", 100.0 * counts.get(true) / all));
-            String surely = String.format(Locale.ROOT, "detected, but less surely: %.1f %%", 100.0 * less / all);
+            String surely = String.format(Locale.ROOT, "detected, but less reliably: %.1f %%", 100.0 * less / all);
             assertThat(less > 0).isEqualTo(covered == 0.9);
             assertThat(words(skin).contains(surely)).isEqualTo(less > 0);
         }
