@@ -2,6 +2,7 @@ package org.dronewatch.route;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import org.dronewatch.parallel.Workers;
 
 /**
  * A certified lower bound of the exposure of all routes to the goals, not only of those over posts. A function of the
@@ -69,6 +70,7 @@ final class ExposureBound {
         for (int round = 0; isChanged && round < ROUNDS; round++) {
             isChanged = false;
             for (int direction = 0; direction < directions; direction++) {
+                Workers.checkInterrupted();
                 isChanged |= sweep(direction);
             }
         }

@@ -2,14 +2,20 @@ package org.dronewatch.route;
 
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The directions in plan in which a route may leave a post, clockwise from north: each leads to another post without
  * passing one. The shortest path over them is longer than the straight line by at most {@link #stretch()}.
  */
 public final class PlanDirections {
-    private static final int[][] OCTANT = {{1, 0}, {1, 1}, {2, 1}, {3, 1}, {3, 2}};
+    /** Steps in one octant by the number of all directions, without those along an axis and a diagonal. */
+    private static final Map<Integer, int[][]> STEPS = Map.of(
+            8, new int[][] {}, 16, new int[][] {{2, 1}}, 32, new int[][] {{3, 1}, {2, 1}, {3, 2}}, 48, new int[][] {
+                {6, 1}, {3, 1}, {2, 1}, {3, 2}, {5, 4}
+            });
 
     private final int[][] steps;
     private final double[] headings;
@@ -23,26 +29,23 @@ public final class PlanDirections {
     /**
      * A set of directions.
      *
-     * @param count 8, 16 or 32
+     * @param count 8, 16, 32 or 48
      * @throws IllegalArgumentException for another number
      */
     public static PlanDirections of(int count) {
-        int kinds =
-                switch (count) {
-                    case 8 -> 2;
-                    case 16 -> 3;
-                    case 32 -> 5;
-                    default -> throw new IllegalArgumentException(count + " directions: must be 8, 16 or 32");
-                };
-        return new PlanDirections(Arrays.stream(OCTANT, 0, kinds)
-                .flatMap(step -> Arrays.stream(new int[][] {step, {step[1], step[0]}}))
-                .flatMap(step -> Arrays.stream(
-                        new int[][] {step, {-step[0], step[1]}, {step[0], -step[1]}, {-step[0], -step[1]}}))
-                .collect(Collectors.toMap(Arrays::toString, step -> step, (one, same) -> one))
-                .values()
-                .stream()
-                .sorted(Comparator.comparingDouble(PlanDirections::heading))
-                .toArray(int[][]::new));
+        if (!STEPS.containsKey(count)) {
+            throw new IllegalArgumentException(count + " directions: must be 8, 16, 32 or 48");
+        }
+        return new PlanDirections(
+                Stream.concat(Stream.of(new int[] {1, 0}, new int[] {1, 1}), Arrays.stream(STEPS.get(count)))
+                        .flatMap(step -> Arrays.stream(new int[][] {step, {step[1], step[0]}}))
+                        .flatMap(step -> Arrays.stream(
+                                new int[][] {step, {-step[0], step[1]}, {step[0], -step[1]}, {-step[0], -step[1]}}))
+                        .collect(Collectors.toMap(Arrays::toString, step -> step, (one, same) -> one))
+                        .values()
+                        .stream()
+                        .sorted(Comparator.comparingDouble(PlanDirections::heading))
+                        .toArray(int[][]::new));
     }
 
     private static double heading(int[] step) {
@@ -79,7 +82,7 @@ public final class PlanDirections {
         return widest;
     }
 
-    /** {@code 1 / cos(half the largest angle)}: 1.0824, 1.0275 and 1.0131 for 8, 16 and 32 directions. */
+    /** {@code 1 / cos(half the largest angle)}: 1.0824, 1.0275, 1.0131 and 1.0034 for 8, 16, 32 and 48 directions. */
     public double stretch() {
         return 1.0 / Math.cos(0.5 * widest());
     }

@@ -3,6 +3,7 @@ package org.dronewatch.route;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.concurrent.CancellationException;
+import org.dronewatch.parallel.Workers;
 
 /**
  * The least exposed routes from all posts to the goals at once: Dijkstra's algorithm, backwards from the goals. A state
@@ -83,8 +84,8 @@ final class RouteSearch {
             if (queue.key() == cost[state]) {
                 settle(state);
             }
-            if (++count % PATIENCE == 0 && Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("the route search was interrupted");
+            if (++count % PATIENCE == 0) {
+                Workers.checkInterrupted();
             }
         }
         return new RouteTree(problem, cost, next);

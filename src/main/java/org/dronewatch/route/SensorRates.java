@@ -7,7 +7,6 @@ import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InterpolationError;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.CrossingBlind;
@@ -30,14 +29,12 @@ final class SensorRates {
     /** The steps of a probability in a field. */
     private static final int STEPS = 250;
 
-    /** Less than this passes like nothing, as a power of ten. */
-    private static final double NOTHING = -3.0;
-
     private final DetectionField field;
     private final int sensor;
     private final FieldCells cells;
-    private final Optional<CrossingBlind> blind;
-    private final Position position;
+
+    /** Empty if the sensor does not reject low radial speeds. */
+    private final Optional<RadialResponse> response;
 
     /** Of the courses that matter: first the compass headings, then those across the line of sight. */
     private final int[] courses;
@@ -46,9 +43,6 @@ final class SensorRates {
 
     /** The motions on the compass headings. */
     private final LegMotion[] motions;
-
-    /** The sides on which the other courses cross the line of sight: 1 clockwise from it, -1 anticlockwise. */
-    private final double[] sides;
 
     /** By step of the probability, 1/s. */
     private final double[] rates = new double[STEPS + 1];
@@ -63,8 +57,6 @@ final class SensorRates {
         this.sensor = sensor;
         this.cells = new FieldCells(field);
         SensorSettings<?> its = settings.enabledSensors().get(field.sensors().get(sensor));
-        this.blind = its.as(CrossingBlind.class);
-        this.position = its.position();
         List<Course> all = field.courses();
         int[] compass = IntStream.range(0, all.size())
                 .filter(i -> all.get(i).kind() == Course.Kind.COMPASS)
@@ -81,9 +73,9 @@ final class SensorRates {
         this.motions = IntStream.of(compass)
                 .mapToObj(i -> flown.mode().motion(all.get(i).angle()))
                 .toArray(LegMotion[]::new);
-        this.sides = IntStream.of(across)
-                .mapToDouble(i -> Math.signum(all.get(i).angle()))
-                .toArray();
+        List<Course> crossing = IntStream.of(across).mapToObj(all::get).toList();
+        this.response =
+                its.as(CrossingBlind.class).map(blind -> new RadialResponse(blind, its.position(), motions, crossing));
         double looks = Math.min(its.rate(), flown.mode().speed() / unknownOver());
         for (int step = 1; step <= STEPS; step++) {
             rates[step] = rate(its, (double) step / STEPS, step == STEPS ? its.rate() : looks);
@@ -123,30 +115,40 @@ final class SensorRates {
 
     /** The rate at a position in a cell, 1/s. */
     double rate(int level, int column, int row, double x, double y, double z, LegMotion motion) {
-        if (blind.isEmpty()) {
+        if (response.isEmpty()) {
             return rates[steps(level, column, row, nearest(motion))];
         }
         if (isAlike(level, column, row)) {
             return rates[steps(level, column, row, 0)];
         }
-        double passing = blind.get().response(radial(x, y, z, motion.east(), motion.north(), motion.up()));
-        return new Between(level, column, row, motion, passing).rate();
+        CourseBracket bracket = bracket(level, column, row, response.get().of(x, y, z, motion), motion);
+        int low = steps(level, column, row, bracket.below());
+        int high = steps(level, column, row, bracket.above());
+        int between = low == high ? low : (int) Math.rint(low + bracket.fraction() * (high - low));
+        // 0 and 1 are exact.
+        boolean isExact = between == low || between == high;
+        return rates[isExact ? between : Math.max(1, Math.min(STEPS - 1, between))];
+    }
+
+    private CourseBracket bracket(int level, int column, int row, double passing, LegMotion motion) {
+        return response.orElseThrow()
+                .courses(cells.x(column), cells.y(row), cells.z(level, column, row), passing, motion);
     }
 
     /** The course on which the sensor sees most nearly what it sees of a drone at a position in a cell. */
     int course(int level, int column, int row, double x, double y, double z, LegMotion motion) {
-        if (blind.isEmpty() || isAlike(level, column, row)) {
+        if (response.isEmpty() || isAlike(level, column, row)) {
             return courses[nearest(motion)];
         }
-        double passing = blind.get().response(radial(x, y, z, motion.east(), motion.north(), motion.up()));
-        return courses[new Between(level, column, row, motion, passing).nearer()];
+        CourseBracket bracket = bracket(level, column, row, response.get().of(x, y, z, motion), motion);
+        return courses[bracket.fraction() < 0.5 ? bracket.below() : bracket.above()];
     }
 
     /**
      * The least rate in a cell on one compass heading; of a sensor that rejects low radial speeds, that on any course.
      */
     double least(int level, int column, int row, int heading) {
-        if (blind.isEmpty()) {
+        if (response.isEmpty()) {
             return rates[steps(level, column, row, heading)];
         }
         int least = STEPS;
@@ -176,98 +178,5 @@ final class SensorRates {
             most = Math.max(along, most);
         }
         return nearest;
-    }
-
-    /** The rate at which the distance from the sensor changes, m/s. */
-    private double radial(double x, double y, double z, double east, double north, double up) {
-        double dx = x - position.x();
-        double dy = y - position.y();
-        double dz = z - position.z();
-        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return (dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL);
-    }
-
-    /** The courses of a cell on which no more and no less of the signal passes than of a drone on another course. */
-    private final class Between {
-        private final int level;
-        private final int column;
-        private final int row;
-        private final LegMotion motion;
-        private final double passing;
-        private int below = -1;
-        private int above = -1;
-        private double passingBelow;
-        private double passingAbove;
-        private double alongBelow;
-        private double alongAbove;
-
-        Between(int level, int column, int row, LegMotion motion, double passing) {
-            this.level = level;
-            this.column = column;
-            this.row = row;
-            this.motion = motion;
-            this.passing = passing;
-            double x = cells.x(column);
-            double y = cells.y(row);
-            double z = cells.z(level, column, row);
-            for (int course = 0; course < headings; course++) {
-                LegMotion on = motions[course];
-                double along = motion.east() * on.east() + motion.north() * on.north();
-                take(course, blind.get().response(radial(x, y, z, on.east(), on.north(), on.up())), along);
-            }
-            double dx = x - position.x();
-            double dy = y - position.y();
-            for (int i = 0; i < sides.length; i++) {
-                double along = sides[i] * (motion.east() * dy - motion.north() * dx);
-                double sunk = blind.get().response(radial(x, y, z, 0.0, 0.0, motions[0].up()));
-                take(headings + i, sunk, along);
-            }
-        }
-
-        /** Of several courses on which equally much passes, that with the nearest heading. */
-        private void take(int course, double passes, double along) {
-            if (passes <= passing
-                    && (below < 0 || passes > passingBelow || passes == passingBelow && along > alongBelow)) {
-                below = course;
-                passingBelow = passes;
-                alongBelow = along;
-            }
-            if (passes >= passing
-                    && (above < 0 || passes < passingAbove || passes == passingAbove && along > alongAbove)) {
-                above = course;
-                passingAbove = passes;
-                alongAbove = along;
-            }
-        }
-
-        double rate() {
-            int low = steps(level, column, row, below < 0 ? above : below);
-            int high = steps(level, column, row, above < 0 ? below : above);
-            if (low == high) {
-                return rates[low];
-            }
-            int between = (int) Math.rint(low + fraction() * (high - low));
-            // 0 and 1 are exact.
-            boolean isExact = between == low || between == high;
-            return rates[isExact ? between : Math.max(1, Math.min(STEPS - 1, between))];
-        }
-
-        /** Whether more like the course above, 0 to 1, by the level of what passes. */
-        private double fraction() {
-            double low = decades(passingBelow);
-            double high = decades(passingAbove);
-            return high > low ? (decades(passing) - low) / (high - low) : 0.0;
-        }
-
-        int nearer() {
-            if (below < 0 || above < 0) {
-                return below < 0 ? above : below;
-            }
-            return fraction() < 0.5 ? below : above;
-        }
-    }
-
-    private static double decades(double passing) {
-        return Math.max(NOTHING, Math.log10(passing));
     }
 }

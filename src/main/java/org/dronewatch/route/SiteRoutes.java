@@ -116,7 +116,7 @@ public final class SiteRoutes {
                 exposure,
                 modes.stream().map(ModeField::mode).toList(),
                 limits.hover() ? 0.0 : cruise / limits.turnRate(),
-                PlanDirections.of(limits.hover() ? 32 : 16),
+                PlanDirections.of(limits.hover() ? 48 : 16),
                 starts,
                 goals,
                 Passage.through(stage.world()));

@@ -5,7 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 
 /**
  * The least exposed routes from anywhere to the goals. They are searched for over the posts of a grid, then smoothed:
@@ -27,14 +30,22 @@ public final class WeakestRoutes {
     /** The posts of all cubes in which what counts may end. */
     private final BitSet ends;
 
+    /** Searches and computes the bound, in parallel if a thread is available. */
     private WeakestRoutes(
-            RouteProblem problem, RouteProblem priced, RouteTree tree, Optional<RouteTree> onwards, BitSet ends) {
+            RouteProblem problem,
+            RouteProblem priced,
+            Supplier<RouteTree> search,
+            Optional<RouteTree> onwards,
+            BitSet ends) {
         this.problem = problem;
         this.priced = priced;
-        this.tree = tree;
         this.onwards = onwards;
-        this.bound = ExposureBound.of(problem, ends);
         this.ends = (BitSet) ends.clone();
+        AtomicReference<RouteTree> found = new AtomicReference<>();
+        AtomicReference<ExposureBound> certified = new AtomicReference<>();
+        Workers.both(() -> found.set(search.get()), () -> certified.set(ExposureBound.of(problem, ends)));
+        this.tree = found.get();
+        this.bound = certified.get();
     }
 
     /**
@@ -56,7 +67,7 @@ public final class WeakestRoutes {
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
         RouteProblem priced = problem.withField(problem.field().plus(price));
-        return new WeakestRoutes(problem, priced, RouteSearch.toGoals(priced), Optional.empty(), reached);
+        return new WeakestRoutes(problem, priced, () -> RouteSearch.toGoals(priced), Optional.empty(), reached);
     }
 
     /**
@@ -79,11 +90,18 @@ public final class WeakestRoutes {
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
         RouteProblem fastest = problem.withField(new Clock());
-        RouteTree times = RouteSearch.toGoals(fastest);
-        BitSet tooLate = ExposureBound.of(fastest, reached).within(response);
+        AtomicReference<RouteTree> times = new AtomicReference<>();
+        AtomicReference<BitSet> tooLate = new AtomicReference<>();
+        Workers.both(
+                () -> times.set(RouteSearch.toGoals(fastest)),
+                () -> tooLate.set(ExposureBound.of(fastest, reached).within(response)));
         RouteProblem priced = problem.withField(problem.field().plus(price));
         return new WeakestRoutes(
-                problem, priced, RouteSearch.toStates(priced, times, response), Optional.of(times), tooLate);
+                problem,
+                priced,
+                () -> RouteSearch.toStates(priced, times.get(), response),
+                Optional.of(times.get()),
+                tooLate.get());
     }
 
     /** A field whose exposure is the time, s. */

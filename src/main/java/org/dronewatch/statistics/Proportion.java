@@ -1,6 +1,7 @@
 package org.dronewatch.statistics;
 
 import org.apache.commons.numbers.gamma.InverseErfc;
+import org.apache.commons.numbers.gamma.RegularizedBeta;
 
 /**
  * How many of a number of independent cases had an outcome, and what that says of its probability.
@@ -40,6 +41,23 @@ public record Proportion(int count, int of) {
         // Rounding must not carry a bound past the end: 0 of n cases begins at 0 exactly.
         return new Interval(
                 count == 0 ? 0.0 : Math.max(0.0, middle - half), count == of ? 1.0 : Math.min(1.0, middle + half));
+    }
+
+    /**
+     * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): neither as many cases
+     * or more nor as few or fewer have a probability below half of what the confidence leaves. Over many campaigns, the
+     * true probability is in it in a fraction of at least {@code confidence} of them, also where Wilson's interval
+     * contains it less often: where less than one case is expected.
+     *
+     * @param probability 0 to 1
+     * @param confidence such as 0.95, above 0 and below 1
+     */
+    public boolean isPlausible(double probability, double confidence) {
+        double least = 0.5 * (1.0 - confidence);
+        // The tails of the binomial distribution as incomplete beta functions.
+        double asMany = count == 0 ? 1.0 : RegularizedBeta.value(probability, count, of - count + 1.0);
+        double asFew = count == of ? 1.0 : RegularizedBeta.complement(probability, count + 1.0, of - count);
+        return asMany >= least && asFew >= least;
     }
 
     /** The number of standard deviations within which a normally distributed value lies with some confidence. */

@@ -29,6 +29,35 @@ class ProportionTest {
         assertThat(interval.high()).isCloseTo(high, within(5e-7));
     }
 
+    /** Clopper and Pearson's interval: for 1 of 10 cases .002529 to .445016. */
+    @ParameterizedTest
+    @CsvSource({"1, 10, .002529, .445016", "0, 300, 0, .012221", "300, 300, .987779, 1"})
+    void exactInterval(int count, int of, double low, double high) {
+        Proportion cases = new Proportion(count, of);
+
+        assertThat(cases.isPlausible(low + 1e-6, 0.95)).isTrue();
+        assertThat(cases.isPlausible(high - 1e-6, 0.95)).isTrue();
+        assertThat(count > 0 && cases.isPlausible(low - 1e-6, 0.95)).isFalse();
+        assertThat(count < of && cases.isPlausible(high + 1e-6, 0.95)).isFalse();
+    }
+
+    /** One of a thousand, where 0.07 are expected, happens in 7 of 100 campaigns: too rarely by Wilson's interval. */
+    @Test
+    void theExactIntervalContainsTheProbabilityAtLeastAsOftenAsItSays() {
+        for (double p : new double[] {1e-6, 7e-5, 1e-3, 0.02, 0.3, 0.5}) {
+            double exact = 0.0;
+            double wilson = 0.0;
+            double chance = Math.pow(1.0 - p, 1000);
+            for (int k = 0; k <= 1000; k++) {
+                exact += new Proportion(k, 1000).isPlausible(p, 0.99) ? chance : 0.0;
+                wilson += new Proportion(k, 1000).wilson(0.99).contains(p) ? chance : 0.0;
+                chance *= (1000.0 - k) / (k + 1.0) * p / (1.0 - p);
+            }
+            assertThat(exact).as("p = %s", p).isGreaterThan(0.99);
+            assertThat(wilson < 0.94).isEqualTo(p == 7e-5);
+        }
+    }
+
     @Test
     void withoutCasesNothingIsKnown() {
         assertThat(new Proportion(0, 0).wilson(0.95)).isEqualTo(new Interval(0.0, 1.0));

@@ -100,9 +100,13 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
         return detections.wilson(CONFIDENCE);
     }
 
-    /** Whether the prediction lies in the interval. */
+    /**
+     * Whether the prediction lies in this interval or in the exact one: where less than one detection is expected, a
+     * single one is not so rare as Wilson's interval has it.
+     */
     public boolean agrees() {
-        return predicted >= interval().low() - ROUNDING
+        boolean isInside = predicted >= interval().low() - ROUNDING
                 && predicted <= interval().high() + ROUNDING;
+        return isInside || detections.isPlausible(predicted, CONFIDENCE);
     }
 }

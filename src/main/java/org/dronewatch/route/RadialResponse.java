@@ -1,0 +1,73 @@
+package org.dronewatch.route;
+
+import java.util.List;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.CrossingBlind;
+
+/**
+ * How much of a drone's signal passes in a sensor that rejects low radial speeds: in flight, and on the courses of a
+ * detection field. Immutable and thread-safe.
+ */
+final class RadialResponse {
+    private final CrossingBlind blind;
+    private final Position position;
+
+    /** The motions on the compass headings. */
+    private final LegMotion[] motions;
+
+    /** The sides on which the other courses cross the line of sight: 1 clockwise from it, -1 anticlockwise. */
+    private final double[] sides;
+
+    /**
+     * The response of a sensor.
+     *
+     * @param position of the sensor, m
+     * @param motions on the compass headings
+     * @param across the courses across the sensor's line of sight
+     */
+    RadialResponse(CrossingBlind blind, Position position, LegMotion[] motions, List<Course> across) {
+        this.blind = blind;
+        this.position = position;
+        this.motions = motions.clone();
+        this.sides = across.stream()
+                .mapToDouble(course -> Math.signum(course.angle()))
+                .toArray();
+    }
+
+    /** The fraction of the signal that passes in flight, 0 to 1. */
+    double of(double x, double y, double z, LegMotion motion) {
+        return of(x, y, z, motion.east(), motion.north(), motion.up());
+    }
+
+    private double of(double x, double y, double z, double east, double north, double up) {
+        double dx = x - position.x();
+        double dy = y - position.y();
+        double dz = z - position.z();
+        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return blind.response((dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL));
+    }
+
+    /**
+     * The courses of a cell between which a flight is: first the compass headings are numbered, then the courses across
+     * the line of sight.
+     *
+     * @param x east coordinate of the middle of the cell, m
+     * @param y north coordinate, m
+     * @param z height, m
+     * @param passing the fraction of the signal that passes in flight, 0 to 1
+     * @param motion of the flight
+     */
+    CourseBracket courses(double x, double y, double z, double passing, LegMotion motion) {
+        CourseBracket bracket = new CourseBracket(passing);
+        for (int course = 0; course < motions.length; course++) {
+            double along = motion.east() * motions[course].east() + motion.north() * motions[course].north();
+            bracket.take(course, of(x, y, z, motions[course]), along);
+        }
+        double turned = motion.east() * (y - position.y()) - motion.north() * (x - position.x());
+        for (int i = 0; i < sides.length; i++) {
+            bracket.take(motions.length + i, of(x, y, z, 0.0, 0.0, motions[0].up()), sides[i] * turned);
+        }
+        return bracket;
+    }
+}
