@@ -5,14 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
-import org.dronewatch.analysis.field.Course;
-import org.dronewatch.analysis.field.DetectionField;
-import org.dronewatch.analysis.field.FieldAssessment;
-import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.InboundTarget;
-import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.route.RouteDirectory;
@@ -20,9 +14,8 @@ import org.dronewatch.report.route.RouteInputs;
 import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.report.route.RouteScenes;
 import org.dronewatch.report.route.RouteTable;
+import org.dronewatch.route.FlightMode;
 import org.dronewatch.route.RouteArea;
-import org.dronewatch.route.RouteSurvey;
-import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -92,12 +85,11 @@ final class RouteCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         threads.number();
-        if (proof != null && (proof < 1 || proof > MOST_FLIGHTS)) {
-            throw new InputException("--proof " + proof + ": must be 1 to " + MOST_FLIGHTS);
-        }
+        int flights = flights();
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        runner.notes(spec.commandLine().getErr()::println);
+        Consumer<String> notes = spec.commandLine().getErr()::println;
+        runner.notes(notes);
         if (seed != null) {
             runner.seed(seed);
         }
@@ -107,22 +99,16 @@ final class RouteCommand implements Callable<Integer> {
         if (settings.enabledSensors().isEmpty()) {
             throw new InputException("the scene has no enabled sensor: no route is weaker than another");
         }
+        List<FlightMode> modes = options.modes(settings.individualDrones().get(id));
+        options.stopped(settings);
         Optional<AreaZone> launch = options.launchArea(runner, settings);
         try (RouteDirectory target = out == null ? null : new RouteDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);
-                FieldGrid grid = options.grid(
-                        InboundTarget.of(settings, stage.protection()), RouteArea.side(settings, stage, id));
-                RouteInputs inputs = new RouteInputs(
-                        scene.name(),
-                        id,
-                        settings,
-                        stage.protection(),
-                        grid,
-                        options.terms().pointing(),
-                        options.launch());
-                RouteResults results = search(runner, inputs, stage, launch);
+                RouteInputs inputs = inputs(scene.name(), id, settings, stage);
+                RouteResults results =
+                        new RouteFinder(runner, inputs, stage, main.interruption(), notes).find(modes, launch, flights);
                 main.interruption().letFinish();
                 if (target != null) {
                     target.write(
@@ -130,12 +116,13 @@ final class RouteCommand implements Callable<Integer> {
                             inputs,
                             new RouteScenes(inputs, runner::text),
                             stage,
+                            runner.load(settings),
                             new Provenance(
                                     started,
                                     spec.root().commandLine().getParseResult().originalArgs(),
                                     runner.inputs()),
                             threads.number(),
-                            spec.commandLine().getErr()::println);
+                            notes);
                 }
                 print(results, inputs);
                 return 0;
@@ -143,42 +130,26 @@ final class RouteCommand implements Callable<Integer> {
         }
     }
 
-    private RouteResults search(SceneRunner runner, RouteInputs inputs, Stage stage, Optional<AreaZone> launch) {
-        SceneSettings settings = inputs.settings();
-        Consumer<String> notes = spec.commandLine().getErr()::println;
-        DetectionField field = field(runner, inputs, stage, notes);
-        RouteSurvey survey = Progress.during("routes", SiteRoutes.SECTORS + 1, progress -> {
-            SiteRoutes routes = routes(field, inputs, stage, launch);
-            progress.accept(1);
-            return RouteSurvey.of(
-                    routes, settings.alert().response(), sector -> progress.accept(1), main.interruption()::letFinish);
-        });
-        return new RouteFlights(runner, inputs, main.interruption()).of(survey, proof == null ? 0 : proof);
-    }
-
-    private DetectionField field(SceneRunner runner, RouteInputs inputs, Stage stage, Consumer<String> notes) {
-        SceneSettings settings = inputs.settings();
-        List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, inputs.drone()));
-        FieldRequest request = new FieldRequest(
-                settings,
-                stage,
-                inputs.drone(),
-                inputs.grid(),
-                courses,
-                FieldCoverage.Choice.WORST,
-                options.terms(),
-                FieldCoverage.DEFAULT_COVERED);
-        LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(notes));
-        return Progress.during(
-                "detection field", request.looksOfField(), progress -> FieldAssessment.of(request, store, progress));
-    }
-
-    private static SiteRoutes routes(DetectionField field, RouteInputs inputs, Stage stage, Optional<AreaZone> launch) {
-        try {
-            return SiteRoutes.of(field, inputs.settings(), stage, inputs.drone(), launch);
-        } catch (IllegalArgumentException e) {
-            throw new InputException(e.getMessage(), e);
+    /** With how many seeds each route is flown; 0 for none. */
+    private int flights() {
+        if (proof != null && (proof < 1 || proof > MOST_FLIGHTS)) {
+            throw new InputException("--proof " + proof + ": must be 1 to " + MOST_FLIGHTS);
         }
+        return proof == null ? 0 : proof;
+    }
+
+    private RouteInputs inputs(String scene, String id, SceneSettings settings, Stage stage) {
+        FieldGrid grid =
+                options.grid(InboundTarget.of(settings, stage.protection()), RouteArea.side(settings, stage, id));
+        return new RouteInputs(
+                scene,
+                id,
+                settings,
+                stage.protection(),
+                grid,
+                options.pointing(),
+                options.launch(),
+                options.stopped(settings));
     }
 
     private void print(RouteResults results, RouteInputs inputs) {

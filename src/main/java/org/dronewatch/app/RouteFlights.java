@@ -12,6 +12,7 @@ import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.report.route.RouteScenes;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.TimeToGo;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.scenario.SceneSettings;
@@ -36,10 +37,11 @@ final class RouteFlights {
      * Flies them.
      *
      * @param survey what the search has found
+     * @param times the least times to the end of a route
      * @param runs how many seeds each route is flown with; 0 for none
      * @return after an interruption, only the routes that were assessed
      */
-    RouteResults of(RouteSurvey survey, int runs) {
+    RouteResults of(RouteSurvey survey, TimeToGo times, int runs) {
         List<SectorRoute> assessed = new ArrayList<>();
         int all = survey.routes().size();
         try {
@@ -60,9 +62,9 @@ final class RouteFlights {
             if (!interruption.happened() || assessed.isEmpty()) {
                 throw e;
             }
-            return new RouteResults(survey.with(assessed, assessed.size() == all), proofs, timely, false);
+            return new RouteResults(survey.with(assessed, assessed.size() == all), times, proofs, timely, false);
         }
-        return new RouteResults(survey.with(assessed, true), proofs, timely, survey.isComplete());
+        return new RouteResults(survey.with(assessed, true), times, proofs, timely, survey.isComplete());
     }
 
     private SectorRoute assess(SectorRoute route, RouteSurvey survey) {

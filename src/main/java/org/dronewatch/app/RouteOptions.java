@@ -1,18 +1,22 @@
 package org.dronewatch.app;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.FlightMode;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.Option;
 
 /** The options of {@code route} that decide over which cells it searches, and from where. */
@@ -21,7 +25,9 @@ final class RouteOptions {
     static final List<Double> HEIGHTS = List.of(10.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0);
 
     private static final String LAUNCH = "--launch";
+    private static final String MODES = "--modes";
     private static final String RESPONSE = "--response";
+    private static final String STOPPED = "--stopped";
 
     @Option(
             names = "--side",
@@ -58,18 +64,36 @@ final class RouteOptions {
     private String response;
 
     @Option(
+            names = STOPPED,
+            paramLabel = "P",
+            description = "Probability that a response in time stops the drone, 0 to 1; then also states how likely the"
+                    + " drone is to be stopped.")
+    private Double stopped;
+
+    @Option(
             names = "--pointing",
             paramLabel = "search|cued",
             description = "How sensors on positioners point: searching, or turned to the drone and zoomed in; search by"
                     + " default, since nothing has cued them before the first detection.")
     private String pointing;
 
+    @Option(
+            names = MODES,
+            paramLabel = "powered,glide",
+            description = "How the drone may fly: powered; glide, with its motors off; or powered,glide, so that it may"
+                    + " stop its motors once. All that it can by default.")
+    private String modes;
+
     /** Checks what can be checked before anything is loaded, and passes on the response. */
     void apply(SceneRunner runner) {
         heights();
         length("side", side);
         length("cell", cell);
-        terms();
+        pointing();
+        words();
+        if (stopped != null && !(stopped >= 0.0 && stopped <= 1.0)) {
+            throw new InputException(STOPPED + " " + Quantity.RATIO.inWords(stopped) + ": must be 0 to 1");
+        }
         if (response != null) {
             try {
                 runner.set("alert.response", response);
@@ -83,12 +107,45 @@ final class RouteOptions {
         }
     }
 
-    /** On which terms the drone counts as detected in a look. */
-    FieldTerms terms() {
-        return FieldTerms.ONE_LOOK.withPointing(
-                pointing == null
-                        ? FieldTerms.Turning.SEARCH
-                        : FieldOptions.word("--pointing", pointing, FieldTerms.Turning.values(), "search or cued"));
+    /** How sensors on positioners point. */
+    FieldTerms.Turning pointing() {
+        return pointing == null
+                ? FieldTerms.Turning.SEARCH
+                : FieldOptions.word("--pointing", pointing, FieldTerms.Turning.values(), "search or cued");
+    }
+
+    /** The probability that a response in time stops the drone; empty if none was given. */
+    Optional<Double> stopped(SceneSettings settings) {
+        if (stopped != null && settings.alert().response() == 0.0) {
+            throw new InputException(STOPPED + " " + Quantity.RATIO.inWords(stopped)
+                    + ": needs the time of a response: --response, or alert.response of the scene");
+        }
+        return Optional.ofNullable(stopped);
+    }
+
+    /** How a drone may fly, in the order in which it may change. */
+    List<FlightMode> modes(DroneSettings drone) {
+        List<FlightMode> can = FlightMode.of(drone);
+        List<FlightMode> asked = words().orElse(can);
+        if (!can.containsAll(asked)) {
+            throw new InputException(MODES + " " + modes + ": the drone cannot glide; performance.glideRatio is 0");
+        }
+        return asked;
+    }
+
+    private Optional<List<FlightMode>> words() {
+        if (modes == null) {
+            return Optional.empty();
+        }
+        List<FlightMode> asked = Arrays.stream(modes.split(",", -1))
+                .map(word ->
+                        FieldOptions.word(MODES, word.strip(), FlightMode.values(), "powered, glide or powered,glide"))
+                .toList();
+        if (!asked.equals(asked.stream().distinct().sorted().toList())) {
+            throw new InputException(
+                    MODES + " " + PlainText.value(modes) + ": must be powered, glide or powered,glide");
+        }
+        return Optional.of(asked);
     }
 
     /**

@@ -94,7 +94,9 @@ final class Furniture {
             marks.add(SitePicture.ZONE);
         }
         int discs = texts.size();
-        flying(state.drones()).forEach((text, colour) -> {
+        Map<String, Color> ofDrones =
+                state.drones().isEmpty() && !flights.isEmpty() ? Map.of() : flying(state.drones());
+        ofDrones.forEach((text, colour) -> {
             texts.add(text);
             marks.add(colour);
         });

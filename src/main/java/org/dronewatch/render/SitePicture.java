@@ -212,11 +212,12 @@ public final class SitePicture {
         if (style.flights()) {
             for (DroneMark drone : state.drones()) {
                 stateLines.plumbLine(drone, world);
-                if (!watched.has(drone.drone().id())) {
+                if (style.lines().isEmpty() && !watched.has(drone.drone().id())) {
                     stateLines.flight(drone);
                 }
             }
             watched.draw(stateLines, interest().diagonal());
+            stateLines.lines(style.lines());
         }
         BufferedImage image = picture(backdrop, canvas);
         Graphics2D g = image.createGraphics();
@@ -230,7 +231,11 @@ public final class SitePicture {
         }
         Furniture furniture = new Furniture(g, image.getWidth(), image.getHeight(), style.scale());
         furniture.legend(
-                state, colours, view(backdrop.orbit()), settings.alert().isProtecting(), watched.legend());
+                state,
+                colours,
+                view(backdrop.orbit()),
+                settings.alert().isProtecting(),
+                style.lines().isEmpty() ? watched.legend() : style.lines().legend());
         furniture.scaleBar(backdrop.orbit().metresPerPixel(backdrop.height()), isFlat(backdrop.orbit()));
         furniture.northArrow(backdrop.orbit());
         furniture.credits(stage.credits());
@@ -280,6 +285,9 @@ public final class SitePicture {
                     drone, state.selected().filter(drone.drone().id()::equals).isPresent());
         }
         watched.write(symbols);
+        if (style.flights()) {
+            style.lines().write(symbols);
+        }
         if (style.labels()) {
             symbols.writeNames();
         }

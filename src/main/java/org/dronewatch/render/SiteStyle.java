@@ -12,15 +12,22 @@ import org.dronewatch.setting.SettingsForm;
  * @param flights whether the paths of drones are drawn
  * @param filter for the rays of sound that are drawn
  * @param skin laid over ground and roofs, if there is one
+ * @param lines drawn in place of the paths of drones, if there are any
  */
 public record SiteStyle(
-        double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter, Optional<SiteSkin> skin) {
+        double scale,
+        boolean labels,
+        boolean outlines,
+        boolean flights,
+        RayFilter filter,
+        Optional<SiteSkin> skin,
+        SiteLines lines) {
     /** All parts, on a screen of normal density. */
-    public static final SiteStyle DEFAULT = new SiteStyle(1.0, true, true, true, RayFilter.ALL, Optional.empty());
+    public static final SiteStyle DEFAULT = new SiteStyle(1.0, true, true, true, RayFilter.ALL);
 
-    /** A style without a skin. */
+    /** A style without a skin and without lines. */
     public SiteStyle(double scale, boolean labels, boolean outlines, boolean flights, RayFilter filter) {
-        this(scale, labels, outlines, flights, filter, Optional.empty());
+        this(scale, labels, outlines, flights, filter, Optional.empty(), SiteLines.NONE);
     }
 
     /** This style on a screen of another density. */
@@ -51,5 +58,10 @@ public record SiteStyle(
     /** This style with another skin, or with none. */
     public SiteStyle withSkin(Optional<SiteSkin> other) {
         return SettingsForm.with(this, "skin", other);
+    }
+
+    /** This style with other lines. */
+    public SiteStyle withLines(SiteLines others) {
+        return SettingsForm.with(this, "lines", others);
     }
 }

@@ -79,6 +79,19 @@ final class StateLines {
         }
     }
 
+    /** Lines with a dark edge, in the colours of their pieces. */
+    void lines(SiteLines drawn) {
+        drawn.lines().forEach(line -> line.pieces().forEach(piece -> draw(piece, 2.0, PLUMB)));
+        drawn.lines().forEach(line -> line.pieces()
+                .forEach(piece -> draw(piece, 0.0, piece.colour().getRGB() & 0xffffff)));
+    }
+
+    private void draw(SiteLines.Piece piece, double wider, int colour) {
+        for (int i = 1; i < piece.points().size(); i++) {
+            lines.line(piece.points().get(i - 1), piece.points().get(i), (piece.width() + wider) * pixel, colour, 1.0);
+        }
+    }
+
     private void draw(FlightStretch stretch, double width, int colour, double dash) {
         List<Position> path = stretch.path();
         double flown = 0.0;

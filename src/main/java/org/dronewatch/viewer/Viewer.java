@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.render.SiteLines;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -138,6 +139,11 @@ public final class Viewer implements AutoCloseable {
     /** Shows the coverage of the scene, computed with the defaults of {@code coverage} as soon as the site is there. */
     public void showCoverage() {
         SwingUtilities.invokeLater(() -> pane.showCoverage());
+    }
+
+    /** Draws lines through the site of the scene, in place of the paths of its drones. */
+    public void showLines(SiteLines lines) {
+        SwingUtilities.invokeLater(() -> pane.showLines(lines));
     }
 
     /** Stops the reading of models for a window that is gone. */

@@ -11,6 +11,7 @@ import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.RecordedRays;
+import org.dronewatch.render.SiteLines;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.scenario.SceneSettings;
 
@@ -193,6 +194,11 @@ final class ViewerPane extends JPanel {
     /** Shows the coverage, computed with the defaults as soon as the site is there. */
     void showCoverage() {
         tabs.showCoverage(down);
+    }
+
+    /** Draws lines through the site, in place of the paths of drones. */
+    void showLines(SiteLines lines) {
+        world().setStyle(world().style().withLines(lines));
     }
 
     /** Shows an error; callable from any thread. */

@@ -73,8 +73,10 @@ class RouteCommandTest {
                         "scene",
                         "drone",
                         "pointing",
+                        "modes",
                         "launch",
                         "response_s",
+                        "p_n",
                         "cell_m",
                         "cells_per_side",
                         "heights_m",
@@ -99,6 +101,7 @@ class RouteCommandTest {
                         "p_in_time",
                         "critical_s",
                         "p_i",
+                        "p_e",
                         "proof");
         assertThat(first.get("points").get(0).propertyNames()).containsExactly("t", "x", "y", "z", "mode");
         for (JsonNode route : json.get("routes")) {
@@ -176,6 +179,54 @@ class RouteCommandTest {
         assertThat(again.out()).contains("same       route.json", "same       routes.png", "same       profile.png");
     }
 
+    /** A microphone does not hear a glider: its motors stop, and stay off; flights are detected as predicted. */
+    @Test
+    void motorsStopWhereTheyWouldBeHeard(@TempDir Path other) throws IOException {
+        FieldSite.in(
+                other,
+                "  ear: {kind: acoustic, position: [0, 0, 4],"
+                        + " propagation: {kind: level-model, initialRays: 1, maxOrder: 1}}\n"
+                        + "alert: {protect: {centre: [0, 0, 10], radius: 30}, response: 5 s}\n");
+        Path site = other.resolve("site.yaml");
+        Files.writeString(
+                site,
+                Files.readString(site)
+                        .replaceFirst("  one:\n", "  one:\n    performance: {glideRatio: 8, glideSpeed: 10 m/s}\n"));
+        Outcome glided = Program.run(
+                "route",
+                site.toString(),
+                "--heights=10,20,30,45",
+                "--side=500",
+                "--cell=50",
+                "--set=drones.one.soundLevel=43",
+                "--stopped=0.8",
+                "--proof=20",
+                "--out=" + other);
+        assertThat(glided.code()).as(glided.err()).isZero();
+        assertThat(glided.out()).contains("motors off", "stopped", "with its motors off for the last");
+        JsonNode found = JsonMapper.builder()
+                .build()
+                .readTree(other.resolve("route.json").toFile());
+        assertThat(found.get("modes")).extracting(JsonNode::asString).containsExactly("powered", "glide");
+        int glides = 0;
+        for (JsonNode route : found.get("routes")) {
+            assertThat(route.get("proof").get("agrees").asBoolean()).isTrue();
+            assertThat(route.get("p_e").asDouble())
+                    .isCloseTo(0.8 * route.get("p_i").asDouble(), within(1e-5));
+            JsonNode before = null;
+            for (JsonNode point : route.get("points")) {
+                if (before != null && before.get("mode").asString().equals("glide")) {
+                    assertThat(point.get("mode").asString()).isEqualTo("glide");
+                    assertThat(point.get("z").asDouble())
+                            .isLessThan(before.get("z").asDouble());
+                    glides++;
+                }
+                before = point;
+            }
+        }
+        assertThat(glides).isPositive();
+    }
+
     private static JsonNode withoutProof(String file) {
         JsonNode root = read(file);
         root.get("routes").forEach(route -> ((ObjectNode) route).remove("proof"));
@@ -219,6 +270,10 @@ class RouteCommandTest {
                 "--heights=600|2",
                 "--cell=300|2",
                 "--pointing=up|2",
+                "--modes=powered,glide|2",
+                "--modes=glide,powered|2",
+                "--modes=swim|2",
+                "--stopped=1.1|2",
                 "--proof=0|2",
                 "--drone=two|2",
                 "--set=sensors.round.enabled=false|0",

@@ -22,13 +22,16 @@ import org.dronewatch.world.World;
 
 /** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */
 public final class MapSheet {
-    private static final int MAP = 1000;
+    /** Columns and rows of the map itself. */
+    public static final int MAP = 1000;
+
     private static final int SIDE = 400;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
     private static final int SMALL_LINE = 16;
     private static final int SWATCH_WIDTH = 22;
     private static final int SWATCH_HEIGHT = 16;
+    private static final int SQUARE = 5;
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
 
@@ -141,6 +144,25 @@ public final class MapSheet {
         g.setColor(Color.BLACK);
         g.drawString(text, u, v);
         g.setFont(TEXT);
+    }
+
+    /** Marks a point on the map with a white square. */
+    public void square(Position at) {
+        square(column(at), row(at));
+    }
+
+    private void square(int u, int v) {
+        g.setColor(Color.WHITE);
+        g.fillRect(u - SQUARE, v - SQUARE, 2 * SQUARE, 2 * SQUARE);
+        g.setColor(Color.BLACK);
+        g.setStroke(new BasicStroke(2f));
+        g.drawRect(u - SQUARE, v - SQUARE, 2 * SQUARE, 2 * SQUARE);
+    }
+
+    /** Writes a line of the legend with a white square before it. */
+    public void squareSample(String text) {
+        square(MAP + MARGIN + SWATCH_WIDTH, line - 5);
+        write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
     /** Writes a line of the legend with a piece of a line with a black edge before it. */

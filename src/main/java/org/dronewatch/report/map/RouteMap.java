@@ -23,6 +23,7 @@ public final class RouteMap {
      *
      * @param route name of the route, which is that of its folder
      * @param exposure on the piece, in words
+     * @param mode in which it is flown
      * @param points two or more, m
      * @param colour of its line
      * @param begin when the drone is at its first point, s
@@ -32,6 +33,7 @@ public final class RouteMap {
     public record Piece(
             String route,
             String exposure,
+            String mode,
             List<Position> points,
             Color colour,
             double begin,
@@ -69,6 +71,7 @@ public final class RouteMap {
     private StyledFeature feature(Piece piece) {
         Properties properties = new Properties()
                 .put("chance_per_second", piece.exposure())
+                .put("mode", piece.mode())
                 .put("begin_s", piece.begin())
                 .put("end_s", piece.end())
                 .put("detected_by_then", piece.detection());

@@ -1,6 +1,7 @@
 package org.dronewatch.report.route;
 
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +19,7 @@ import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.map.RouteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -28,7 +30,7 @@ public final class RouteDirectory implements AutoCloseable {
 
     /** All other files that a search may write: those of an earlier one are removed unless they are replaced. */
     private static final Pattern FILES = Pattern.compile(
-            "route-(north|south)?-?(east|west)?\\.yaml|(routes|profile)\\.png|routes\\.(geojson|kml)|report\\.html");
+            "route-(north|south)?-?(east|west)?\\.yaml|(routes|profile|time-to-go|view)\\.png|routes\\.(geojson|kml)|report\\.html");
 
     /** Files of other commands, whose {@code report.html} would be replaced. */
     private static final List<String> OTHERS = List.of("result.json", "coverage.json", "campaign.json");
@@ -56,6 +58,7 @@ public final class RouteDirectory implements AutoCloseable {
      * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param stage the site
+     * @param models of the scene
      * @param provenance origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written
@@ -66,6 +69,7 @@ public final class RouteDirectory implements AutoCloseable {
             RouteInputs inputs,
             RouteScenes scenes,
             Stage stage,
+            ModelCache models,
             Provenance provenance,
             int threads,
             Consumer<String> notes) {
@@ -80,28 +84,42 @@ public final class RouteDirectory implements AutoCloseable {
                 notes.accept("the scene has no world.origin: no GeoJSON or KML files are written");
             }
             scenes.write(results.survey(), target, directory).ifPresent(notes);
-            MapSheet plan = new RoutePictures(stage, inputs).plan(results.survey());
-            try (OutputStream png = Files.newOutputStream(directory.file("routes.png"))) {
-                plan.writePng(png);
-            }
+            int[] ground = MapSheet.ground(stage.world(), inputs.grid());
+            MapSheet plan = new RoutePictures(stage, inputs).plan(results.survey(), ground);
+            MapSheet times = new TimeToGoPicture(stage, inputs, results.times()).sheet(ground);
+            Optional<BufferedImage> view = RouteView.of(results.survey(), inputs, scenes, models);
+            write(plan, "routes.png");
+            write(times, "time-to-go.png");
             Optional<BufferedImage> profile =
                     results.survey().weakest().map(route -> Charts.picture(RouteProfilePicture.of(route, inputs)));
-            if (profile.isPresent()) {
-                try (OutputStream png = Files.newOutputStream(directory.file("profile.png"));
-                        ImageOutputStream stream = new MemoryCacheImageOutputStream(png)) {
-                    ImageIO.write(profile.get(), "png", stream);
-                }
-            }
+            write(view, "view.png");
+            write(profile, "profile.png");
             try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
                 new RouteReport(results, inputs, stage)
                         .write(
                                 page,
-                                plan,
+                                List.of(plan, times),
+                                view,
                                 profile,
                                 provenance.inWords(inputs.settings().run().seed(), threads));
             }
             directory.publish(directory.former(NUMBERS, FILES));
         });
+    }
+
+    private void write(MapSheet sheet, String name) throws IOException {
+        try (OutputStream png = Files.newOutputStream(directory.file(name))) {
+            sheet.writePng(png);
+        }
+    }
+
+    private void write(Optional<BufferedImage> picture, String name) throws IOException {
+        if (picture.isPresent()) {
+            try (OutputStream png = Files.newOutputStream(directory.file(name));
+                    ImageOutputStream stream = new MemoryCacheImageOutputStream(png)) {
+                ImageIO.write(picture.get(), "png", stream);
+            }
+        }
     }
 
     /** Removes what was not written completely. */

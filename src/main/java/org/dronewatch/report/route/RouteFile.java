@@ -26,24 +26,27 @@ final class RouteFile {
         root.put("scene", inputs.scene());
         root.put("drone", inputs.drone());
         root.put("pointing", inputs.pointing().name().toLowerCase(Locale.ROOT));
+        ArrayNode modes = root.putArray("modes");
+        survey.modes().forEach(mode -> modes.add(mode.name()));
         root.put("launch", inputs.launch().orElse(null));
         if (survey.response() > 0.0) {
             root.put("response_s", Numbers.rounded(survey.response()));
         } else {
             root.putNull("response_s");
         }
+        root.put("p_n", inputs.stopped().map(Numbers::rounded).orElse(null));
         root.put("cell_m", Numbers.rounded(inputs.grid().cell()));
         root.put("cells_per_side", inputs.grid().columns());
         ArrayNode heights = root.putArray("heights_m");
         inputs.grid().heights().forEach(height -> heights.add(Numbers.rounded(height)));
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode routes = root.putArray("routes");
-        survey.routes().forEach(route -> add(routes.addObject(), route, results));
+        survey.routes().forEach(route -> add(routes.addObject(), route, results, inputs));
         root.put("complete", results.isComplete());
         return root;
     }
 
-    private static void add(ObjectNode node, SectorRoute route, RouteResults results) {
+    private static void add(ObjectNode node, SectorRoute route, RouteResults results, RouteInputs inputs) {
         RouteSurvey survey = results.survey();
         node.put("sector", RouteWords.sector(route));
         ArrayNode points = node.putArray("points");
@@ -63,6 +66,9 @@ final class RouteFile {
         }
         Double timely = results.timely().get(route.sector());
         node.put("p_i", timely == null ? null : Numbers.rounded(timely));
+        node.put(
+                "p_e",
+                results.effectiveness(route, inputs).map(Numbers::rounded).orElse(null));
         RouteProof proof = results.proofs().get(route.sector());
         if (proof == null) {
             node.putNull("proof");

@@ -1,10 +1,12 @@
 package org.dronewatch.report.route;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
@@ -17,6 +19,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param grid the cells of the search
  * @param pointing how sensors on positioners point
  * @param launch the area from which the routes come, as it was given; empty for the edge
+ * @param stopped probability that a response in time stops the drone, 0 to 1; empty if it was not given
  */
 public record RouteInputs(
         String scene,
@@ -25,10 +28,18 @@ public record RouteInputs(
         Protection protection,
         FieldGrid grid,
         FieldTerms.Turning pointing,
-        Optional<String> launch) {
+        Optional<String> launch,
+        Optional<Double> stopped) {
     /** Geographic position of the scene's origin, if it is known. */
     Optional<Origin> origin() {
         return settings.world().origin();
+    }
+
+    /** Where the sensors are, m. */
+    List<Position> sensors() {
+        return settings.enabledSensors().values().stream()
+                .map(sensor -> sensor.position())
+                .toList();
     }
 
     /** The time that a response takes, 0 if none is required, s. */

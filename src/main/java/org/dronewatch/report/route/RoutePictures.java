@@ -2,6 +2,7 @@ package org.dronewatch.report.route;
 
 import java.awt.Color;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.MapSheet;
@@ -23,17 +24,20 @@ final class RoutePictures {
         this.inputs = inputs;
     }
 
-    /** The plan, on the {@link org.dronewatch.parallel.Workers} of the calling thread. */
-    MapSheet plan(RouteSurvey survey) {
+    /**
+     * The plan.
+     *
+     * @param ground as {@link MapSheet#ground} gives it
+     */
+    MapSheet plan(RouteSurvey survey, int[] ground) {
         MapSheet sheet = new MapSheet(inputs.grid());
         sheet.drawMap(
-                MapSheet.ground(stage.world(), inputs.grid()),
-                (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.25),
-                sensors());
+                ground, (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.25), inputs.sensors());
         for (List<Position> zone : ProtectedOutlines.of(stage.protection())) {
             sheet.outline(zone, ZONE, 0);
         }
         survey.routes().forEach(route -> draw(sheet, route));
+        survey.routes().forEach(route -> motorsOff(route, survey).ifPresent(sheet::square));
         survey.routes().forEach(route -> sheet.label(start(route), abbreviation(route)));
         legend(sheet, survey);
         sheet.credits(stage.credits());
@@ -57,10 +61,12 @@ final class RoutePictures {
         }
     }
 
-    private List<Position> sensors() {
-        return inputs.settings().enabledSensors().values().stream()
-                .map(sensor -> sensor.position())
-                .toList();
+    /** Where it stops its motors; empty if it does not. */
+    private static Optional<Position> motorsOff(SectorRoute route, RouteSurvey survey) {
+        return route.searched().points().stream()
+                .filter(point -> survey.modes().get(point.mode()).isGlide())
+                .map(RoutePoint::position)
+                .findFirst();
     }
 
     private static Position start(SectorRoute route) {
@@ -87,6 +93,9 @@ final class RoutePictures {
         sheet.space();
         for (RouteColours style : RouteColours.values()) {
             sheet.sample(style.colour(), style.width(), style.words());
+        }
+        if (survey.routes().stream().anyMatch(route -> motorsOff(route, survey).isPresent())) {
+            sheet.squareSample("motors off from here");
         }
         sheet.space();
         sheet.line(survey.response() > 0.0 ? "from: detected (in time)" : "from: detected");

@@ -40,11 +40,17 @@ final class RouteReport {
     /**
      * Writes the page.
      *
-     * @param plan of the routes
+     * @param maps of the site
+     * @param view of the routes in perspective, if there is a route
      * @param profile of the weakest, if there is a route
      * @param provenance origin of the results, as names and values
      */
-    void write(OutputStream target, MapSheet plan, Optional<BufferedImage> profile, Map<String, String> provenance)
+    void write(
+            OutputStream target,
+            List<MapSheet> maps,
+            Optional<BufferedImage> view,
+            Optional<BufferedImage> profile,
+            Map<String, String> provenance)
             throws IOException {
         Page page = new Page(target, inputs.scene() + ": route report", inputs.scene() + ": weakest routes");
         page.verdict(words.weakest(survey));
@@ -52,18 +58,22 @@ final class RouteReport {
                 "The routes",
                 introduction()
                         + table()
+                        + words.withoutAlert(results)
+                                .map(text -> Html.plain("p", text))
+                                .orElse("")
                         + words.misjudged(survey)
                                 .map(text -> Html.plain("p", "Warning: " + text + "."))
                                 .orElse(""));
-        Figure figure = plan.figure();
-        page.add(Html.figure(figure.png(), figure.caption()));
-        if (profile.isPresent()) {
-            Figure heights = Figure.of(
-                    "The weakest route: its height above the ground, and the probability that the drone has been"
-                            + " detected by then.",
-                    profile.get());
-            page.add(Html.figure(heights.png(), heights.caption()));
+        for (MapSheet map : maps) {
+            Figure figure = map.figure();
+            page.add(Html.figure(figure.png(), figure.caption()));
         }
+        add(page, view, "The routes from the side, coloured as on the map.");
+        add(
+                page,
+                profile,
+                "The weakest route: its height above the ground, and the probability that the drone has been detected"
+                        + " by then.");
         if (!results.proofs().isEmpty()) {
             page.section("Proof by flight", proofs());
         }
@@ -72,6 +82,13 @@ final class RouteReport {
         page.section("Scope of these results", list(scope(sensors)));
         page.section("Provenance", Html.definitions(provenance));
         page.end();
+    }
+
+    private static void add(Page page, Optional<BufferedImage> picture, String caption) throws IOException {
+        if (picture.isPresent()) {
+            Figure figure = Figure.of(caption, picture.get());
+            page.add(Html.figure(figure.png(), figure.caption()));
+        }
     }
 
     private String introduction() {
@@ -84,9 +101,10 @@ final class RouteReport {
                                 : " before it reaches " + inputs.targetInWords() + ".")
                         + " 'Detected' is the probability that any sensor detects it at all, from every look along the route"
                         + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"
-                        + " cell;"
-                        + " 'time left' is the time between"
-                        + " the typical (median) first detection and the drone's arrival. No route can have less exposure"
+                        + " cell; 'time left' is the time between the typical (median) first detection and the drone's"
+                        + " arrival"
+                        + (RouteWords.mayGlide(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
+                        + ". No route can have less exposure"
                         + " in the search than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"
                         + " means 95 %.");
     }
@@ -94,11 +112,17 @@ final class RouteReport {
     private String table() {
         boolean isRequired = survey.response() > 0.0;
         List<String> head = new ArrayList<>(List.of("from", "height", "flight", "detected", "search", "time left"));
+        if (RouteWords.mayGlide(survey)) {
+            head.add("motors off");
+        }
         if (isRequired) {
             head.addAll(List.of("detected in time", "compared with the response"));
         }
         if (!results.timely().isEmpty()) {
             head.add("alert in time");
+        }
+        if (inputs.stopped().isPresent()) {
+            head.add("stopped");
         }
         head.addAll(List.of("exposure", "lower bound"));
         List<List<String>> rows = new ArrayList<>();
@@ -110,12 +134,18 @@ final class RouteReport {
                     RouteWords.percent(route.detection()),
                     RouteWords.percent(route.searched().detection()),
                     RouteWords.seconds(route.left())));
+            if (RouteWords.mayGlide(survey)) {
+                row.add(RouteWords.seconds(RouteWords.gliding(route, survey)));
+            }
             if (isRequired) {
                 row.add(RouteWords.percent(route.inTime(survey.response())));
                 row.add(RouteWords.margin(route.left(), survey.response()));
             }
             if (!results.timely().isEmpty()) {
                 row.add(RouteWords.orDash(results.timely().get(route.sector())));
+            }
+            if (inputs.stopped().isPresent()) {
+                row.add(RouteWords.orDash(results.effectiveness(route, inputs).orElse(null)));
             }
             row.add(RouteWords.exposure(route.route().exposure()));
             row.add(RouteWords.exposure(route.route().lower()));
@@ -169,10 +199,14 @@ final class RouteReport {
                 + " be missed.");
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");
-        items.add(
-                "Only the drone '" + inputs.drone() + "' flies, within its limits of climb, descent and turns; sensors"
-                        + " on positioners "
-                        + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
+        items.add("Only the drone '" + inputs.drone() + "' flies, within its limits of climb, descent and turns"
+                + (RouteWords.mayGlide(survey) ? ", and may stop its motors once to glide on" : "")
+                + "; sensors on positioners "
+                + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
+        inputs.stopped()
+                .ifPresent(share ->
+                        items.add("What the response does is not simulated: it is assumed to stop the drone in "
+                                + RouteWords.percent(share) + " of the cases in which the alert is in time."));
         items.add("Sensors count as independent, which they are not where they look past the same obstacle.");
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());

@@ -3,23 +3,42 @@ package org.dronewatch.report.route;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.TimeToGo;
 import org.dronewatch.route.proof.RouteProof;
 
 /**
  * What {@code route} found.
  *
  * @param survey the weakest routes
+ * @param times the least times to the end of a route
  * @param proofs by sector, how often flights of its route are detected; empty if none were asked for
  * @param timely by sector, the probability that an alert on its route is in time, by the scene's rule; only where it
  *     can be computed
  * @param isComplete whether all that was asked for was completed
  */
 public record RouteResults(
-        RouteSurvey survey, Map<Integer, RouteProof> proofs, Map<Integer, Double> timely, boolean isComplete) {
+        RouteSurvey survey,
+        TimeToGo times,
+        Map<Integer, RouteProof> proofs,
+        Map<Integer, Double> timely,
+        boolean isComplete) {
     /** Copies the maps. */
     public RouteResults {
         proofs = Collections.unmodifiableMap(new LinkedHashMap<>(proofs));
         timely = Collections.unmodifiableMap(new LinkedHashMap<>(timely));
+    }
+
+    /**
+     * The probability that the drone is stopped on a route, {@code P_E = P_I P_N} in the EASI model; empty where the
+     * probability of an alert in time cannot be computed, or P_N is not given.
+     *
+     * @param inputs state P_N
+     */
+    Optional<Double> effectiveness(SectorRoute route, RouteInputs inputs) {
+        return Optional.ofNullable(timely.get(route.sector()))
+                .flatMap(interruption -> inputs.stopped().map(neutralisation -> interruption * neutralisation));
     }
 }

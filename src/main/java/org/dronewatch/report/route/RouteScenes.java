@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
@@ -63,5 +64,19 @@ public final class RouteScenes {
                 .path()
                 .flight(survey.modes())
                 .map(flight -> RouteScene.of(inputs.settings(), inputs.drone(), flight));
+    }
+
+    /** The scene in which a drone flies each of the routes, all at the same time; empty if there is none. */
+    public Optional<SceneSettings> together(RouteSurvey survey) {
+        Map<String, RouteFlight> flights = new LinkedHashMap<>();
+        for (SectorRoute route : survey.routes()) {
+            route.route()
+                    .path()
+                    .flight(survey.modes())
+                    .ifPresent(flight -> flights.put(RouteWords.sector(route), flight));
+        }
+        return flights.isEmpty()
+                ? Optional.empty()
+                : Optional.of(RouteScene.with(inputs.settings(), inputs.drone(), flights));
     }
 }

@@ -16,7 +16,9 @@ public final class RouteTable {
     private static final String ROW = "%-11s  %8s  %16s  %11s  %8s  %8s  %10s";
     private static final String PROOF = "%-11s  %16s  %22s  %10s  %s";
     private static final String IN_TIME = "  %10s  %13s";
+    private static final String GLIDE = "  %10s";
     private static final String ALERT = "  %13s";
+    private static final String STOPPED = "  %8s";
 
     private RouteTable() {}
 
@@ -25,14 +27,17 @@ public final class RouteTable {
         RouteSurvey survey = results.survey();
         List<String> lines = new ArrayList<>();
         boolean isRequired = survey.response() > 0.0;
+        boolean mayGlide = RouteWords.mayGlide(survey);
         lines.add("weakest routes of drone '" + inputs.drone() + "' to " + inputs.targetInWords()
                 + ", by where they begin"
                 + (isRequired
                         ? "; exposure counts while " + Numbers.text(survey.response()) + " s are left for the response:"
                         : ":"));
         lines.add(text(ROW, "from", "flight", "exposure", "lower bound", "search", "detected", "time left")
+                + (mayGlide ? text(GLIDE, "motors off") : "")
                 + (isRequired ? text(IN_TIME, "in time", "response") : "")
                 + (results.timely().isEmpty() ? "" : text(ALERT, "alert in time"))
+                + (inputs.stopped().isEmpty() ? "" : text(STOPPED, "stopped"))
                 + "  most exposed to");
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             int number = sector;
@@ -41,7 +46,7 @@ public final class RouteTable {
                     .findFirst();
             String name = CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS);
             if (route.isPresent()) {
-                lines.add(row(name, route.get(), results));
+                lines.add(row(name, route.get(), results, inputs));
             } else if (survey.isComplete()) {
                 lines.add(name + ": no route");
             }
@@ -53,12 +58,14 @@ public final class RouteTable {
         lines.add("");
         RouteWords words = new RouteWords(inputs);
         lines.add(words.weakest(survey));
+        words.withoutAlert(results).ifPresent(lines::add);
         words.misjudged(survey).ifPresent(text -> lines.add("warning: " + text));
         return lines;
     }
 
-    private static String row(String name, SectorRoute route, RouteResults results) {
-        double response = results.survey().response();
+    private static String row(String name, SectorRoute route, RouteResults results, RouteInputs inputs) {
+        RouteSurvey survey = results.survey();
+        double response = survey.response();
         String line = text(
                 ROW,
                 name,
@@ -68,15 +75,24 @@ public final class RouteTable {
                 RouteWords.percent(route.searched().detection()),
                 RouteWords.percent(route.detection()),
                 RouteWords.seconds(route.left()));
+        String glide =
+                RouteWords.mayGlide(survey) ? text(GLIDE, RouteWords.seconds(RouteWords.gliding(route, survey))) : "";
         String timely = response > 0.0
                 ? text(IN_TIME, RouteWords.percent(route.inTime(response)), RouteWords.margin(route.left(), response))
                 : "";
         String alert = results.timely().isEmpty()
                 ? ""
                 : text(ALERT, RouteWords.orDash(results.timely().get(route.sector())));
+        String stopped = inputs.stopped().isEmpty()
+                ? ""
+                : text(
+                        STOPPED,
+                        RouteWords.orDash(results.effectiveness(route, inputs).orElse(null)));
         return line
+                + glide
                 + timely
                 + alert
+                + stopped
                 + route.mostExposedTo()
                         .map(sensor -> "  " + sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
                         .orElse("  -");

@@ -11,6 +11,7 @@ import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.CoverageTable;
 import org.dronewatch.report.html.ReadableNumbers;
+import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 
@@ -25,7 +26,7 @@ final class RouteWords {
     /** The weakest of all routes in a sentence or two. */
     String weakest(RouteSurvey survey) {
         return survey.weakest()
-                .map(route -> "The weakest route comes " + from(route) + ": " + detected(route) + ".")
+                .map(route -> "The weakest route comes " + from(route, survey) + ": " + detected(route) + ".")
                 .orElse("No route leads to " + inputs.targetInWords() + ".");
     }
 
@@ -47,11 +48,39 @@ final class RouteWords {
                                 : "; try --cell " + Numbers.text(0.5 * cell) + "m"));
     }
 
+    /** That it is not known whether an alert comes in time; empty if it is, or no response is required. */
+    Optional<String> withoutAlert(RouteResults results) {
+        return inputs.response() > 0.0
+                        && results.timely().isEmpty()
+                        && !results.survey().routes().isEmpty()
+                ? Optional.of(
+                        "The probability that an alert comes in time cannot be computed for the alert rule of this"
+                                + " scene: only for rules by which any sensor alone raises one, after at most twelve looks.")
+                : Optional.empty();
+    }
+
     /** {@code from the north-west, 12 m above the ground, mostly hidden by terrain}. */
-    private static String from(SectorRoute route) {
+    private static String from(SectorRoute route, RouteSurvey survey) {
         String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
+        OptionalDouble glide = gliding(route, survey);
         return "from the " + sector(route) + ", " + height
+                + (glide.isPresent() ? ", with its motors off for the last " + seconds(glide) : "")
                 + reason(route).map(reason -> ", " + reason).orElse("");
+    }
+
+    /** Whether the drone may stop its motors. */
+    static boolean mayGlide(RouteSurvey survey) {
+        return survey.modes().stream().anyMatch(RouteMode::isGlide);
+    }
+
+    /** For how long it flies with its motors off at the end, s; empty if they run all the time. */
+    static OptionalDouble gliding(SectorRoute route, RouteSurvey survey) {
+        double end = route.searched().end().time();
+        return route.searched().points().stream()
+                .filter(point -> survey.modes().get(point.mode()).isGlide())
+                .mapToDouble(point -> end - point.time())
+                .filter(time -> time > 0.0)
+                .findFirst();
     }
 
     /** Why it is not detected for most of the time, {@code mostly hidden by terrain}; empty if it always is. */

@@ -1,5 +1,6 @@
 package org.dronewatch.route.proof;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.DroneSettings;
@@ -22,19 +23,37 @@ public final class RouteScene {
      * @throws IllegalArgumentException if there is no such drone
      */
     public static SceneSettings of(SceneSettings scene, String drone, RouteFlight flight) {
+        return with(scene, drone, Map.of(drone, flight));
+    }
+
+    /**
+     * A scene in which such drones fly several routes at the same time, until the last arrives: to be watched, but no
+     * proof of any of the routes, since positioners turn to one drone at a time.
+     *
+     * @param drone the name of the drone that flies each of them
+     * @param flights at least one, by the names of the drones that fly them
+     * @throws IllegalArgumentException if there is no such drone
+     */
+    public static SceneSettings with(SceneSettings scene, String drone, Map<String, RouteFlight> flights) {
         DroneSettings flown = scene.individualDrones().get(drone);
         if (flown == null) {
             throw new IllegalArgumentException("no drone '" + drone + "'; the scene has "
                     + String.join(", ", scene.individualDrones().keySet()));
         }
+        Map<String, DroneSettings> drones = new LinkedHashMap<>();
+        flights.forEach((name, flight) -> drones.put(name, flown.withFlight(flight)));
+        double duration = flights.values().stream()
+                .mapToDouble(flight -> flight.duration(flown.speed()))
+                .max()
+                .orElseThrow();
         return new SceneSettings(
                 scene.world(),
-                Map.of(drone, flown.withFlight(flight)),
+                drones,
                 scene.sensors(),
                 scene.disabled(),
                 scene.alert(),
                 scene.prices(),
-                scene.run().withDuration(flight.duration(flown.speed())),
+                scene.run().withDuration(duration),
                 Optional.empty());
     }
 

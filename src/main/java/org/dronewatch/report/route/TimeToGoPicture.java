@@ -1,0 +1,145 @@
+package org.dronewatch.report.route;
+
+import java.awt.Color;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.coverage.ProtectedOutlines;
+import org.dronewatch.route.RouteGrid;
+import org.dronewatch.route.TimeToGo;
+import org.dronewatch.run.Stage;
+
+/**
+ * The map of how long a drone needs to the end of a route, from light where it is long to dark where it is short, so
+ * that the classes keep their order in black and white and for the colour-blind; and the line within which an alert
+ * comes too late for the response.
+ */
+final class TimeToGoPicture {
+    private static final Color LONG = new Color(0xfff3c4);
+    private static final Color SHORT = new Color(0x2c4a86);
+    private static final Color NOWHERE = new Color(0x2b2b2b);
+    private static final Color LINE = new Color(0xd7191c);
+    private static final Color ZONE = Color.BLACK;
+
+    /** Most of a colour is that of its class: shades of the ground must not look like the class beside it. */
+    private static final double STRENGTH = 0.85;
+
+    /** Width of the line, pixels. */
+    private static final double WIDTH = 5.0;
+
+    private static final int MOST_CLASSES = 8;
+    private static final List<Double> STEPS =
+            List.of(1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1200.0);
+
+    private final Stage stage;
+    private final RouteInputs inputs;
+    private final RouteGrid grid;
+
+    /** By row from the south and column, s; NaN where no route leads to the end. */
+    private final double[] times;
+
+    private final double step;
+    private final int classes;
+
+    TimeToGoPicture(Stage stage, RouteInputs inputs, TimeToGo times) {
+        this.stage = stage;
+        this.inputs = inputs;
+        this.grid = times.grid();
+        this.times = IntStream.range(0, grid.columns() * grid.rows())
+                .mapToDouble(post ->
+                        times.at(post % grid.columns(), post / grid.columns()).orElse(Double.NaN))
+                .toArray();
+        double longest = Arrays.stream(this.times)
+                .filter(time -> !Double.isNaN(time))
+                .max()
+                .orElse(0.0);
+        this.step = STEPS.stream()
+                .filter(one -> longest / one <= MOST_CLASSES)
+                .findFirst()
+                .orElse(Math.ceil(longest / MOST_CLASSES));
+        this.classes = Math.max(1, (int) Math.ceil(longest / step));
+    }
+
+    /**
+     * The map.
+     *
+     * @param ground as {@link MapSheet#ground} gives it
+     */
+    MapSheet sheet(int[] ground) {
+        MapSheet sheet = new MapSheet(inputs.grid());
+        sheet.drawMap(ground, (column, row) -> this::colour, inputs.sensors());
+        for (List<Position> zone : ProtectedOutlines.of(stage.protection())) {
+            sheet.outline(zone, ZONE, 0);
+        }
+        sheet.title(inputs.scene());
+        sheet.line("least time that the drone '" + inputs.drone() + "'");
+        sheet.line("needs to " + inputs.targetInWords() + ",");
+        sheet.line("from any height:");
+        sheet.space();
+        for (int number = classes - 1; number >= 0; number--) {
+            Color colour = ofClass(number);
+            sheet.entry(
+                    (u, v, below) -> MapSheet.mixed(below, colour, STRENGTH),
+                    Numbers.text(number * step) + " to " + Numbers.text((number + 1) * step) + " s");
+        }
+        if (Arrays.stream(times).anyMatch(Double::isNaN)) {
+            sheet.entry((u, v, below) -> MapSheet.mixed(below, NOWHERE, STRENGTH), "no route from here");
+        }
+        sheet.space();
+        if (inputs.response() > 0.0) {
+            sheet.sample(LINE, (float) WIDTH, "response of " + Numbers.text(inputs.response()) + " s: inside this");
+            sheet.line("line, an alert comes too late");
+        }
+        if (!stage.protection().isEmpty()) {
+            sheet.sample(ZONE, 0, "protected zone");
+        }
+        sheet.credits(stage.credits());
+        sheet.caption("How long the drone needs to " + inputs.targetInWords() + " by the fastest route"
+                + (inputs.response() > 0.0
+                        ? "; once it is inside the red line, an alert comes too late for the response."
+                        : ": an alert must come earlier by the time of a response."));
+        return sheet;
+    }
+
+    private Color ofClass(int number) {
+        return MapSheet.mixed(SHORT, LONG, classes == 1 ? 1.0 : (double) number / (classes - 1));
+    }
+
+    private Color colour(int u, int v, Color ground) {
+        double time = at(u, v);
+        if (Double.isNaN(time)) {
+            return MapSheet.mixed(ground, NOWHERE, STRENGTH);
+        }
+        // The distance from the line in pixels, where time changes evenly.
+        double slope = Math.hypot(at(u + 1, v) - time, at(u, v + 1) - time);
+        double response = inputs.response();
+        if (response > 0.0 && Math.abs(time - response) <= 0.5 * WIDTH * slope) {
+            return LINE;
+        }
+        int number = Math.max(0, Math.min(classes - 1, (int) (time / step)));
+        return MapSheet.mixed(ground, ofClass(number), STRENGTH);
+    }
+
+    /** The time at a pixel of the map, interpolated between posts, s; NaN where no route leads to the end. */
+    private double at(int u, int v) {
+        double column = clamp((u + 0.5) * grid.columns() / MapSheet.MAP - 0.5, grid.columns());
+        double row = clamp((MapSheet.MAP - v - 0.5) * grid.rows() / MapSheet.MAP - 0.5, grid.rows());
+        int left = Math.min((int) column, grid.columns() - 2);
+        int below = Math.min((int) row, grid.rows() - 2);
+        double right = column - left;
+        double up = row - below;
+        return (1.0 - up) * ((1.0 - right) * post(left, below) + right * post(left + 1, below))
+                + up * ((1.0 - right) * post(left, below + 1) + right * post(left + 1, below + 1));
+    }
+
+    private static double clamp(double index, int count) {
+        return Math.max(0.0, Math.min(count - 1.0, index));
+    }
+
+    private double post(int column, int row) {
+        return times[row * grid.columns() + column];
+    }
+}
