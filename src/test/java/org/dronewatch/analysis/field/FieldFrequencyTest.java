@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,8 +12,11 @@ import java.util.Random;
 import org.dronewatch.LongForm;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.sensor.Encounters;
 import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sensor;
+import org.dronewatch.sensor.SensorSettings;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,14 +48,31 @@ class FieldFrequencyTest {
                 detection: {kind: chance, pulses: 8}}
             """;
 
+    /**
+     * Two thermal cameras by chance: a program that finds spots in frames, and an observer. The program's picture is so
+     * noisy that a small drone is lost within the grid.
+     */
+    private static final String THERMAL =
+            """
+              program: {kind: thermal, position: [-150, -150, 6], aim: {azimuth: 45 deg, elevation: 5 deg}, fov: 70 deg,
+                width: 320, height: 240, netd: 0.3, rate: 2, byChance: true, pointTargets: {}}
+              watched: {kind: thermal, position: [150, -150, 6], aim: {azimuth: 315 deg, elevation: 5 deg}, fov: 40 deg,
+                width: 640, height: 480, rate: 1, byChance: true}
+            """;
+
+    /** The first look: a program has then examined some frames. */
+    private static final int FIRST_LOOK = 10;
+
     @TempDir
     private static Path directory;
 
     private static FieldSite site;
+    private static FieldSite thermal;
 
     @BeforeAll
     static void read() throws IOException {
-        site = FieldSite.in(directory, SENSORS);
+        site = FieldSite.in(Files.createDirectory(directory.resolve("radars")), SENSORS);
+        thermal = FieldSite.in(Files.createDirectory(directory.resolve("thermal")), THERMAL);
     }
 
     /** Whether the interval around a frequency contains a probability. */
@@ -63,19 +84,21 @@ class FieldFrequencyTest {
     /**
      * Compares the field with looks.
      *
-     * @param looks each time, the drone is detected if one of so many detects it
+     * @param sensors numbers of those that are compared
+     * @param seconds in which the drone has to be detected; 0 for a single look
      */
-    private static void assertFrequencies(FieldTerms terms, int looks, int cells) {
-        DetectionField field = site.field(GRID, terms, 2);
-        Drone sample = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
+    private static void assertFrequencies(FieldSite of, int[] sensors, double seconds, int cells) {
+        FieldTerms terms = seconds == 0.0 ? FieldTerms.ONE_LOOK : FieldTerms.ONE_LOOK.withWithin(seconds);
+        DetectionField field = of.field(GRID, terms, 2);
+        Drone sample = DetectionField.droneOf(of.stage(), FieldSite.DRONE);
         // The short form has a fixed seed: by chance, one cell in a hundred lies outside.
         long seed = LongForm.IS_ON ? System.nanoTime() : 27;
         System.out.println("FieldFrequencyTest: seed " + seed);
         Random random = new Random(seed);
         int compared = 0;
         int outside = 0;
-        while (compared < cells) {
-            int sensor = random.nextInt(2);
+        for (int i = 0; i < MOST_TRIES && compared < cells; i++) {
+            int sensor = sensors[random.nextInt(sensors.length)];
             int height = random.nextInt(GRID.heights().size());
             int column = random.nextInt(GRID.columns());
             int row = random.nextInt(GRID.columns());
@@ -87,25 +110,28 @@ class FieldFrequencyTest {
             Drone there = sample.at(field.courses()
                     .get(course)
                     .at(field.middle(height, column, row), sample.settings().speed()));
-            int hits = hits(field.sensors().get(sensor), there, looks, random.nextLong());
+            int hits = hits(of, field.sensors().get(sensor), there, seconds, random.nextLong());
             compared++;
             outside += isWithin(expected, hits, SEEDS) ? 0 : 1;
         }
+        assertThat(compared).as("cells, seed %d", seed).isEqualTo(cells);
         assertThat(outside).as("of %d cells, seed %d", cells, seed).isLessThanOrEqualTo(cells / 50);
     }
 
-    private static int hits(String id, Drone there, int looks, long seed) {
-        Sensor sensor = site.settings().enabledSensors().get(id).create();
+    private static int hits(FieldSite of, String id, Drone there, double seconds, long seed) {
+        SensorSettings<?> settings = of.settings().enabledSensors().get(id);
+        Sensor sensor = settings.create();
+        int looks = seconds == 0.0 ? 1 : (int) Math.floor(seconds * settings.rate() + 1e-9);
         int hits = 0;
         for (int run = 0; run < SEEDS; run++) {
             boolean isDetected = false;
-            for (int look = 0; look < looks && !isDetected; look++) {
-                isDetected =
-                        sensor
-                                .observe(
-                                        site.stage().world(), List.of(there), Look.of(seed + run, id, look, 0.5 * look))
-                                .stream()
-                                .anyMatch(seen -> seen.isDetected());
+            Encounters encounters = Encounters.NONE;
+            for (int number = FIRST_LOOK; number < FIRST_LOOK + looks && !isDetected; number++) {
+                Look look = Look.of(seed + run, id, number, number / settings.rate())
+                        .withEncounters(encounters);
+                List<Observation> seen = sensor.observe(of.stage().world(), List.of(there), look);
+                isDetected = seen.stream().anyMatch(one -> one.isDetected());
+                encounters = Encounters.after(look, settings.rate(), seen);
             }
             hits += isDetected ? 1 : 0;
         }
@@ -157,13 +183,25 @@ class FieldFrequencyTest {
 
     @Test
     void singleLooksDetectAsOftenAsTheFieldSays() {
-        assertFrequencies(FieldTerms.ONE_LOOK, 1, LongForm.count(100, 2000));
+        assertFrequencies(site, new int[] {0, 1}, 0.0, LongForm.count(100, 2000));
     }
 
     /** Four looks in two seconds. */
     @Test
     void looksWithinATimeDetectAsOftenAsTheFieldSays() {
-        assertFrequencies(FieldTerms.ONE_LOOK.withWithin(2.2), 4, LongForm.count(50, 1000));
+        assertFrequencies(site, new int[] {0, 1}, 2.2, LongForm.count(50, 1000));
+    }
+
+    /** The noise of frames decides. */
+    @Test
+    void aProgramThatFindsSpotsDetectsAsOftenAsTheFieldSays() {
+        assertFrequencies(thermal, new int[] {0}, 0.0, LongForm.count(5, 500));
+    }
+
+    /** Chance decides once whether the observer of a thermal picture is able to, and then when. */
+    @Test
+    void theObserverOfAThermalCameraDetectsAsOftenAsTheFieldSays() {
+        assertFrequencies(thermal, new int[] {1}, 3.0, LongForm.count(3, 500));
     }
 
     /** Its ends are where a normal test of a probability just rejects the frequency (score test). */
