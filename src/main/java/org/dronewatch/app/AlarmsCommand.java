@@ -96,11 +96,12 @@ final class AlarmsCommand implements Callable<Integer> {
 
     private static void printSensors(SceneSettings settings, PrintWriter out) {
         out.printf(
-                "%-16s %-9s %12s %12s %12s %12s%n", "sensor", "kind", "per hour", "per look", "cells", "lasts [looks]");
+                "%-16s %-9s %12s %12s %12s %17s%n",
+                "sensor", "kind", "per hour", "per look", "cells", "duration [looks]");
         settings.enabledSensors().forEach((id, one) -> {
             Optional<FalseAlarmRate> known = rate(one, settings.world().weather());
             out.printf(
-                    "%-16s %-9s %12s %12s %12s %12s%n",
+                    "%-16s %-9s %12s %12s %12s %17s%n",
                     id,
                     one.kind(),
                     known.map(rate -> FalseAlertRate.brief(rate.perHour())).orElse("unknown"),
