@@ -15,7 +15,8 @@ import org.dronewatch.sound.Tone;
  * The tones of a drone: the blade-passing frequency of its rotors and its harmonics. They are part of the drone's sound
  * power, not additional to it; the rest of each octave band is broadband noise.
  *
- * @param rotorSpeed revolutions of a rotor, above 0 and at most 1000 Hz; also in {@code rpm}, as in {@code 6150 rpm}
+ * @param rotorSpeed rate of rotation of a rotor, above 0 and at most 1000 Hz; also in {@code rpm}, as in
+ *     {@code 6150 rpm}
  * @param blades number of blades of a rotor, 1 to 12; two on most quadrotors
  * @param shares the fraction of its octave band's power in each line, from the blade-passing frequency on, 0 to 1; up
  *     to 50 lines, and those within one octave add up to at most 1. Lines outside the eight octave bands are not heard

@@ -15,7 +15,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param pressure air pressure, 50,000 to 120,000 Pa
  * @param temperatureGradient change of temperature with height, -1 to 1 K/m: about -0.01 in a windy or cloudy
  *     atmosphere, 0.05 and more near the ground on a clear night, -0.1 and less in sunshine
- * @param wind wind
+ * @param wind the wind
  */
 public record Atmosphere(
         @In(value = Quantity.TEMPERATURE, from = 213.15, to = 333.15) double temperature,

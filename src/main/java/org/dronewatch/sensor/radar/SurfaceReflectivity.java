@@ -95,7 +95,7 @@ public sealed interface SurfaceReflectivity {
     }
 
     /**
-     * The same sigma0 at all grazing angles.
+     * A surface with the same sigma0 at all grazing angles.
      *
      * @param sigma0 radar cross-section per unit area of the surface at the radar's frequency, -100 to 30 dB
      */

@@ -13,7 +13,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param time duration of one dwell, 1e-6 to 1000 s
  * @param overlap time by which a burst must overlap a dwell to be received, 0 to 1000 s
- * @param count number of dwells of a look on the transmitter's channels, at independent times, 1 to 10,000
+ * @param count number of dwells per look on the transmitter's channels, at independent times, 1 to 10,000
  */
 public record Dwell(
         @In(value = Quantity.DURATION, from = 1e-6, to = 1000) double time,

@@ -19,9 +19,9 @@ import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * The energy model of sound propagation: levels in octave bands decrease by spreading, in the air and at surfaces. The
- * straight path, specular reflections and the path round edges are computed exactly; scattered sound is estimated by
- * ray tracing, with its standard error.
+ * The energy model of sound propagation: levels in octave bands decrease by spreading and by absorption in the air and
+ * at surfaces. The straight path, specular reflections and the path round edges are computed exactly; scattered sound
+ * is estimated by ray tracing, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
  * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are
