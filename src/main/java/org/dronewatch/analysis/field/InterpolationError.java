@@ -11,14 +11,20 @@ import java.util.Optional;
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error
  * @param largely what the error does not exceed at 95 % of these, dB
+ * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB: looks have it,
+ *     too, so that no interpolation between more positions is more accurate
  * @param inSight where nothing is in the way
  * @param hidden where something is
  */
-public record InterpolationError(int places, int heldOut, double largely, Bounds inSight, Bounds hidden) {
+public record InterpolationError(
+        int places, int heldOut, double largely, double ofLooks, Bounds inSight, Bounds hidden) {
     /** A field is not accurate if its error exceeds this at more than 5 % of the positions, dB. */
     public static final double ACCURATE = 0.5;
 
     private static final double LARGE_PART = 0.95;
+
+    /** The quantile of the normal distribution that 95 % do not exceed on either side. */
+    private static final double TWO_SIDED = 1.96;
 
     /** What counts as spread if all neighbours agree, dB: about the error of the traced levels. */
     private static final double LEAST_SPREAD = 0.05;
@@ -65,7 +71,22 @@ public record InterpolationError(int places, int heldOut, double largely, Bounds
         Optional<Bounds> unseen = bounds(map, heldOut, false);
         Bounds all = seen.or(() -> unseen).orElse(new Bounds(1.0, 0.0));
         Bounds any = all.atLeast(unseen.orElse(all));
-        return new InterpolationError(places, heldOut.size(), largely, seen.orElse(any), unseen.orElse(any));
+        return new InterpolationError(
+                places, heldOut.size(), largely, ofLooks(heldOut), seen.orElse(any), unseen.orElse(any));
+    }
+
+    private static double ofLooks(List<TracedPlace> heldOut) {
+        return Math.sqrt(heldOut.stream()
+                .mapToDouble(place -> place.signal().standardError())
+                .filter(Double::isFinite)
+                .map(error -> error * error)
+                .average()
+                .orElse(0.0));
+    }
+
+    /** What looks alone cause of the error: 95 % of normally distributed errors do not exceed it, dB. */
+    public double largelyOfLooks() {
+        return TWO_SIDED * ofLooks;
     }
 
     private static double error(ExcessMap.Estimate estimate, TracedPlace place) {

@@ -103,6 +103,7 @@ final class FieldFile {
         node.put("places", error.places());
         node.put("held_out", error.heldOut());
         node.put("error_95_db", Numbers.rounded(error.largely()));
+        node.put("look_error_95_db", Numbers.rounded(error.largelyOfLooks()));
     }
 
     private static void add(ObjectNode node, DetectableHeights detectable) {

@@ -157,10 +157,20 @@ public final class FieldTable {
                     isAccurate
                             ? ""
                             : text(
-                                    ", more than %s dB: larger cells or fewer heights help",
-                                    Numbers.text(InterpolationError.ACCURATE))));
+                                    ", more than %s dB: %s",
+                                    Numbers.text(InterpolationError.ACCURATE), remedy(sensor, error))));
         });
         return lines;
+    }
+
+    /** What makes levels more accurate: more rays, if the errors of looks alone are too large. */
+    private static String remedy(String sensor, InterpolationError error) {
+        return error.largelyOfLooks() <= InterpolationError.ACCURATE
+                ? "larger cells or fewer heights help"
+                : text(
+                        "the random rays of a look alone cause up to %.2f dB, so only a larger"
+                                + " sensors.%s.propagation.rays helps",
+                        error.largelyOfLooks(), sensor);
     }
 
     private static String words(Gap gap) {

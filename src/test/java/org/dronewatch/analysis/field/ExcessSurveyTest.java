@@ -20,6 +20,7 @@ import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.run.store.StoreKey;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -36,6 +37,9 @@ class ExcessSurveyTest {
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 400, 10, List.of(3.0, 20.0, 60.0));
 
     private static final int PLACES = 160;
+
+    /** Of a look whose rays have a standard error of half a decibel. */
+    private static final Signal SIGNAL = new Signal(1.0, 50.0, "dB", 40.0, 0.5, 0.0);
 
     @TempDir
     private static Path directory;
@@ -181,9 +185,9 @@ class ExcessSurveyTest {
             boolean isShut = at.x() > 75;
             places.add(
                     isShut
-                            ? new TracedPlace(at, false, null, -60.0, -60.0, 20.0 - at.x())
+                            ? new TracedPlace(at, false, SIGNAL, -60.0, -60.0, 20.0 - at.x())
                             : new TracedPlace(
-                                    at, isInSight, null, isInSight ? 3.0 : -9.0, isInSight ? 0.0 : -12.0, 40.0));
+                                    at, isInSight, SIGNAL, isInSight ? 3.0 : -9.0, isInSight ? 0.0 : -12.0, 40.0));
         }
         ExcessMap step = new ExcessMap(places.subList(0, 500), places.subList(500, 600));
         Position lit = new Position(49.999, 50, 10);
@@ -219,6 +223,8 @@ class ExcessSurveyTest {
         assertThat(error.places()).isEqualTo(400);
         assertThat(error.heldOut()).isEqualTo(100);
         assertThat(error.largely()).isCloseTo(0.95, within(1e-9));
+        assertThat(error.ofLooks()).isCloseTo(0.5, within(1e-9));
+        assertThat(error.largelyOfLooks()).isCloseTo(0.98, within(1e-9));
         assertThat(3.0 * error.deviation(0.0, true)).isBetween(1.0, 1.3);
         assertThat(error.bounds(true).beyond()).isBetween(0.99, 1.3);
         assertThat(error.bounds(false)).as("too few are hidden").isEqualTo(error.bounds(true));
@@ -227,7 +233,7 @@ class ExcessSurveyTest {
     /** A position in sight whose exact paths bring as much as in the open, which is 50 dB. */
     private static TracedPlace traced(Position at, double overOpen) {
         double rest = 50.0 + 10.0 * Math.log10(Math.pow(10.0, 0.1 * overOpen) - 1.0);
-        return new TracedPlace(at, true, null, overOpen, 0.0, rest);
+        return new TracedPlace(at, true, SIGNAL, overOpen, 0.0, rest);
     }
 
     @Test
