@@ -130,7 +130,7 @@ final class RouteCommand implements Callable<Integer> {
         }
     }
 
-    /** With how many seeds each route is flown; 0 for none. */
+    /** The number of seeds with which each route is flown; 0 for none. */
     private int flights() {
         if (proof != null && (proof < 1 || proof > MOST_FLIGHTS)) {
             throw new InputException("--proof " + proof + ": must be 1 to " + MOST_FLIGHTS);

@@ -32,7 +32,7 @@ final class RouteFinder {
     private final Interruption interruption;
     private final Consumer<String> notes;
 
-    /** What a search gives before the routes are flown. */
+    /** The result of a search before the routes are flown. */
     private record Found(RouteSurvey survey, TimeToGo times) {}
 
     /**
@@ -54,7 +54,7 @@ final class RouteFinder {
      *
      * @param modes in which the drone may fly
      * @param launch the area from which the routes come; empty for the edge
-     * @param flights with how many seeds each route is flown; 0 for none
+     * @param flights number of seeds with which each route is flown; 0 for none
      */
     RouteResults find(List<FlightMode> modes, Optional<AreaZone> launch, int flights) {
         List<ModeField> fields = fields(modes);

@@ -38,7 +38,7 @@ final class RouteFlights {
      *
      * @param survey what the search has found
      * @param times the least times to the end of a route
-     * @param runs how many seeds each route is flown with; 0 for none
+     * @param runs number of seeds with which each route is flown; 0 for none
      * @return after an interruption, only the routes that were assessed
      */
     RouteResults of(RouteSurvey survey, TimeToGo times, int runs) {

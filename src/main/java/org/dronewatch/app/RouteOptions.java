@@ -66,22 +66,23 @@ final class RouteOptions {
     @Option(
             names = STOPPED,
             paramLabel = "P",
-            description = "Probability that a response in time stops the drone, 0 to 1; then also states how likely the"
-                    + " drone is to be stopped.")
+            description = "Probability that a response in time stops the drone, 0 to 1; if it is given, the"
+                    + " probability that the drone is stopped is stated, too.")
     private Double stopped;
 
     @Option(
             names = "--pointing",
             paramLabel = "search|cued",
-            description = "How sensors on positioners point: searching, or turned to the drone and zoomed in; search by"
-                    + " default, since nothing has cued them before the first detection.")
+            description =
+                    "Pointing of sensors on positioners: searching, or turned to the drone and zoomed in; search by"
+                            + " default, since nothing has cued them before the first detection.")
     private String pointing;
 
     @Option(
             names = MODES,
             paramLabel = "powered,glide",
-            description = "How the drone may fly: powered; glide, with its motors off; or powered,glide, so that it may"
-                    + " stop its motors once. All that it can by default.")
+            description = "Modes in which the drone may fly: powered; glide, with its motors off; or powered,glide, so"
+                    + " that it may stop its motors once. By default all in which it can fly.")
     private String modes;
 
     /** Checks what can be checked before anything is loaded, and passes on the response. */
@@ -107,7 +108,7 @@ final class RouteOptions {
         }
     }
 
-    /** How sensors on positioners point. */
+    /** The pointing of sensors on positioners. */
     FieldTerms.Turning pointing() {
         return pointing == null
                 ? FieldTerms.Turning.SEARCH
@@ -123,7 +124,7 @@ final class RouteOptions {
         return Optional.ofNullable(stopped);
     }
 
-    /** How a drone may fly, in the order in which it may change. */
+    /** The modes in which a drone may fly, in the order in which it may change. */
     List<FlightMode> modes(DroneSettings drone) {
         List<FlightMode> can = FlightMode.of(drone);
         List<FlightMode> asked = words().orElse(can);

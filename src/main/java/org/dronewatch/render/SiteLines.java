@@ -11,7 +11,7 @@ import org.dronewatch.geometry.Position;
  * Lines through a site, such as routes, which are drawn in place of the paths of drones.
  *
  * @param lines the lines
- * @param legend what their colours mean
+ * @param legend the colours by what they mean
  */
 public record SiteLines(List<Line> lines, Map<String, Color> legend) {
     /** No lines. */
@@ -41,7 +41,7 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
      *
      * @param points two or more, m
      * @param colour its colour
-     * @param width in pixels of a screen of normal density
+     * @param width its width, in pixels of a screen of normal density
      */
     public record Piece(List<Position> points, Color colour, double width) {
         /** Copies the list. */
@@ -50,12 +50,12 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
         }
     }
 
-    /** Whether there is none. */
+    /** Whether there are no lines. */
     boolean isEmpty() {
         return lines.isEmpty();
     }
 
-    /** Writes at the beginning of each line what it is. */
+    /** Writes the words of each line at its beginning. */
     void write(Symbols symbols) {
         lines.forEach(line -> symbols.note(line.pieces().get(0).points().get(0), line.words()));
     }

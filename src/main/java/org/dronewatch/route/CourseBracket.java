@@ -1,11 +1,12 @@
 package org.dronewatch.route;
 
 /**
- * The courses of a cell on which no more, and no less, of a drone's signal passes than of one in flight there. Of
- * several courses on which equally much passes, it is that with the nearest heading. One thread.
+ * The two courses of a cell between which a flight lies by the fraction of the drone's signal that passes: on one
+ * course no more passes than in flight, on the other no less. Of several courses on which the same fraction passes, the
+ * one with the nearest heading is taken. For one thread.
  */
 final class CourseBracket {
-    /** Less than this passes like nothing, as a power of ten. */
+    /** A fraction below this counts like this one; as a power of ten. */
     private static final double NOTHING = -3.0;
 
     private final double passing;
@@ -17,7 +18,7 @@ final class CourseBracket {
     private double alongAbove;
 
     /**
-     * A bracket of no course yet.
+     * A bracket without courses.
      *
      * @param passing the fraction of the signal that passes in flight, 0 to 1
      */
@@ -57,7 +58,7 @@ final class CourseBracket {
         return above < 0 ? below : above;
     }
 
-    /** Where between the two the drone is, 0 to 1, by the level of what passes. */
+    /** The place of the flight between the two, 0 to 1, by the level of the signal that passes. */
     double fraction() {
         double low = decades(passingBelow);
         double high = decades(passingAbove);

@@ -8,7 +8,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
-/** How a drone may fly on a route, in the order in which it may change. */
+/** A mode in which a drone may fly on a route. The modes are in the order in which it may change. */
 public enum FlightMode {
     /** With its motors running, at cruise speed. */
     POWERED,
@@ -21,7 +21,7 @@ public enum FlightMode {
     }
 
     /**
-     * The courses on which it may fly in this mode.
+     * The courses on which a drone may fly in this mode.
      *
      * @param sensors by name
      * @throws IllegalArgumentException if the drone cannot fly in this mode
@@ -31,7 +31,7 @@ public enum FlightMode {
     }
 
     /**
-     * This mode with how the drone is detected in it.
+     * This mode with the field by which the drone is detected in it.
      *
      * @param field of single looks on its courses
      * @throws IllegalArgumentException if the drone cannot fly in this mode

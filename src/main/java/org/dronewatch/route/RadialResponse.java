@@ -6,8 +6,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.CrossingBlind;
 
 /**
- * How much of a drone's signal passes in a sensor that rejects low radial speeds: in flight, and on the courses of a
- * detection field. Immutable and thread-safe.
+ * The fraction of a drone's signal that passes in a sensor which rejects low radial speeds: in flight, and on the
+ * courses of a detection field. Immutable and thread-safe.
  */
 final class RadialResponse {
     private final CrossingBlind blind;
@@ -49,8 +49,8 @@ final class RadialResponse {
     }
 
     /**
-     * The courses of a cell between which a flight is: first the compass headings are numbered, then the courses across
-     * the line of sight.
+     * The two courses of a cell between which a flight lies. The compass headings have the first numbers, the courses
+     * across the line of sight the next.
      *
      * @param x east coordinate of the middle of the cell, m
      * @param y north coordinate, m

@@ -36,7 +36,9 @@ final class SensorRates {
     /** Empty if the sensor does not reject low radial speeds. */
     private final Optional<RadialResponse> response;
 
-    /** Of the courses that matter: first the compass headings, then those across the line of sight. */
+    /**
+     * The numbers of the courses that matter: first the compass headings, then the courses across the line of sight.
+     */
     private final int[] courses;
 
     private final int headings;
@@ -125,7 +127,7 @@ final class SensorRates {
         int low = steps(level, column, row, bracket.below());
         int high = steps(level, column, row, bracket.above());
         int between = low == high ? low : (int) Math.rint(low + bracket.fraction() * (high - low));
-        // 0 and 1 are exact.
+        // Probabilities of 0 and 1 are exact, so that none in between is rounded to them.
         boolean isExact = between == low || between == high;
         return rates[isExact ? between : Math.max(1, Math.min(STEPS - 1, between))];
     }

@@ -40,8 +40,8 @@ public interface BoundingSensor extends AssessableSensor {
             World world, Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps);
 
     /**
-     * The margin of a drone in a state is at most this, dB; other parameters as for {@link #bound}. Those bounds depend
-     * on what has been prepared for earlier queries; this one is the same in any order of queries.
+     * An upper bound on the margin of a drone in a state, dB; other parameters as for {@link #bound}. The bounds given
+     * there depend on what has been prepared for earlier queries; this one is the same in any order of queries.
      */
     double greatestMarginDb(World world, Drone drone, FlightState state, Optional<Pointing> pointing);
 }

@@ -44,10 +44,11 @@ public record Proportion(int count, int of) {
     }
 
     /**
-     * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): neither as many cases
-     * or more nor as few or fewer have a probability below half of what the confidence leaves. Over many campaigns, the
-     * true probability is in it in a fraction of at least {@code confidence} of them, also where Wilson's interval
-     * contains it less often: where less than one case is expected.
+     * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): at this probability,
+     * it is not too unlikely that as many cases or more occur, nor that as few or fewer do; the limit for each is
+     * {@code (1 - confidence) / 2}. In a fraction of at least {@code confidence} of many campaigns, the interval
+     * contains the true probability, even where Wilson's interval contains it less often, as where less than one case
+     * is expected.
      *
      * @param probability 0 to 1
      * @param confidence such as 0.95, above 0 and below 1

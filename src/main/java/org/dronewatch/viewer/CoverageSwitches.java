@@ -119,7 +119,7 @@ final class CoverageSwitches extends JPanel {
         return sensors.stream().map(row -> row.reason().getText()).toList();
     }
 
-    /** States what the field keeps about a cell at once: margins of most cells as bounds, in dB. */
+    /** States at once what the field keeps about a cell; margins are bounds in most cells, in dB. */
     void describe(CellWords words, FieldCoverage coverage) {
         for (Row row : sensors) {
             int sensor = coverage.field().sensors().indexOf(row.box().getText());

@@ -41,7 +41,7 @@ final class CellCode {
         return MarginCode.margin(code >> MARGIN_SHIFT);
     }
 
-    /** Whether a number that is not negative is one of these. */
+    /** Whether a number that is not negative is such a code. */
     static boolean isPossible(int code) {
         return (code & STEP_BITS) <= STEPS
                 && (code >> CAUSE_SHIFT & CAUSE_BITS) < CAUSES.length

@@ -1,8 +1,8 @@
 package org.dronewatch.analysis.field;
 
 /**
- * The {@link CellCode}s of one cell on several courses, in an array of bytes: few of them differ, so that these are
- * listed once, and each course has only the bits of a position in the list.
+ * The {@link CellCode}s of one cell on several courses, in an array of bytes. As few of the codes differ, each
+ * different code is listed once, and each course has only the bits of a position in the list.
  *
  * <pre>
  *   byte             number of different codes, less one
@@ -66,7 +66,7 @@ final class CourseCodes {
         return at + size(different, codes.length);
     }
 
-    /** The code of a course, from what was written to a position. */
+    /** The code of a course, of those that were written to a position. */
     static int at(byte[] pool, int at, int course) {
         int different = (pool[at] & BYTE) + 1;
         int first = at + 1 + CellCode.BYTES * position(pool, at, different, course);

@@ -187,7 +187,7 @@ public final class DetectionField {
     }
 
     /**
-     * By how much the signal of a sensor exceeds its threshold, as far as it is kept: in most cells as a bound.
+     * The margin by which the signal of a sensor exceeds its threshold, as far as it is kept: in most cells as a bound;
      * {@link Margin.Known#NOTHING} where the drone cannot be. Parameters as above.
      */
     public Margin margin(int sensor, int height, int column, int row, int course) {

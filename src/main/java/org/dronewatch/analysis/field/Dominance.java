@@ -17,7 +17,7 @@ final class Dominance {
 
     private Dominance() {}
 
-    /** Rises with the probability, given in steps, then as the cause comes nearer to a detection. */
+    /** A rank, which rises with the probability, given in steps, then as the cause comes nearer to a detection. */
     static int rank(int steps, Cause cause) {
         return steps << CAUSE_BITS | cause.ordinal();
     }

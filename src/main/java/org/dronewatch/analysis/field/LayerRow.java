@@ -116,8 +116,8 @@ final class LayerRow {
     }
 
     /**
-     * That of a sensor which bounds its assessments: whether bounds decide in a state, and which, depends on the masks
-     * that were made for earlier cells, so that only what holds in any case is kept.
+     * The margin of a sensor that bounds its assessments: whether bounds decide in a state, and which, depends on the
+     * masks that were made for earlier cells, so that only what holds in any case is kept.
      */
     private int margin(Cause cause, FlightState state, Optional<Pointing> pointing) {
         return cause == Cause.DETECTED
@@ -125,7 +125,10 @@ final class LayerRow {
                 : MarginCode.atMost(Math.min(0.0, assessor.greatestMarginDb(probe.drone(), state, pointing)));
     }
 
-    /** Of estimates from some looks, and of cameras, which do not count all pixels that show a drone, only the sign. */
+    /**
+     * The margin of an assessment; only its sign for estimates from some looks, and for cameras, which do not count all
+     * pixels that show a drone.
+     */
     private int margin(Assessment assessment) {
         boolean isDetected = assessment.signal().isDetected();
         if (assessment.probabilityError() > 0.0 || assessor.isBounding() && isDetected) {

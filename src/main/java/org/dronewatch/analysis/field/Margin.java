@@ -1,13 +1,13 @@
 package org.dronewatch.analysis.field;
 
 /**
- * By how much the signal of a sensor exceeds its threshold in a cell, as far as a field keeps it. Most cells are
- * decided by bounds on the signal, which are cheaper: of these, a bound on the margin is known. An estimate counts as a
- * value.
+ * The margin by which the signal of a sensor exceeds its threshold in a cell, as far as a field keeps it. Most cells
+ * are decided by bounds on the signal, which are cheaper; in these cells, a bound on the margin is known. An estimate
+ * counts as a value.
  *
  * @param kind what is known
  * @param db the value or the bound, from -51.1 to 51.1 dB: values in steps of 0.1 dB, bounds in steps of 1 dB; 0 for
- *     other kinds. In dB for all units: {@code 10 lg(quantity / threshold)} where the unit is not dB
+ *     other kinds. Signals in other units are also compared in dB: {@code 10 lg(quantity / threshold)}
  */
 public record Margin(Known kind, double db) {
     /** What is known of a margin. */

@@ -77,7 +77,7 @@ final class MarginCode {
         };
     }
 
-    /** Whether a number of twelve bits is one of these. */
+    /** Whether a number of twelve bits is such a code. */
     static boolean isPossible(int code) {
         return code < VALUE ? code <= NO_SIGNAL : (code & TENTHS) <= 2 * MOST;
     }

@@ -98,12 +98,12 @@ final class SensorLayer {
         return CellCode.steps(at(height, column, row, course));
     }
 
-    /** Why it is missed; {@link Cause#UNKNOWN} in a cell in which it cannot be. */
+    /** Why the drone is missed; {@link Cause#UNKNOWN} in a cell in which it cannot be. */
     Cause cause(int height, int column, int row, int course) {
         return CellCode.cause(at(height, column, row, course));
     }
 
-    /** The margin of the signal; {@link Margin.Known#NOTHING} in a cell in which it cannot be. */
+    /** The margin of the signal; {@link Margin.Known#NOTHING} in a cell in which the drone cannot be. */
     Margin margin(int height, int column, int row, int course) {
         return CellCode.margin(at(height, column, row, course));
     }

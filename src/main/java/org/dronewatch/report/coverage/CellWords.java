@@ -104,8 +104,8 @@ public final class CellWords {
     }
 
     /**
-     * By how much the signal of a sensor, given by its number, exceeds its threshold, as far as the field keeps it:
-     * {@code +3.2 dB}, {@code <= -12 dB}, or that there is no signal; empty if only the sign is kept.
+     * The margin by which the signal of a sensor, given by its number, exceeds its threshold, as far as the field keeps
+     * it: {@code +3.2 dB}, {@code <= -12 dB} or {@code no signal}; empty if only the sign is kept.
      */
     public String margin(int sensor) {
         Margin margin = kept(sensor);
@@ -126,7 +126,10 @@ public final class CellWords {
         return (db < 0.0 ? "-" : "+") + measured(Math.abs(db), DECIBELS);
     }
 
-    /** What is there, and which sensor decides, from the field alone: as far as the margins that it keeps suffice. */
+    /**
+     * What is there, from the field alone, and which sensor decides, if the margins that the field keeps suffice to
+     * know it.
+     */
     public String deciding() {
         OptionalInt sensor = coverage.field().isOpen(height, column, row)
                 ? coverage.deciding(height, column, row)

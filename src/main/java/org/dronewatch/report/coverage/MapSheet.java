@@ -159,7 +159,7 @@ public final class MapSheet {
         g.drawRect(u - SQUARE, v - SQUARE, 2 * SQUARE, 2 * SQUARE);
     }
 
-    /** Writes a line of the legend with a white square before it. */
+    /** Writes a line of the legend with a white square in front of it. */
     public void squareSample(String text) {
         square(MAP + MARGIN + SWATCH_WIDTH, line - 5);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);

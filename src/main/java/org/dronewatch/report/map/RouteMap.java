@@ -23,7 +23,7 @@ public final class RouteMap {
      *
      * @param route name of the route, which is that of its folder
      * @param exposure on the piece, in words
-     * @param mode in which it is flown
+     * @param mode mode in which it is flown
      * @param points two or more, m
      * @param colour of its line
      * @param begin when the drone is at its first point, s

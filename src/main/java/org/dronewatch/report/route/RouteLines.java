@@ -13,7 +13,7 @@ import org.dronewatch.route.SectorRoute;
 public final class RouteLines {
     private RouteLines() {}
 
-    /** The lines, each with its direction and how likely the drone is to be detected. */
+    /** The lines, each with its direction and the probability that the drone is detected. */
     public static SiteLines of(RouteSurvey survey) {
         Map<String, Color> legend = new LinkedHashMap<>();
         for (RouteColours style : RouteColours.values()) {

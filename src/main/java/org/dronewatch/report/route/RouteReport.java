@@ -42,7 +42,7 @@ final class RouteReport {
      *
      * @param maps of the site
      * @param view of the routes in perspective, if there is a route
-     * @param profile of the weakest, if there is a route
+     * @param profile of the weakest route, if there is one
      * @param provenance origin of the results, as names and values
      */
     void write(
@@ -154,7 +154,7 @@ final class RouteReport {
         return Html.table(head, rows) + sensors();
     }
 
-    /** Beside the numbers, the table would be too wide for a page. */
+    /** A separate table: with the numbers in it, too, it would be too wide for a page. */
     private String sensors() {
         List<List<String>> rows = survey.routes().stream()
                 .map(route -> List.of(
@@ -204,9 +204,8 @@ final class RouteReport {
                 + "; sensors on positioners "
                 + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
         inputs.stopped()
-                .ifPresent(share ->
-                        items.add("What the response does is not simulated: it is assumed to stop the drone in "
-                                + RouteWords.percent(share) + " of the cases in which the alert is in time."));
+                .ifPresent(share -> items.add("The response is not simulated; it is assumed to stop the drone in "
+                        + RouteWords.percent(share) + " of the cases in which the alert is in time."));
         items.add("Sensors count as independent, which they are not where they look past the same obstacle.");
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());

@@ -35,7 +35,7 @@ public record RouteResults(
      * The probability that the drone is stopped on a route, {@code P_E = P_I P_N} in the EASI model; empty where the
      * probability of an alert in time cannot be computed, or P_N is not given.
      *
-     * @param inputs state P_N
+     * @param inputs the inputs, which state P_N
      */
     Optional<Double> effectiveness(SectorRoute route, RouteInputs inputs) {
         return Optional.ofNullable(timely.get(route.sector()))

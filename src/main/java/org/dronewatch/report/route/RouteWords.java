@@ -48,7 +48,9 @@ final class RouteWords {
                                 : "; try --cell " + Numbers.text(0.5 * cell) + "m"));
     }
 
-    /** That it is not known whether an alert comes in time; empty if it is, or no response is required. */
+    /**
+     * States that it is not known whether an alert comes in time; empty if it is known, or if no response is required.
+     */
     Optional<String> withoutAlert(RouteResults results) {
         return inputs.response() > 0.0
                         && results.timely().isEmpty()
@@ -73,7 +75,7 @@ final class RouteWords {
         return survey.modes().stream().anyMatch(RouteMode::isGlide);
     }
 
-    /** For how long it flies with its motors off at the end, s; empty if they run all the time. */
+    /** The time for which the drone flies with its motors off at the end, s; empty if they run all the time. */
     static OptionalDouble gliding(SectorRoute route, RouteSurvey survey) {
         double end = route.searched().end().time();
         return route.searched().points().stream()

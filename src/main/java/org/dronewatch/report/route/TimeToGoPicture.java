@@ -13,8 +13,8 @@ import org.dronewatch.route.TimeToGo;
 import org.dronewatch.run.Stage;
 
 /**
- * The map of how long a drone needs to the end of a route, from light where it is long to dark where it is short, so
- * that the classes keep their order in black and white and for the colour-blind; and the line within which an alert
+ * The map of the time that a drone needs to the end of a route, from light where it is long to dark where it is short,
+ * so that the classes keep their order in black and white and for the colour-blind; and the line within which an alert
  * comes too late for the response.
  */
 final class TimeToGoPicture {
@@ -97,7 +97,7 @@ final class TimeToGoPicture {
             sheet.sample(ZONE, 0, "protected zone");
         }
         sheet.credits(stage.credits());
-        sheet.caption("How long the drone needs to " + inputs.targetInWords() + " by the fastest route"
+        sheet.caption("The time that the drone needs to " + inputs.targetInWords() + " by the fastest route"
                 + (inputs.response() > 0.0
                         ? "; once it is inside the red line, an alert comes too late for the response."
                         : ": an alert must come earlier by the time of a response."));
@@ -113,7 +113,7 @@ final class TimeToGoPicture {
         if (Double.isNaN(time)) {
             return MapSheet.mixed(ground, NOWHERE, STRENGTH);
         }
-        // The distance from the line in pixels, where time changes evenly.
+        // Where time changes evenly, its difference divided by the slope is the distance from the line in pixels.
         double slope = Math.hypot(at(u + 1, v) - time, at(u, v + 1) - time);
         double response = inputs.response();
         if (response > 0.0 && Math.abs(time - response) <= 0.5 * WIDTH * slope) {

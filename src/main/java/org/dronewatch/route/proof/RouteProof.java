@@ -102,7 +102,7 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
 
     /**
      * Whether the prediction lies in this interval or in the exact one: where less than one detection is expected, a
-     * single one is not so rare as Wilson's interval has it.
+     * single one is less rare than by Wilson's interval.
      */
     public boolean agrees() {
         boolean isInside = predicted >= interval().low() - ROUNDING

@@ -110,7 +110,7 @@ final class CameraBounds {
                 : bounds;
     }
 
-    /** As {@link CameraSensor#greatestMarginDb}: that of a drone that fills the rectangle around it. */
+    /** As {@link CameraSensor#greatestMarginDb}: the margin of a drone that fills the rectangle around it. */
     double greatestMarginDb(DronePicture picture, Drone drone, FlightState state, Optional<Pointing> pointing) {
         State there = new State(picture, state, pointing);
         return picture.bounds(world, drone.silhouettes(), state.position())

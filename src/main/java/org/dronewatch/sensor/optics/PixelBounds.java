@@ -57,12 +57,12 @@ public final class PixelBounds {
         return pixels.isInvisible();
     }
 
-    /** At most this many pixels show the drone, however it turns. */
+    /** An upper bound on the number of pixels that show the drone, however it turns. */
     public int mostAround() {
         return pixels.mostAround();
     }
 
-    /** The same, whatever the site hides, and however many pixels have been examined. */
+    /** The same bound, whatever the site hides, and however many pixels have been examined. */
     public int mostInRectangle() {
         return pixels.mostInRectangle();
     }
