@@ -37,6 +37,7 @@ class LintTest {
             "FewTrianglesPacket.java",
             "FewTrianglesTraversal.java",
             "VectorBands.java",
+            "VectorConvexRoomPacket.java",
             "VectorRasteriser.java",
             "VectorTriangleSetup.java",
             "VectorWidth.java");

@@ -35,6 +35,11 @@ final class CornerTable {
         return coordinates.length / 3;
     }
 
+    /** The three coordinates of a corner. */
+    double[] corner(int number) {
+        return Arrays.copyOfRange(coordinates, 3 * number, 3 * number + 3);
+    }
+
     /** Three corners for each triangle: their indices times a stride. */
     int[] triangles(int stride) {
         return Arrays.stream(ofTriangles).map(corner -> stride * corner).toArray();

@@ -114,10 +114,15 @@ final class FewTrianglesPacket extends RayPacket {
     }
 
     @Override
-    public void trace() {
+    public void trace(int count) {
+        if (count == 1) {
+            // Four triangles at once are faster than four rays.
+            traceAlone(0);
+            return;
+        }
         shear();
         test();
-        for (int ray = 0; ray < RAYS; ray++) {
+        for (int ray = 0; ray < count; ray++) {
             long key = nearest[ray];
             int index = (int) (key & INDEX);
             double parameter = parameters[RAYS * index + ray];

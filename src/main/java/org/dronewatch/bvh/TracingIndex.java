@@ -18,6 +18,7 @@ public final class TracingIndex {
     private final KDTree tree;
     private final RayTraversal traversal;
     private final Optional<FewTriangles> few;
+    private final Optional<ConvexRoom> room;
     private Bvh bvh;
 
     /** An index of a finished tree; the BVH is only built when needed. */
@@ -32,6 +33,7 @@ public final class TracingIndex {
         this.few = Optional.of(tree.triangles())
                 .filter(triangles -> triangles.count() <= FewTriangles.MOST)
                 .map(FewTriangles::new);
+        this.room = few.flatMap(triangles -> ConvexRoom.of(tree.triangles()));
     }
 
     /**
@@ -95,11 +97,20 @@ public final class TracingIndex {
 
     /**
      * A new packet of incoherent rays that are traced together, or empty where that is not faster: it is faster in
-     * meshes of a few triangles, such as an empty room, where the processor's vectors can be used.
+     * meshes of a few triangles where the processor's vectors can be used, and in convex rooms of a few triangles
+     * always. In these, distances may differ from those of single rays by rounding, but not with the processor or the
+     * traversal.
      */
     public Optional<RayPacket> newRayPacket() {
+        RayTracer alone = newIncoherentRayTracer();
+        if (room.isPresent()) {
+            return Optional.of(
+                    suitsVectors()
+                            ? new VectorConvexRoomPacket(tree.triangles(), room.get(), alone)
+                            : new ConvexRoomPacket(tree.triangles(), room.get(), alone));
+        }
         return few.isPresent() && traversal == RayTraversal.FASTEST && suitsVectors()
-                ? Optional.of(new FewTrianglesPacket(tree.triangles(), newIncoherentRayTracer()))
+                ? Optional.of(new FewTrianglesPacket(tree.triangles(), alone))
                 : Optional.empty();
     }
 

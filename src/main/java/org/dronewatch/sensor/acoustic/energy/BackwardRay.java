@@ -127,7 +127,8 @@ final class BackwardRay {
     boolean goOn(boolean hit, int triangle, double length) {
         traced++;
         double distance = hit ? length : Double.POSITIVE_INFINITY;
-        if (fromMirror && !arrival.isExact()) {
+        // Few rays pass the target: the others need not be looked up among the exact paths.
+        if (fromMirror && ofTarget.mayBeCrossed(ray) && !arrival.isExact()) {
             countPassing(distance);
         }
         recordFlight(Math.min(distance, DRAWN));

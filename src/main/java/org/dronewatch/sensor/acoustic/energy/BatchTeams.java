@@ -78,8 +78,8 @@ final class BatchTeams {
         }
 
         void finish(int count) {
-            if (count > 1) {
-                finish(batches.subList(0, count), packet.orElseThrow());
+            if (packet.isPresent()) {
+                finish(batches.subList(0, count), packet.get());
             } else {
                 batches.get(0).finish();
             }
@@ -91,7 +91,7 @@ final class BatchTeams {
                 together.get(i).put(rays, i);
             }
             while (running > 0) {
-                rays.trace();
+                rays.trace(together.size());
                 running = 0;
                 for (int i = 0; i < together.size(); i++) {
                     RayBatch batch = together.get(i);

@@ -52,6 +52,9 @@ final class ReceiverSphere {
     private final double[] free = new double[LOOKS];
     private final double[] brought = new double[BANDS];
     private Position centre;
+    private double centreX;
+    private double centreY;
+    private double centreZ;
     private double widest;
     private double wanted;
 
@@ -90,6 +93,9 @@ final class ReceiverSphere {
      */
     void surround(Position point, double known) {
         centre = point;
+        centreX = point.x();
+        centreY = point.y();
+        centreZ = point.z();
         // A ray contributes at most its energy over the cross-section of the sphere.
         wanted = Math.sqrt(BANDS / (Math.PI * EnergyTracer.FEWEST * APPRECIABLE * known));
         double farthest = Math.max(radius, WIDEST);
@@ -128,6 +134,26 @@ final class ReceiverSphere {
         return ball(1.0) * cubes / LOOKS;
     }
 
+    /** Whether the line of a ray passes near enough to the centre, whatever the ray's length. */
+    boolean mayBeCrossed(AcousticRay ray) {
+        return besideSquared(ray, middle(ray)) < farthestSquared;
+    }
+
+    /** How far along a ray its line is nearest to the centre, m. */
+    private double middle(AcousticRay ray) {
+        return (centreX - ray.originX) * ray.directionX
+                + (centreY - ray.originY) * ray.directionY
+                + (centreZ - ray.originZ) * ray.directionZ;
+    }
+
+    /** The square of the distance from the centre to that point, m2; rounding may make it negative. */
+    private double besideSquared(AcousticRay ray, double middle) {
+        double x = centreX - ray.originX;
+        double y = centreY - ray.originY;
+        double z = centreZ - ray.originZ;
+        return x * x + y * y + z * z - middle * middle;
+    }
+
     /**
      * Whether a ray crosses the sphere, over walls that lead to its centre.
      *
@@ -135,11 +161,8 @@ final class ReceiverSphere {
      * @param end how far the ray goes on from its origin, m
      */
     boolean isCrossed(AcousticRay ray, SpecularLeg leg, double end, RandomGenerator random) {
-        double x = centre.x() - ray.originX;
-        double y = centre.y() - ray.originY;
-        double z = centre.z() - ray.originZ;
-        double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-        double difference = x * x + y * y + z * z - middle * middle;
+        double middle = middle(ray);
+        double difference = besideSquared(ray, middle);
         if (difference >= farthestSquared) {
             return false;
         }

@@ -141,9 +141,6 @@ final class ScatteredSound {
             ray.travelled += flown;
             leg.fly(flown);
             double arriving = -along();
-            for (int band = 0; band < BANDS; band++) {
-                energy[band] *= air.left(band, flown) * surfaces.reflected(material, band, arriving);
-            }
             boolean isOfImage = leg.order() == 0 || leg.matchesFromStart(ends.ofTarget());
             double inverseDensity = before;
             if (isOfImage) {
@@ -156,6 +153,11 @@ final class ScatteredSound {
             } else if (scatterings == 0) {
                 // Indoors, enough of them do.
                 return order;
+            }
+            if (surfaces.anyScatters()) {
+                for (int band = 0; band < BANDS; band++) {
+                    energy[band] *= air.left(band, flown) * surfaces.reflected(material, band, arriving);
+                }
             }
             boolean isScattered = false;
             if (surfaces.scatters(material)) {

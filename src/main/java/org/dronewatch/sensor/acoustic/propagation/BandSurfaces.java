@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.surface.AngularAbsorption;
 import org.dronewatch.sound.surface.SurfaceMaterial;
@@ -19,6 +20,7 @@ public final class BandSurfaces {
     private final boolean[] evenlyScattering;
     private final boolean[] sheet;
     private final boolean anyTransmits;
+    private final boolean anyScatters;
 
     /** By material; null where absorption is the same at all angles. */
     private final AngularAbsorption[] angular;
@@ -49,6 +51,7 @@ public final class BandSurfaces {
             evenlyScattering[i] = surface.scattering().stream().distinct().count() == 1L;
         }
         this.anyTransmits = surfaces.stream().anyMatch(surface -> !surface.isOpaque());
+        this.anyScatters = IntStream.range(0, count).anyMatch(this::scatters);
     }
 
     /** The fraction that is reflected in a diffuse field. */
@@ -129,6 +132,11 @@ public final class BandSurfaces {
     /** Whether anything is scattered. */
     public boolean scatters(int material) {
         return scatters[material];
+    }
+
+    /** Whether any material scatters sound. */
+    public boolean anyScatters() {
+        return anyScatters;
     }
 
     /** Whether the same fraction is scattered in all bands. */
