@@ -14,12 +14,12 @@ public final class Dice {
         this.random = new SplittableRandom(seed);
     }
 
-    /** The generator behind it. */
+    /** The underlying generator. */
     public SplittableRandom random() {
         return random;
     }
 
-    /** A number from 0 and below a limit. */
+    /** A number of at least 0 and below a limit. */
     public int below(int limit) {
         return random.nextInt(limit);
     }
@@ -34,7 +34,7 @@ public final class Dice {
         return low + (high - low) * random.nextDouble();
     }
 
-    /** True once in as many times as said. */
+    /** True once in the given number of times, on average. */
     public boolean oneIn(int times) {
         return random.nextInt(times) == 0;
     }
@@ -50,7 +50,7 @@ public final class Dice {
         return things.get(random.nextInt(things.size()));
     }
 
-    /** A text of several parts, each chosen by itself. */
+    /** A text of several parts, each chosen separately. */
     public String several(int count, List<String> parts) {
         return IntStream.range(0, count).mapToObj(i -> pick(parts)).collect(Collectors.joining());
     }

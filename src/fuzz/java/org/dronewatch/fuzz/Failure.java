@@ -20,7 +20,7 @@ public final class Failure extends RuntimeException {
      * A failure.
      *
      * @param expected what should have happened
-     * @param happened what did
+     * @param happened what did happen
      */
     public Failure(String expected, String happened) {
         super(happened);
@@ -32,7 +32,9 @@ public final class Failure extends RuntimeException {
         return expected;
     }
 
-    /** Alike for failures with the same cause, as far as a message or a stack trace shows it; one short line. */
+    /**
+     * One short line that is the same for failures with the same cause, as far as a message or a stack trace shows it.
+     */
     static String shapeOf(Throwable problem) {
         if (problem instanceof Failure failure) {
             return shape(failure.expected + ": " + failure.getMessage());

@@ -8,7 +8,7 @@ import org.dronewatch.setting.InputException;
 
 /** Names that lead to no plain file, or out of the directory of the scene. */
 final class FilesTarget implements FuzzTarget {
-    /** Stands in files outside the directory of the scene; nobody may ever see it. */
+    /** The content of files outside the directory of the scene; it must never be shown. */
     private static final String SECRET = "canary-6f1d";
 
     private static final List<String> SPECIALS = List.of(
@@ -23,7 +23,7 @@ final class FilesTarget implements FuzzTarget {
             "letters:40000000",
             "link:{}/site/scene.yaml");
 
-    /** Where in a site such a thing lies. */
+    /** The places in a site where such a name is used. */
     private static final List<String> ROLES =
             List.of("scene", "model", "use", "neighbour", "materials", "drone", "rays", "out", "hits");
 
@@ -143,7 +143,7 @@ final class FilesTarget implements FuzzTarget {
         }
     }
 
-    /** Materials come from the directory of the model only: colours would show that another file was read. */
+    /** Materials come from the directory of the model only; colours would reveal that another file was read. */
     private static void checkColours(Path site) {
         LoadedModel model;
         try {

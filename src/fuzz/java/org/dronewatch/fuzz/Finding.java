@@ -10,16 +10,16 @@ import java.util.Properties;
 import java.util.stream.Stream;
 
 /**
- * A failure that was written.
+ * A failure for which a reproducer was written.
  *
  * @param directory where its reproducer is
  * @param number of its case
- * @param shape what tells it from others
+ * @param shape what distinguishes it from others
  * @param seconds since its target was started
  */
 record Finding(Path directory, long number, String shape, double seconds) {
 
-    /** All of a target, in the order in which they were found. */
+    /** All findings of a target, in the order in which they were found. */
     static List<Finding> readAll(Path home) throws IOException {
         List<Finding> findings = new ArrayList<>();
         if (!Files.isDirectory(home)) {

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Feeds all parts of the program with random input for a while, each in processes of their own, and fails when
- * something does not do what it should. Options are system properties: {@code fuzz.seconds} for all targets together,
- * {@code fuzz.seed}, {@code fuzz.targets} (names with commas), {@code fuzz.case} for one case by itself,
+ * Feeds all parts of the program with random input for a while, each in separate processes, and fails if a part does
+ * not do what it should. Options are system properties: {@code fuzz.seconds} for all targets together,
+ * {@code fuzz.seed}, {@code fuzz.targets} (names with commas), {@code fuzz.case} for a single case,
  * {@code fuzz.replay} for the directory of a reproducer.
  */
 public final class Fuzz {
@@ -55,7 +55,7 @@ public final class Fuzz {
         return Optional.ofNullable(System.getProperty("fuzz." + name)).filter(value -> !value.isBlank());
     }
 
-    /** Runs one target until its time is up; a line for each distinct failure. */
+    /** Runs one target until its time is up; prints a line for each distinct failure. */
     private List<String> run(FuzzTarget target, Optional<Long> single) throws IOException, InterruptedException {
         Path home = HOME.resolve(target.name());
         Scratch.delete(home);
@@ -120,7 +120,7 @@ public final class Fuzz {
         return Files.exists(progress) ? Long.parseLong(Files.readString(progress)) : 0;
     }
 
-    /** A worker that ended by itself, not by one of its own checks: the virtual machine gave up, or was ended. */
+    /** Reports a worker that did not end by one of its own checks: the virtual machine gave up, or was ended. */
     private void died(FuzzTarget target, long number, int code, long start, Path home, int deaths) throws IOException {
         if (deaths == 0) {
             FuzzCase input = target.generate(new Dice(Seeds.of(seed, target.name(), number)), number);

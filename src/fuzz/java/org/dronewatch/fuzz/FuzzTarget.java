@@ -26,7 +26,7 @@ public interface FuzzTarget {
      */
     void judge(FuzzCase input, Path directory) throws IOException;
 
-    /** How much processor time one case may take. */
+    /** The processor time that one case may take. */
     default Duration longest() {
         return Duration.ofSeconds(10);
     }

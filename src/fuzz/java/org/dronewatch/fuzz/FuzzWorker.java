@@ -10,10 +10,10 @@ import java.util.Set;
 
 /** Runs the cases of one target, in a process with a small heap that {@link Fuzz} starts. */
 public final class FuzzWorker {
-    /** Exit code of a worker that found a case that does not end: it cannot go on, another one does. */
+    /** Exit code of a worker that found a case that does not end: it cannot continue; another worker does. */
     static final int HANGS = 3;
 
-    /** The file in which a worker says which case it is at: its parent reads it if the worker dies. */
+    /** The file in which a worker states its current case; its parent reads it if the worker dies. */
     static final String PROGRESS = "progress";
 
     private static final Duration LONGEST_TO_SHRINK = Duration.ofSeconds(1);
@@ -119,7 +119,7 @@ public final class FuzzWorker {
         }
     }
 
-    /** How long something has taken, s. */
+    /** The time that something has taken, s. */
     static double secondsSince(long nanoTime) {
         return NANO * (System.nanoTime() - nanoTime);
     }

@@ -12,7 +12,7 @@ final class Judge {
     private Judge() {}
 
     /**
-     * Runs a command and looks at what it says.
+     * Runs a command and examines its output.
      *
      * @throws Failure when the exit code is neither 0 nor 2, or a message is not as it should be
      */
@@ -22,7 +22,7 @@ final class Judge {
         return run;
     }
 
-    /** Looks at what a command said. */
+    /** Examines the output of a command. */
     static void check(CommandRun run, Path directory) {
         Optional<String> fault = Messages.fault(run, directory);
         if (fault.isPresent()) {
@@ -31,7 +31,7 @@ final class Judge {
     }
 
     /**
-     * Does something and measures what it takes.
+     * Does something and measures the time and memory that it takes.
      *
      * @param bytes size of its input
      * @throws Failure when it takes more of the processor or of memory than is in proportion to the input

@@ -12,7 +12,10 @@ import java.util.Map;
 import java.util.zip.GZIPOutputStream;
 import org.dronewatch.buildings.io.PbfWriter;
 
-/** Maps with buildings: OpenStreetMap XML, packed or not, PBF, GeoJSON and CityJSON, damaged; blocks of PBF inside. */
+/**
+ * Maps with buildings: OpenStreetMap XML, compressed or not, PBF, GeoJSON and CityJSON, damaged; PBF also inside its
+ * blocks.
+ */
 final class MapTarget implements FuzzTarget {
     private static final double LATITUDE = 50.08;
     private static final double LONGITUDE = 14.42;
@@ -148,7 +151,7 @@ final class MapTarget implements FuzzTarget {
         return PbfWriter.house(LATITUDE, LONGITUDE, dice.oneIn(2), tags(dice));
     }
 
-    /** The checksum of what is packed would hide damage to what is in it. */
+    /** PBF with damage inside its blocks; damage to compressed blocks would be found by their checksum first. */
     private static byte[] damagedBlock(Dice dice) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         try {

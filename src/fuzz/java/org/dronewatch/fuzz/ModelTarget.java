@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.Locale;
 
-/** Models in glTF, STL and PLY, as text and as bytes, damaged; of GLB also the JSON inside. */
+/** Models in glTF, STL and PLY, as text and as bytes, damaged; in GLB files, also the JSON inside. */
 final class ModelTarget implements FuzzTarget {
     private static final int MOST_TRIANGLES = 30;
 
@@ -57,7 +57,7 @@ final class ModelTarget implements FuzzTarget {
         return FuzzCase.of(what, "scene.yaml", scene, "check", "{}/scene.yaml").with(file, content);
     }
 
-    /** Of triangles, three for each; some of them are huge, or not numbers. */
+    /** The corners of triangles, three for each; some of them are huge, or not numbers. */
     private static float[][] corners(Dice dice) {
         float[][] corners = new float[3 * dice.between(1, MOST_TRIANGLES)][3];
         for (float[] corner : corners) {

@@ -14,7 +14,7 @@ import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.setting.InputException;
 
-/** Model files and their materials: what is read is what is written, in time and memory in proportion. */
+/** Model files and their materials: what is read is what was written, and time and memory are in proportion. */
 final class ObjTarget implements FuzzTarget {
     private static final String MODEL = "model.obj";
     private static final String SCENE = "scene.yaml";
@@ -77,7 +77,7 @@ final class ObjTarget implements FuzzTarget {
         }
     }
 
-    /** Some vertices and some faces of theirs. */
+    /** Some vertices and some faces between them. */
     private static String cut(String whole, Dice dice) {
         StringBuilder text = new StringBuilder();
         int[] vertices = new int[1];

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Random OBJ files of small solids and polygons, written in all the manners that the format allows, and in some that it
+ * Random OBJ files of small solids and polygons, written in all the ways that the format allows, and in some that it
  * does not.
  */
 final class ObjWriting {
@@ -146,7 +146,10 @@ final class ObjWriting {
         }
     }
 
-    /** A face of corners numbered from 0 in its piece; absolute if its vertices were not written yet, too. */
+    /**
+     * A face of corners numbered from 0 in its piece; absolute indices also serve if its vertices have not been written
+     * yet.
+     */
     private void face(int[] face, boolean absolute, int written) {
         StringBuilder line = new StringBuilder("f");
         for (int corner : face) {

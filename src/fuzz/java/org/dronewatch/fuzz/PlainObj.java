@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /**
  * A plain reader of OBJ files, independent of the program's: vertices and faces only, areas of polygons by Newell's
- * formula. It says how sure it is of what it read.
+ * formula. It states how certain it is of what it read.
  */
 final class PlainObj {
     /** What the reader makes of a file. */
@@ -24,7 +24,7 @@ final class PlainObj {
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d{1,3})?");
     private static final Pattern CORNER = Pattern.compile("(-?\\d{1,8})(/(-?\\d{1,8})?(/(-?\\d{1,8})?)?)?");
     private static final Set<String> PASSED_OVER = Set.of("vt", "vn", "g", "o", "s", "l", "p", "usemtl", "mtllib");
-    /** Statements of the format that say nothing about vertices and faces. */
+    /** Statements of the format that do not concern vertices and faces. */
     private static final Set<String> RARE = Set.of(
             "vp",
             "cstype",
@@ -92,7 +92,7 @@ final class PlainObj {
         StringBuilder joined = new StringBuilder();
         for (String line : text.split("\r\n|\r|\n", -1)) {
             if (line.endsWith("\\") && line.indexOf('#') >= 0) {
-                // Whether a comment continues is read in two ways.
+                // Readers differ on whether a comment continues.
                 file.verdict = Verdict.UNSURE;
                 return file;
             }
@@ -120,8 +120,8 @@ final class PlainObj {
     }
 
     /**
-     * Whether a line begins with a word that is no statement of the format: a mistyped one, whose absence shifts
-     * indices.
+     * Whether a line begins with a word that is no statement of the format, such as a mistyped one, whose absence
+     * shifts indices.
      */
     boolean hasNonsense() {
         return hasNonsense;
@@ -156,7 +156,7 @@ final class PlainObj {
 
     private void line(String whole) {
         if (whole.indexOf('\\') >= 0 || !whole.chars().allMatch(PlainObj::isPlain)) {
-            // A continuation that does not continue, or a character that is white space to some.
+            // A continuation that does not continue, or a character that some readers take for white space.
             worse(Verdict.UNSURE);
             return;
         }
@@ -239,14 +239,14 @@ final class PlainObj {
                 return;
             }
             if (matcher.group(2) != null) {
-                // Whether normals and texture coordinates are there is not looked at here.
+                // Whether normals and texture coordinates exist is not checked here.
                 worse(Verdict.ODD);
             }
         }
         faces.add(corners);
     }
 
-    /** Which indices a corner has; corners of a face must have the same. */
+    /** The kinds of indices that a corner has; all corners of a face must have the same. */
     private static String form(String corner) {
         return corner.replaceAll("-?\\d+", "n");
     }

@@ -1,6 +1,6 @@
 package org.dronewatch.fuzz;
 
-/** A polygon in space, measured the plain way. */
+/** A polygon in space, measured in a simple way. */
 final class Polygon {
     /** More corners are not searched for crossings of sides. */
     private static final int MOST_SEARCHED = 300;
@@ -117,7 +117,7 @@ final class Polygon {
         return Math.abs(normal[axis]) > Math.abs(normal[2]) ? axis : 2;
     }
 
-    /** No two sides that are no neighbours touch, and no neighbours fold back. */
+    /** No two sides touch that are not neighbours, and no neighbours fold back. */
     private boolean isSimple() {
         int n = corners.length;
         int axis = mainAxis();
@@ -147,7 +147,7 @@ final class Polygon {
         double[] between = {q[l] - p[l], q[m] - p[m]};
         double across = a[0] * b[1] - a[1] * b[0];
         if (across == 0) {
-            // Parallel sides: touch only if they lie in one line; then it is left open.
+            // Parallel sides touch only if they are on one line; then the result is left open.
             return a[0] * between[1] - a[1] * between[0] == 0;
         }
         double s = (between[0] * b[1] - between[1] * b[0]) / across;

@@ -17,7 +17,7 @@ final class Reproducer {
      *
      * @param directory holds a directory for each failure
      * @param target the target's name
-     * @param seed that of the run
+     * @param seed seed of the run
      */
     Reproducer(Path directory, String target, long seed) {
         this.directory = directory;
@@ -29,7 +29,7 @@ final class Reproducer {
      * Writes one; a smaller one overwrites that of the same case.
      *
      * @param number of the case
-     * @param shape what tells this failure from others
+     * @param shape what distinguishes this failure from others
      * @param seconds since the target was started
      */
     Path write(FuzzCase input, long number, String shape, Throwable problem, double seconds) throws IOException {

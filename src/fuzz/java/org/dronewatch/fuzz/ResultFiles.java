@@ -16,7 +16,7 @@ final class ResultFiles {
 
     private ResultFiles() {}
 
-    /** Looks for what is not a number in the tables and in what was printed. */
+    /** Searches for what is not a number in the tables and in what was printed. */
     static void check(Path results, String printed) {
         require("standard output", printed);
         try {

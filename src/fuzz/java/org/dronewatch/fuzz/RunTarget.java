@@ -11,7 +11,10 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.InputException;
 
-/** Whole runs of random scenes: what {@code check} takes runs to its end, and the same with any number of threads. */
+/**
+ * Whole runs of random scenes: what {@code check} accepts runs to its end, with the same results on any number of
+ * threads.
+ */
 final class RunTarget implements FuzzTarget {
     private static final int LARGE_EVERY = 3;
 
@@ -99,7 +102,7 @@ final class RunTarget implements FuzzTarget {
         return all;
     }
 
-    /** Whether a command came to its end; false if it said that there is not enough memory for it. */
+    /** Whether a command came to its end; false if it reported that there is not enough memory for it. */
     private static boolean judge(CommandRun run, Path directory) {
         if (run.code() != 0 && isTooLarge(run, directory)) {
             return false;
@@ -112,7 +115,7 @@ final class RunTarget implements FuzzTarget {
         return true;
     }
 
-    /** Whether a run said in one plain line that there is not enough memory for it. */
+    /** Whether a run reported in one plain line that there is not enough memory for it. */
     private static boolean isTooLarge(CommandRun run, Path directory) {
         List<String> mistakes = Messages.mistakes(run.err());
         return mistakes.size() == 1

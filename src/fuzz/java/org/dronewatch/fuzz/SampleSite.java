@@ -227,7 +227,7 @@ final class SampleSite {
         return YAMLMapper.shared().writeValueAsString(scene);
     }
 
-    /** Puts a drone into the middle of what the sensors see: however narrow a view is, there is something in it. */
+    /** Puts a drone into the middle of what the sensors see: however narrow the view is, it then contains something. */
     private static void lookAtADrone(ObjectNode scene) {
         ArrayNode place = JsonMapper.shared().createArrayNode().add(20).add(30).add(15);
         ObjectNode flight = ((ObjectNode) scene.get("drones")).putObject("seen").put("model", "drone.obj");
@@ -262,7 +262,7 @@ final class SampleSite {
                 .toList();
     }
 
-    /** The sensor file that one of the packaged scenes needs beside it. */
+    /** The sensor file that one of the packaged scenes needs in its directory. */
     static String roofCamera() {
         return read("roof-camera");
     }

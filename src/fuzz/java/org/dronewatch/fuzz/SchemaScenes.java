@@ -27,7 +27,7 @@ final class SchemaScenes {
             "sound", List.of("c1-quadrotor", "hexacopter"),
             "currency", List.of("EUR", "K\u010D"));
 
-    /** Settings that cost time, and how much of them is cheap. */
+    /** Settings that cost time, with the values up to which they are cheap. */
     private static final Map<String, Integer> CHEAP = Map.ofEntries(
             Map.entry("width", 96),
             Map.entry("height", 64),
@@ -140,7 +140,7 @@ final class SchemaScenes {
                 open.add(form);
             }
         }
-        // A list of numbers has no limits in the schema: mostly settings by name, which have.
+        // Numbers in a list have no limits in the schema; mostly, settings by name are chosen, which have limits.
         List<JsonNode> named = open.stream().filter(form -> form.has("$ref")).toList();
         return dice.pick(named.isEmpty() || dice.oneIn(6) ? open : named);
     }
@@ -152,7 +152,7 @@ final class SchemaScenes {
             schema.get("required").forEach(name -> required.add(name.asString()));
         }
         if (schema.has("allOf")) {
-            // Of the names of a setting the present one comes first.
+            // The present name of a setting comes first.
             schema.get("allOf").forEach(names -> addIfRequired(names.get("oneOf"), required));
         }
         if (schema.has("properties")) {
@@ -191,9 +191,9 @@ final class SchemaScenes {
         return array;
     }
 
-    /** A place on the site or about it, seldom far away. */
+    /** A place on the site or near it, seldom far away. */
     private ArrayNode place() {
-        // One of the others again: what is looked at is then where a drone is.
+        // One of the other places again, so that what is looked at is where a drone is.
         if (!places.isEmpty() && dice.oneIn(4)) {
             return dice.pick(places).deepCopy();
         }

@@ -3,7 +3,7 @@ package org.dronewatch.fuzz;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 
-/** How a case's own seed follows from the run's, so that one case can be made again by itself. */
+/** Derives the seed of a case from that of the run, so that a single case can be made again. */
 final class Seeds {
 
     private Seeds() {}

@@ -11,14 +11,14 @@ import org.dronewatch.setting.InputException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.dataformat.yaml.YAMLMapper;
 
-/** Overrides: what {@code check} takes, {@code run} must be able to do; what it does not take, it says in one line. */
+/** Overrides: what {@code check} accepts, {@code run} must be able to do; what it refuses, it reports in one line. */
 final class SetTarget implements FuzzTarget {
     private static final String SET = "--set";
 
     /** Most scenes run without a report, which takes many times as long as they do. */
     private static final String WITHOUT_REPORT = "overrides, without a report";
 
-    /** Coordinates and other lengths: few of them have limits by nature. */
+    /** Coordinates and other lengths: few of them have natural limits. */
     private static final Pattern LENGTH = Pattern.compile(
             "\\.([xyz]|height|distance|radius|range|minRange|maxRange|scale|acceleration|crossSection|power)$");
 
@@ -71,7 +71,7 @@ final class SetTarget implements FuzzTarget {
         return SampleSite.scene(what, scene, arguments.toArray(String[]::new));
     }
 
-    /** A number's path: of a sensor as often as of all the rest. */
+    /** A path to a number: as often to one of a sensor as to any other. */
     private String number(Dice dice) {
         List<String> ofSensors =
                 numbers.stream().filter(path -> path.startsWith("sensors.")).toList();
@@ -145,7 +145,7 @@ final class SetTarget implements FuzzTarget {
         return check.toArray(String[]::new);
     }
 
-    /** Whether a run would be short: some settings ask for work without end, and are meant to. */
+    /** Whether a run would be short: some settings are meant to require work without end. */
     private static boolean isCheap(List<String> overrides) {
         return overrides.stream()
                 .noneMatch(override -> override.matches(

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.dronewatch.kdtree.KernelTarget;
 
-/** All there is to feed. */
+/** All targets of random input. */
 final class Targets {
 
     private Targets() {}
@@ -25,7 +25,7 @@ final class Targets {
                 new RunTarget());
     }
 
-    /** One by its name. */
+    /** The target of a name. */
     static FuzzTarget named(String name) {
         return all().stream()
                 .filter(target -> target.name().equals(name.strip()))

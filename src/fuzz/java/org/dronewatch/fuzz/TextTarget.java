@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 
-/** Names in files and on the command line that would steer a terminal: whatever is said of them is plain text. */
+/** Names in files and on the command line that would steer a terminal: whatever is printed about them is plain text. */
 final class TextTarget implements FuzzTarget {
     private static final int KINDS = 6;
-    /** All but {@code costs}, which is busy for minutes by itself. */
+    /** All commands but {@code costs}, which alone is busy for minutes. */
     private static final List<String> COMMANDS =
             List.of("list", "run", "check", "render", "coverage", "bench", "models", "view");
 
@@ -90,7 +90,7 @@ final class TextTarget implements FuzzTarget {
         return SampleSite.scene("command line", "world: {models: [site.obj]}\n", arguments.toArray(String[]::new));
     }
 
-    /** An argument that leads to nothing by itself; results must not fall anywhere. */
+    /** An argument that names no existing file; no results must be written outside the directory of the case. */
     private static String argument(Dice dice) {
         String name = NastyValues.name(dice).replace("\0", "_");
         return dice.oneIn(2) ? name + "\u001b[31m" : "{}/" + name;

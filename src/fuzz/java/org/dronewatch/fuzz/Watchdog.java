@@ -7,12 +7,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 
-/** Judges cases on a thread of their own and looks at the clock meanwhile. */
+/** Judges cases on a separate thread and watches the clock meanwhile. */
 final class Watchdog {
-    /** Longest time by the clock, on a machine that does much else. */
+    /** The longest time by the clock, for a machine that is busy with other work. */
     private static final Duration LONGEST_WAIT = Duration.ofSeconds(60);
 
-    /** A process that does next to nothing for so long waits for something that never comes. */
+    /** A process that does next to nothing for this time waits for something that never comes. */
     private static final Duration IDLE = Duration.ofSeconds(5);
 
     private static final Duration NEXT_TO_NOTHING = Duration.ofMillis(150);
@@ -87,7 +87,7 @@ final class Watchdog {
             setStackTrace(where);
         }
 
-        /** Alike for cases that hang in the same place. */
+        /** The same for cases that hang in the same place. */
         String shape() {
             StackTraceElement[] trace = getStackTrace();
             String places = Failure.places(trace);

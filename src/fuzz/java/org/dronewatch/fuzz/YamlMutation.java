@@ -108,7 +108,9 @@ final class YamlMutation {
         return dice.oneIn(2) ? "[".repeat(depth) + "]".repeat(depth) : "{a: ".repeat(depth) + "1" + "}".repeat(depth);
     }
 
-    /** Aliases of aliases, which would take the memory of all machines if they were written out; or one of itself. */
+    /**
+     * Aliases of aliases, which would take the memory of all machines if they were written out; or an alias of itself.
+     */
     private void bomb(int at, String key) {
         if (dice.oneIn(3)) {
             lines.set(at, key + ": " + dice.pick("&a [*a]", "*unknown", "&a {<<: *a}", "&a 1", "{<<: {x: 1}}"));
@@ -139,7 +141,7 @@ final class YamlMutation {
         return line.substring(0, line.length() - line.stripLeading().length());
     }
 
-    /** In double quotes, with escapes: anything may be said so. */
+    /** In double quotes, with escapes, in which any text can be written. */
     static String quoted(String text) {
         StringBuilder quoted = new StringBuilder("\"");
         text.chars().forEach(c -> {

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Scene files with mistakes: each is named with its position, and nothing else happens. */
+/** Scene files with mistakes: each is reported with its position, and nothing else happens. */
 final class YamlTarget implements FuzzTarget {
     private final List<String> scenes = new ArrayList<>();
 
@@ -42,7 +42,7 @@ final class YamlTarget implements FuzzTarget {
         }
     }
 
-    /** Whether a message says where: file with line and column, a file as a whole, or a path of settings. */
+    /** Whether a message states the place: a file with line and column, a file as a whole, or a path of settings. */
     private static boolean isPlaced(String line, Path directory) {
         String text = line.replace(directory + "/", "");
         return text.matches("(?s)[\\w-]+\\.yaml:\\d+(:\\d+)?: .+")

@@ -4,7 +4,7 @@ import org.dronewatch.fuzz.Dice;
 
 /** Meshes that upset builders and traversals, with rays through their corners, along their edges, and anywhere. */
 final class FuzzMeshes {
-    /** How many kinds there are. */
+    /** The number of kinds. */
     static final int KINDS = 12;
 
     private final Dice dice;
@@ -84,7 +84,7 @@ final class FuzzMeshes {
         }
     }
 
-    /** Triangles between any integer points. */
+    /** Triangles between arbitrary integer points. */
     private void lattice() {
         int size = dice.between(2, 8);
         for (int i = dice.between(1, 60); i > 0; i--) {
@@ -204,7 +204,7 @@ final class FuzzMeshes {
         mesh.ray(ray);
     }
 
-    /** A point of the lattice, a corner, the middle of an edge, a point inside a triangle, or one about the mesh. */
+    /** A point of the lattice, a corner, the middle of an edge, a point inside a triangle, or one near the mesh. */
     private double[] point(boolean lattice) {
         if (lattice && dice.oneIn(2)) {
             return new double[] {dice.between(-2, 11), dice.between(-2, 11), dice.between(-2, 11)};

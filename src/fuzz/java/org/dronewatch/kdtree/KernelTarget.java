@@ -13,7 +13,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.raster.PinholeView;
 import org.dronewatch.raster.TileTracer;
 
-/** Trees of nasty meshes, and every traversal against the test of each triangle. */
+/** Trees of nasty meshes; every traversal is compared with the test of each triangle. */
 public final class KernelTarget implements FuzzTarget {
     private static final String FILE = "triangles.txt";
     private static final double SAME = 1e-9;
@@ -23,12 +23,12 @@ public final class KernelTarget implements FuzzTarget {
     /** A start of a ray this near to a surface, as a share of the mesh's size, lies on it. */
     private static final double NEAR = 1e-9;
 
-    /** More triangles take too long to look at every part of every one. */
+    /** With more triangles, it takes too long to look at every part of every triangle. */
     private static final int MOST_VALIDATED = 300;
 
     private static final int PICTURE = 24;
 
-    /** Entries of leaves a triangle, at most. */
+    /** Maximum number of entries of leaves per triangle. */
     private static final int MOST_ENTRIES = 16;
 
     @Override
@@ -95,7 +95,7 @@ public final class KernelTarget implements FuzzTarget {
             Way way, RayTracer traversal, Exhaustive exhaustive, BruteForce exact, double[] ray, double size) {
         double found = Way.closest(traversal, ray);
         double expected = exhaustive.closest(ray, 0.0, Double.POSITIVE_INFINITY);
-        // Whether a ray that starts on a surface meets it there is left open.
+        // A ray that starts on a surface may or may not meet it there.
         if (Math.min(found, expected) * length(ray) <= NEAR * size) {
             return;
         }
@@ -131,7 +131,7 @@ public final class KernelTarget implements FuzzTarget {
             try {
                 tiles.setPicture(view.from, view.corner, view.right, view.down);
             } catch (IllegalArgumentException e) {
-                // A view whose numbers vanish, of a mesh as small as numbers get.
+                // The numbers of a view vanish if the mesh is about as small as doubles can be.
                 return;
             }
             tiles.trace(0, 0, PICTURE, rows);

@@ -5,8 +5,8 @@ import java.util.List;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * A mesh and rays as text, one to a line, so that lines can be taken away one by one: {@code t} and nine coordinates,
- * {@code r} and an origin and a direction.
+ * A mesh and rays as text, one item per line, so that lines can be taken away one by one: {@code t} and nine
+ * coordinates, {@code r} and an origin and a direction.
  */
 final class TriangleText {
     private static final double LEAST_SQUARENESS = 1e-7;
@@ -33,7 +33,7 @@ final class TriangleText {
         return rays;
     }
 
-    /** The mesh of the triangles that have an area: of a file, others are left out, too. */
+    /** The mesh of the triangles that have an area; the others are left out, as when a file is read. */
     TriangleMesh mesh() {
         List<float[]> kept = triangles.stream()
                 .filter(triangle -> squareness(triangle) > 0.0)
@@ -54,7 +54,7 @@ final class TriangleText {
         return triangles.stream().mapToDouble(TriangleText::squareness).allMatch(s -> s == 0.0 || s > LEAST_SQUARENESS);
     }
 
-    /** Area over the square of the longest side. */
+    /** The area divided by the square of the longest side. */
     private static double squareness(float[] t) {
         double[] normal = new double[3];
         double longest = 0;

@@ -31,7 +31,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Time of one reading by the energy model with its default settings; its standard error is below 0.5 dB, or it fails.
+ * Time of one reading by the energy model with its default settings; it fails unless its standard error is below 0.5
+ * dB.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -59,7 +60,7 @@ public class AcousticReading {
         GROUND(List.of("hill"), new Position(0, 0, 133.5), new Position(0, 500, 144)),
         /** At the wall of the house on the hill, the drone 300 m away. */
         WALL(List.of("hill", "house"), new Position(0, 10, 134), new Position(20, 300, 150)),
-        /** Behind the house on the hill, the drone 100 m away before it. */
+        /** Behind the house on the hill, the drone 100 m away in front of it. */
         SHADOW(List.of("hill", "house"), new Position(0, -12, 134), new Position(5, 100, 140)),
         /** In the church, 10 m from the drone. */
         CHURCH(List.of("cathedral"), new Position(-5, 0, 5), new Position(5, 0, 5)),

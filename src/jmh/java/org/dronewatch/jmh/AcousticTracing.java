@@ -35,7 +35,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How many pieces of sound rays are traced a second in the church, beside the kernel's own rate for rays that bounce
+ * The number of pieces of sound rays traced per second in the church, beside the kernel's own rate for rays that bounce
  * about the same church at random; {@code -t 2} runs both on two threads, each with its own sensor.
  */
 @BenchmarkMode(Mode.Throughput)
@@ -54,7 +54,7 @@ public class AcousticTracing {
     private Drone drone;
     private double[] rays;
 
-    /** Counts pieces of rays: JMH shows them a second. */
+    /** Counts pieces of rays; JMH shows their number per second. */
     @State(Scope.Thread)
     @AuxCounters(AuxCounters.Type.OPERATIONS)
     public static class Pieces {
@@ -62,7 +62,7 @@ public class AcousticTracing {
         public long pieces;
     }
 
-    /** What each thread has for itself. */
+    /** The state of each thread. */
     @State(Scope.Thread)
     public static class Ears {
         private SplittableRandom random;

@@ -11,7 +11,7 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
 
-/** What the benchmarks measure with: the project's models, read from the working directory, and rays of one seed. */
+/** What the benchmarks use: the project's models, read from the working directory, and rays of one seed. */
 final class Bench {
     private static final Path MODELS = Path.of("models");
     private static final Path SOUND = Path.of("src/test/resources/org/dronewatch/sensor/acoustic/energy");

@@ -24,7 +24,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Time of a field of coverage: a quadrotor before the twelve cameras of {@code multi-sensor}, on nine courses. */
+/** Time of a field of coverage: a quadrotor in front of the twelve cameras of {@code multi-sensor}, on nine courses. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -36,7 +36,7 @@ public class CameraField {
     @Param({"100", "447"})
     public int cells;
 
-    /** Threads. */
+    /** Number of threads. */
     @Param({"2"})
     public int threads;
 

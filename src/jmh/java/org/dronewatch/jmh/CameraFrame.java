@@ -37,7 +37,7 @@ public class CameraFrame {
     private static final int FRAMES = 100;
     private static final double FRAMES_PER_SECOND = 10.0;
 
-    /** How far the drone is from the camera when it passes, m. */
+    /** The distance of the drone from the camera when it passes, m. */
     @Param({"10", "50"})
     public double distance;
 
@@ -48,7 +48,7 @@ public class CameraFrame {
     private FlightPath flight;
     private long frame;
 
-    /** Puts a camera on the hill and a drone before it. */
+    /** Puts a camera on the hill and a drone in front of it. */
     @Setup
     public void load() {
         world = World.of(Bench.worldMesh("hill"));
@@ -82,7 +82,7 @@ public class CameraFrame {
         return look(otherWay);
     }
 
-    /** What the frame costs without a camera: the drone's place and pose. */
+    /** The part of the frame's time that needs no camera: the drone's place and pose. */
     @Benchmark
     public Drone drone() {
         return drone.at(flight.at(frame++ % FRAMES / FRAMES_PER_SECOND));

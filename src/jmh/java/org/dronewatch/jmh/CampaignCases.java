@@ -42,7 +42,7 @@ public class CampaignCases {
     private static final int CASES = 1000;
     private static final List<String> CORNERS = List.of("north-east", "south-east", "south-west", "north-west");
 
-    /** How many cases are run at the same time. */
+    /** The number of cases that are run at the same time. */
     @Param({"1", "2"})
     public int threads;
 
@@ -83,7 +83,7 @@ public class CampaignCases {
         return Variation.of(new Uniform(from, to));
     }
 
-    /** Lets the threads go. */
+    /** Stops the threads. */
     @TearDown
     public void close() {
         workers.close();

@@ -36,7 +36,7 @@ public class ClosestHit {
     @Param({"hill", "quadrotor", "cathedral"})
     public String model;
 
-    /** How alike neighbouring rays are. */
+    /** The similarity of neighbouring rays. */
     @Param({"camera", "diffuse"})
     public String rays;
 

@@ -13,9 +13,9 @@ import org.dronewatch.scenes.MultiSensor;
 import org.dronewatch.viewer.Viewer;
 
 /**
- * How long the viewer's event thread keeps an event waiting: opens the scene of the house, plays it, turns and zooms
- * the site, steps, jumps, enlarges cameras, changes tabs, by real mouse and keys; an event is posted every 5 ms all the
- * while. Needs a display of its own, such as a virtual one.
+ * The time for which the viewer's event thread keeps an event waiting. By real mouse and keys, it opens the scene of
+ * the house, plays it, turns and zooms the site, steps, jumps, enlarges cameras and changes tabs; meanwhile, an event
+ * is posted every 5 ms. It needs a separate display, such as a virtual one.
  */
 public final class EventThreadDelay {
     private static final int EVERY = 5;

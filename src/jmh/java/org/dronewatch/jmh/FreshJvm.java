@@ -8,7 +8,9 @@ import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** What a user waits for when a program starts: one pass in a JVM that has compiled nothing yet, three times. */
+/**
+ * The time for which a user waits when a program starts: one pass in a JVM that has compiled nothing yet, three times.
+ */
 @BenchmarkMode(Mode.SingleShotTime)
 @OutputTimeUnit(TimeUnit.SECONDS)
 @Fork(3)

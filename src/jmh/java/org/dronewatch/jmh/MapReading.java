@@ -32,7 +32,7 @@ public class MapReading extends FreshJvm {
     @Param("100000")
     public double radius;
 
-    /** Reads it, as a scene does. */
+    /** Reads the map, as a scene does. */
     @Benchmark
     public MapFeatures read() {
         Origin origin = Origin.at(Math.toRadians(latitude), Math.toRadians(longitude));

@@ -25,7 +25,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Time of a pixel of a picture: by tiles, and by the single rays that they stand in for. */
+/** Time of a pixel of a picture: by tiles, and by the single rays that they replace. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -102,8 +102,8 @@ public class PictureTracing {
     }
 
     /**
-     * The same where no vectors are to be had: the ground of two million triangles is painted by them, the others are
-     * not.
+     * The same without vector instructions: with them, the ground of two million triangles is painted; the other models
+     * are not.
      */
     @Benchmark
     @Fork(

@@ -39,7 +39,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Time of a look of a radar at one drone over the hill; the goals are 20 us with one pulse, 100 us with reflecting
- * ground and clutter. In all cases the two stand where the ground does reflect and is in sight below the drone.
+ * ground and clutter. In all cases, radar and drone are where the ground does reflect and is in sight below the drone.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -48,11 +48,11 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 2, time = 1)
 @Measurement(iterations = 3, time = 1)
 public class RadarLook {
-    /** How many pulses are integrated. */
+    /** The number of pulses that are integrated. */
     @Param({"1", "10", "1000"})
     public int pulses;
 
-    /** How the drone's cross-section changes. */
+    /** The fluctuation of the drone's cross-section. */
     @Param({"STEADY", "SWERLING_1", "SWERLING_3"})
     public Fluctuation fluctuation;
 
@@ -92,7 +92,7 @@ public class RadarLook {
                                 : RadarSignature.DEFAULT.withFluctuation(fluctuation));
         Drone model = new Drone("drone", drone, KDTree.of(Bench.worldMesh("quadrotor")));
         Ground heights = world.newGround();
-        // Where the ground reflects and scatters: elsewhere a look is over before that is computed.
+        // Places where the ground reflects and scatters; elsewhere, a look is over before this is computed.
         for (double east = -600.0; east <= 600.0 && drones == null; east += 50.0) {
             RadarSettings settings = RadarSettings.at(
                             new Position(

@@ -39,7 +39,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** How the work of one sensor in the church spreads over threads. */
+/** The speed of one sensor's work in the church on several threads. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -50,7 +50,7 @@ public class Scaling {
     private static final Position SENSOR = new Position(-5, 0, 5);
     private static final Position DRONE = new Position(5, 0, 5);
 
-    /** How many threads work. */
+    /** The number of threads that work. */
     @Param({"1", "2"})
     public int threads;
 
@@ -80,7 +80,7 @@ public class Scaling {
         random = new SplittableRandom(1);
     }
 
-    /** Lets the threads go. */
+    /** Stops the threads. */
     @TearDown
     public void close() {
         workers.close();

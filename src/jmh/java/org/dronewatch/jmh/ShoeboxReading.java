@@ -33,8 +33,8 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * 30,000 rays of eight bands in an empty room of 10 x 8 x 4 m, all of them traced to a millionth of their energy: what
- * a ray tracer for room acoustics does, for a comparison with one.
+ * 30,000 rays of eight bands in an empty room of 10 x 8 x 4 m, all of them traced to a millionth of their energy, as by
+ * a ray tracer for room acoustics, for comparison with one.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
