@@ -99,6 +99,9 @@ final class CoverageCommand implements Callable<Integer> {
     private FieldOptions field = new FieldOptions();
 
     @Mixin
+    private SeedOption seed = new SeedOption();
+
+    @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
     @ParentCommand
@@ -136,6 +139,7 @@ final class CoverageCommand implements Callable<Integer> {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
+        seed.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         CoverageGrid grid = planGrid(settings);
         String id = drone.of(settings);
@@ -160,6 +164,7 @@ final class CoverageCommand implements Callable<Integer> {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
+        seed.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         FieldGrid grid = field.grid(
                 settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));

@@ -46,6 +46,8 @@ final class Replay {
             "--heights",
             "--launch",
             "--response",
+            "--modes",
+            "--stopped",
             "--pointing",
             "--proof",
             SHARD);

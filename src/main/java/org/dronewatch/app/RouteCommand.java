@@ -62,14 +62,19 @@ final class RouteCommand implements Callable<Integer> {
                     + " with the probability that follows from all looks of the sensors; 1 to 1,000,000.")
     private Integer proof;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
-    private Long seed;
+    @Mixin
+    private SeedOption seed = new SeedOption();
 
     @Option(
             names = "--out",
             paramLabel = "DIR",
             description = "Directory for report.html, route.json, pictures and a scene file of each route.")
     private String out;
+
+    @Option(
+            names = "--view",
+            description = "Then opens a window in which a drone flies each of the routes, all at the same time.")
+    private boolean view;
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
@@ -90,31 +95,38 @@ final class RouteCommand implements Callable<Integer> {
         SceneRunner runner = choice.runner(scene);
         Consumer<String> notes = spec.commandLine().getErr()::println;
         runner.notes(notes);
-        if (seed != null) {
-            runner.seed(seed);
-        }
+        seed.apply(runner);
         options.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         String id = drone.of(settings);
         if (settings.enabledSensors().isEmpty()) {
             throw new InputException("the scene has no enabled sensor: no route is weaker than another");
         }
-        List<FlightMode> modes = options.modes(settings.individualDrones().get(id));
         options.stopped(settings);
+        List<FlightMode> modes = options.modes(settings.individualDrones().get(id));
         Optional<AreaZone> launch = options.launchArea(runner, settings);
+        RouteWindow window = new RouteWindow(
+                scene,
+                runner,
+                new SceneWindow(threads.number(), spec.commandLine().getErr()));
+        if (view && !window.canOpen()) {
+            return Main.NO_DISPLAY;
+        }
+        Runnable watch;
         try (RouteDirectory target = out == null ? null : new RouteDirectory(PathWord.of("--out", out))) {
-            return threads.call(() -> {
+            watch = threads.call(() -> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);
                 RouteInputs inputs = inputs(scene.name(), id, settings, stage);
                 RouteResults results =
                         new RouteFinder(runner, inputs, stage, main.interruption(), notes).find(modes, launch, flights);
                 main.interruption().letFinish();
+                RouteScenes scenes = new RouteScenes(inputs, runner::text);
                 if (target != null) {
                     target.write(
                             results,
                             inputs,
-                            new RouteScenes(inputs, runner::text),
+                            scenes,
                             stage,
                             runner.load(settings),
                             new Provenance(
@@ -125,9 +137,13 @@ final class RouteCommand implements Callable<Integer> {
                             notes);
                 }
                 print(results, inputs);
-                return 0;
+                return () -> window.show(results.survey(), scenes);
             });
         }
+        if (view) {
+            watch.run();
+        }
+        return 0;
     }
 
     /** The number of seeds with which each route is flown; 0 for none. */

@@ -52,8 +52,8 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "DIR", description = "Directory for results; target/runs/SCENE by default.")
     private String out;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
-    private Long seed;
+    @Mixin
+    private SeedOption seed = new SeedOption();
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
@@ -180,9 +180,7 @@ final class RunCommand implements Callable<Integer> {
 
     private void configure(SceneRunner runner) {
         try {
-            if (seed != null) {
-                runner.seed(seed);
-            }
+            seed.apply(runner);
             runner.threads(threads.number());
         } catch (IllegalArgumentException e) {
             throw new InputException(e.getMessage(), e);

@@ -41,8 +41,8 @@ final class SaveCommand implements Callable<Integer> {
                     + " default.")
     private Integer run;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
-    private Long seed;
+    @Mixin
+    private SeedOption seed = new SeedOption();
 
     @Option(
             names = "--flight",
@@ -79,9 +79,7 @@ final class SaveCommand implements Callable<Integer> {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         runner.notes(spec.commandLine().getErr()::println);
-        if (seed != null) {
-            runner.seed(seed);
-        }
+        seed.apply(runner);
         SceneSettings settings = run == null ? runner.settings() : SceneChoice.settingsOfRun(runner, run);
         byte[] text = runner.text(settings, target.path()).getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));

@@ -28,8 +28,8 @@ final class ViewCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
-    private Long seed;
+    @Mixin
+    private SeedOption seed = new SeedOption();
 
     @Option(
             names = "--coverage",
@@ -46,9 +46,7 @@ final class ViewCommand implements Callable<Integer> {
     public Integer call() {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene).threads(threads.number());
-        if (seed != null) {
-            runner.seed(seed);
-        }
+        seed.apply(runner);
         runner.settings();
         SceneWindow window =
                 new SceneWindow(threads.number(), spec.commandLine().getErr());

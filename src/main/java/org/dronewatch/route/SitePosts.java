@@ -3,6 +3,8 @@ package org.dronewatch.route;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
@@ -122,6 +124,30 @@ final class SitePosts {
                             : protection.distance(at);
                 },
                 distance);
+    }
+
+    /**
+     * The open posts at which a route ends: those {@linkplain #near near} enough to the protected zone. Without one, in
+     * each column only the one whose height is nearest to that of the sensors: who passes high over them has not
+     * reached them.
+     */
+    BitSet goals(Protection protection, Position middle, double reach) {
+        BitSet goals = near(protection, middle, reach);
+        if (!protection.isEmpty()) {
+            return goals;
+        }
+        int columns = grid.columns() * grid.rows();
+        Map<Integer, Integer> nearest = new TreeMap<>();
+        goals.stream()
+                .forEach(post -> nearest.merge(
+                        post % columns,
+                        post,
+                        (one, other) -> Math.abs(grid.z(other) - middle.z()) < Math.abs(grid.z(one) - middle.z())
+                                ? other
+                                : one));
+        BitSet only = new BitSet();
+        nearest.values().forEach(only::set);
+        return only;
     }
 
     private BitSet open(ToDoubleFunction<Integer> distance, double most) {

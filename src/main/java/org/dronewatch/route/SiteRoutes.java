@@ -24,7 +24,8 @@ import org.dronewatch.sensor.Cause;
  * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at
  * any of the field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the
  * sensors. A route has arrived when it is in the zone; if there is no zone, or it contains the middle of no cell, when
- * it is within one cell's length of the zone or, in plan view, of the middle of the sensors. It meets nothing solid.
+ * it is within one cell's length of the zone or, in plan view, of the middle of the sensors, at the height that is
+ * nearest to theirs. It meets nothing solid.
  * One thread at a time.
  */
 public final class SiteRoutes {
@@ -108,7 +109,7 @@ public final class SiteRoutes {
         Position middle = InboundTarget.of(settings, protection);
         double reach = posts.reach(protection, middle);
         BitSet starts = launch.map(posts::over).orElseGet(posts::rim);
-        BitSet goals = posts.near(protection, middle, reach);
+        BitSet goals = posts.goals(protection, middle, reach);
         checkPosts(starts, goals, launch.isPresent(), !protection.isEmpty());
         SiteExposure exposure = SiteExposure.of(modes, settings);
         RouteProblem problem = new RouteProblem(

@@ -59,6 +59,7 @@ class RouteCommandTest {
                                 "--heights=10",
                                 "--side=400",
                                 "--cell=40m",
+                                "--stopped=0.5",
                                 "--threads=" + threads,
                                 "--out=" + directory.resolve(out)),
                         Stream.of(more))
@@ -267,6 +268,7 @@ class RouteCommandTest {
                 "--launch=nowhere|2",
                 "--response=-1|2",
                 "--response=0|0",
+                "--response=100|0",
                 "--heights=600|2",
                 "--cell=300|2",
                 "--pointing=up|2",
@@ -290,6 +292,7 @@ class RouteCommandTest {
                 // Pictures take time.
                 code == 0 ? "--threads=2" : "--out=" + directory.resolve(name));
         assertThat(other.code()).as(other.err()).isEqualTo(code);
+        assertThat(other.out().contains("no detection can be in time")).isEqualTo(option.equals("--response=100"));
         if (code == 2) {
             assertThat(other.err().lines().filter(line -> !line.startsWith("read ")))
                     .hasSize(1);

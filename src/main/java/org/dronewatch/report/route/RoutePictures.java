@@ -47,18 +47,20 @@ final class RoutePictures {
     }
 
     private static void draw(MapSheet sheet, SectorRoute route) {
-        List<RoutePoint> points = route.profile().points();
-        List<Position> whole = points.stream().map(RoutePoint::position).toList();
-        sheet.draw(whole, Color.BLACK, RouteColours.NONE.width() + 2f);
-        for (int i = 1; i < points.size(); i++) {
-            RouteColours style = RouteColours.of(points.get(i - 1), points.get(i));
-            List<Position> piece =
-                    List.of(points.get(i - 1).position(), points.get(i).position());
-            if (style != RouteColours.NONE) {
-                sheet.draw(piece, Color.BLACK, style.width() + 2f);
-            }
-            sheet.draw(piece, style.colour(), style.width());
-        }
+        List<List<RoutePoint>> pieces = RoutePieces.of(route);
+        // The edges first, so that none lies over the colour of another piece.
+        pieces.forEach(
+                piece -> sheet.draw(positions(piece), Color.BLACK, style(piece).width() + 2f));
+        pieces.forEach(piece ->
+                sheet.draw(positions(piece), style(piece).colour(), style(piece).width()));
+    }
+
+    private static RouteColours style(List<RoutePoint> piece) {
+        return RouteColours.of(piece.get(0), piece.get(1));
+    }
+
+    private static List<Position> positions(List<RoutePoint> piece) {
+        return piece.stream().map(RoutePoint::position).toList();
     }
 
     /** Where it stops its motors; empty if it does not. */

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.html.Figure;
@@ -61,9 +62,10 @@ final class RouteReport {
                         + words.withoutAlert(results)
                                 .map(text -> Html.plain("p", text))
                                 .orElse("")
-                        + words.misjudged(survey)
+                        + Stream.of(words.tooShort(survey), words.misjudged(survey))
+                                .flatMap(Optional::stream)
                                 .map(text -> Html.plain("p", "Warning: " + text + "."))
-                                .orElse(""));
+                                .reduce("", String::concat));
         for (MapSheet map : maps) {
             Figure figure = map.figure();
             page.add(Html.figure(figure.png(), figure.caption()));

@@ -59,6 +59,7 @@ public final class RouteTable {
         RouteWords words = new RouteWords(inputs);
         lines.add(words.weakest(survey));
         words.withoutAlert(results).ifPresent(lines::add);
+        words.tooShort(survey).ifPresent(text -> lines.add("warning: " + text));
         words.misjudged(survey).ifPresent(text -> lines.add("warning: " + text));
         return lines;
     }

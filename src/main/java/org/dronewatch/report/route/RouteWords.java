@@ -48,6 +48,19 @@ final class RouteWords {
                                 : "; try --cell " + Numbers.text(0.5 * cell) + "m"));
     }
 
+    /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */
+    Optional<String> tooShort(RouteSurvey survey) {
+        OptionalDouble longest = survey.routes().stream()
+                .mapToDouble(route -> route.searched().end().time())
+                .max();
+        return longest.isPresent() && longest.getAsDouble() < inputs.response()
+                ? Optional.of("no detection can be in time, because each route takes " + seconds(longest)
+                        + " at most, and the response " + number(inputs.response())
+                        + " s: let the routes begin farther away by a larger --side, if the site extends so far, or by"
+                        + " --launch")
+                : Optional.empty();
+    }
+
     /**
      * States that it is not known whether an alert comes in time; empty if it is known, or if no response is required.
      */
