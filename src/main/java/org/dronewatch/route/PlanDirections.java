@@ -19,11 +19,13 @@ public final class PlanDirections {
 
     private final int[][] steps;
     private final double[] headings;
+    private final double widest;
 
     private PlanDirections(int[][] steps) {
         this.steps = steps;
         this.headings =
                 Arrays.stream(steps).mapToDouble(PlanDirections::heading).toArray();
+        this.widest = widest(headings);
     }
 
     /**
@@ -75,6 +77,10 @@ public final class PlanDirections {
 
     /** The largest angle between two neighbouring directions, rad. */
     double widest() {
+        return widest;
+    }
+
+    private static double widest(double... headings) {
         double widest = 2.0 * Math.PI - headings[headings.length - 1];
         for (int i = 1; i < headings.length; i++) {
             widest = Math.max(widest, headings[i] - headings[i - 1]);

@@ -3,7 +3,7 @@ package org.dronewatch.route;
 import java.util.Arrays;
 import org.dronewatch.parallel.Workers;
 
-/** The rates of a field at all open posts, in all modes and directions. Immutable. */
+/** The rates of a field at all posts, in all modes and directions: infinite at closed posts. Immutable. */
 final class PostRates {
     private final int directions;
 
@@ -22,15 +22,19 @@ final class PostRates {
                 .motion(problem.directions().heading(i % directions)));
         Workers.forEach(grid.rows() * grid.levels(), row -> {
             for (int post = row * grid.columns(); post < (row + 1) * grid.columns(); post++) {
-                if (grid.isOpen(post)) {
-                    set(problem, post, motions);
-                }
+                set(problem, post, motions);
             }
         });
     }
 
     private void set(RouteProblem problem, int post, LegMotion... motions) {
         RouteGrid grid = problem.grid();
+        if (!grid.isOpen(post)) {
+            for (float[] one : rates) {
+                one[post] = Float.POSITIVE_INFINITY;
+            }
+            return;
+        }
         double x = grid.x(post);
         double y = grid.y(post);
         double z = grid.z(post);
@@ -41,7 +45,7 @@ final class PostRates {
         }
     }
 
-    /** The rates of all posts in one mode and direction, 1/s; not to be changed. */
+    /** The rates of all posts in one mode and direction, 1/s, infinite where a post is closed; not to be changed. */
     float[] of(int mode, int direction) {
         return rates[mode * directions + direction];
     }

@@ -1,5 +1,7 @@
 package org.dronewatch.route;
 
+import java.util.Arrays;
+
 /**
  * The legs between posts: straight in plan, level or one level up or down. Their exposure is the time that they take
  * times the mean rate on the leg's own heading, by the trapezoidal rule over the posts that they pass. Where the drone
@@ -17,12 +19,41 @@ final class RouteEdges {
     private final double turnRadius;
     private final PostRates rates;
 
+    /** By direction, the horizontal length of the shortest leg, m. */
+    private final double[] units;
+
+    /** By direction and number of repeats, the posts that a level leg passes, relative to its beginning. */
+    private final int[][][] passed;
+
     RouteEdges(RouteProblem problem) {
         this.grid = problem.grid();
         this.directions = problem.directions();
         this.modes = problem.modes().toArray(RouteMode[]::new);
         this.turnRadius = problem.turnRadius();
         this.rates = new PostRates(problem);
+        this.units = new double[directions.count()];
+        Arrays.setAll(units, this::unit);
+        this.passed = new int[units.length][][];
+        Arrays.setAll(passed, this::passed);
+    }
+
+    private int[][] passed(int direction) {
+        int most = 1;
+        for (int mode = 0; mode < modes.length; mode++) {
+            for (int level = 0; level < grid.levels(); level++) {
+                most = Math.max(most, repeats(mode, direction, level, 0));
+                most = level > 0 ? Math.max(most, repeats(mode, direction, level, -1)) : most;
+            }
+        }
+        int[][] posts = new int[most + 1][];
+        for (int repeats = 1; repeats <= most; repeats++) {
+            int east = repeats * directions.east(direction);
+            int north = repeats * directions.north(direction);
+            int pieces = Math.max(Math.abs(east), Math.abs(north));
+            posts[repeats] = new int[pieces];
+            Arrays.setAll(posts[repeats], i -> nearest(north, i, pieces) * grid.columns() + nearest(east, i, pieces));
+        }
+        return posts;
     }
 
     /** By how many levels a leg may change. */
@@ -30,7 +61,6 @@ final class RouteEdges {
         return grid.levels() > 1 ? CLIMBS : LEVEL_ONLY;
     }
 
-    /** Horizontal length of the shortest leg in a direction, m. */
     private double unit(int direction) {
         int east = directions.east(direction);
         int north = directions.north(direction);
@@ -44,17 +74,17 @@ final class RouteEdges {
      * @param level at which the leg begins
      */
     int repeats(int mode, int direction, int level, int climb) {
-        int turning = (int) Math.ceil(turnRadius * directions.widest() / unit(direction) - 1e-9);
+        int turning = (int) Math.ceil(turnRadius * directions.widest() / units[direction] - 1e-9);
         int carried = 1;
         if (modes[mode].isGlide() && climb == -1) {
             double drop = grid.height(level) - grid.height(level - 1);
-            carried = (int) Math.floor(-drop / (modes[mode].steepest() * unit(direction)) + 1e-9);
+            carried = (int) Math.floor(-drop / (modes[mode].steepest() * units[direction]) + 1e-9);
         }
         return Math.max(1, Math.max(turning, carried));
     }
 
     /**
-     * The exposure of a leg; infinite where it cannot be flown.
+     * The exposure of a leg; infinite where it cannot be flown: where it is too steep, or passes a closed post.
      *
      * @param from post at which it begins; its end is inside the grid
      * @param repeats how often it repeats the step of its direction
@@ -65,22 +95,16 @@ final class RouteEdges {
         int north = repeats * directions.north(direction);
         int plane = grid.columns() * grid.rows();
         int to = from + north * grid.columns() + east + climb * plane;
-        double time = modes[mode].time(repeats * unit(direction), grid.z(to) - grid.z(from));
-        if (time == Double.POSITIVE_INFINITY || !grid.isOpen(from) || !grid.isOpen(to)) {
-            return Double.POSITIVE_INFINITY;
+        double time = modes[mode].time(repeats * units[direction], grid.z(to) - grid.z(from));
+        if (time == Double.POSITIVE_INFINITY) {
+            return time;
         }
         float[] rate = rates.of(mode, direction);
-        int pieces = Math.max(Math.abs(east), Math.abs(north));
+        int[] between = passed[direction][repeats];
+        int pieces = between.length;
         double sum = 0.5 * ((double) rate[from] + rate[to]);
         for (int i = 1; i < pieces; i++) {
-            int between = from
-                    + nearest(north, i, pieces) * grid.columns()
-                    + nearest(east, i, pieces)
-                    + (2 * i < pieces ? 0 : climb * plane);
-            if (!grid.isOpen(between)) {
-                return Double.POSITIVE_INFINITY;
-            }
-            sum += rate[between];
+            sum += rate[from + between[i] + (2 * i < pieces ? 0 : climb * plane)];
         }
         return time * sum / pieces;
     }
