@@ -182,7 +182,7 @@ public record Calibration(
             return between(detects, reached, Math.min(FARTHEST, (number + held + 1) * step));
         }
 
-        /** By bisection on the logarithm of the range. */
+        /** The limit between two ranges, by bisection on the logarithm of the range. */
         private static double between(DoublePredicate detects, double yes, double no) {
             double near = yes;
             double far = no;

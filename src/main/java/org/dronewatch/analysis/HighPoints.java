@@ -34,7 +34,7 @@ public final class HighPoints {
                 height.ifPresent(z -> candidates.add(new Position(x, y, z)));
             }
         }
-        // Of several equally high ones, the one nearest to the middle.
+        // Of several equally high points, the one nearest to the middle comes first.
         candidates.sort(Comparator.comparingDouble((Position point) -> -point.z())
                 .thenComparingDouble(point -> Math.hypot(point.x(), point.y())));
         List<Position> chosen = new ArrayList<>();

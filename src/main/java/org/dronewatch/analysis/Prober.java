@@ -105,7 +105,10 @@ record Prober(
         return probability >= EVEN_CHANCE ? 1 : 0;
     }
 
-    /** By its probability: a draw for each cell would show speckle. Rays are traced once, as in a run. */
+    /**
+     * Whether the drone is detected, by its probability: a draw for each cell would show speckle. Rays are traced once,
+     * as in a run.
+     */
     private boolean isDetected(Eye eye, Look look, Drone there) {
         Sensor sensor = eye.sensor;
         RandomGenerator random = look.random(there.id(), RaySensor.RAYS);

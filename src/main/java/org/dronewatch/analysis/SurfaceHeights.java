@@ -18,7 +18,7 @@ final class SurfaceHeights {
         });
     }
 
-    /** In how many cells there is a surface. */
+    /** The number of cells in which there is a surface. */
     int count() {
         return (int) Arrays.stream(height).filter(Double::isFinite).count();
     }

@@ -89,7 +89,7 @@ final class CompareCommand implements Callable<Integer> {
         });
     }
 
-    /** That of the file that states what varies; a table lies beside it. */
+    /** The directory of the file that states what varies; a table is beside it. */
     private Path directory() {
         return scenes.file()
                 .orElse(Path.of("compare.yaml"))

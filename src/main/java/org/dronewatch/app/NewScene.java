@@ -230,7 +230,7 @@ record NewScene(
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 
-    /** To the centimetre. */
+    /** A length, rounded to the centimetre. */
     private static String metres(double value) {
         return number(Math.rint(100.0 * value) / 100.0);
     }

@@ -22,7 +22,7 @@ final class Progress implements SceneListener, AutoCloseable {
     private ProgressBar bar;
     private RunInfo run;
 
-    /** For all runs of a scene. */
+    /** The progress of all runs of a scene. */
     Progress(String task) {
         this(task, -1, Double.POSITIVE_INFINITY);
     }

@@ -111,7 +111,7 @@ final class SceneChoice {
         } catch (ClassNotFoundException e) {
             throw unknown(e);
         } catch (NoClassDefFoundError e) {
-            // On a file system that ignores capitals a class is found by a name that is not quite its own.
+            // On a file system that ignores case, a class is found by a name that differs from its own.
             if (String.valueOf(e.getMessage()).contains("wrong name")) {
                 throw unknown(e);
             }

@@ -134,7 +134,7 @@ final class BuildingReport {
         return area;
     }
 
-    /** Of all that was built, in its order. */
+    /** The outlines of all that was built, in the order in which it was built. */
     List<BuildingOutline> outlines() {
         return outlines;
     }

@@ -119,7 +119,7 @@ final class BvhTraversal extends RayTracer {
         }
     }
 
-    /** From the block: it is in the cache, the mesh's own corners are not. */
+    /** Computed from the block, which is in the cache; the mesh's own corners are not. */
     @Override
     protected void findBarycentrics() {
         double az = corner(winnerIndex, 0, offsetZ) - originZ;

@@ -17,7 +17,7 @@ final class ConvexRoom {
     /** Numbers of a plane: a unit vector, and the component along it of the plane's points. */
     static final int PLANE = 4;
 
-    /** How far a corner may lie off a plane in which it is, or beyond it, relative to the room's size: rounding. */
+    /** The distance by which rounding may move a corner off a plane in which it is, relative to the room's size. */
     private static final double ROUNDING = 1e-13;
 
     private final CornerTable table;
@@ -33,7 +33,7 @@ final class ConvexRoom {
         this.tolerance = ROUNDING * size;
     }
 
-    /** The room of which these are all triangles, or empty if they are not a closed convex room. */
+    /** The room whose triangles these are; empty if they are not a closed convex room. */
     static Optional<ConvexRoom> of(LeafOrderTriangles triangles) {
         ConvexRoom room = new ConvexRoom(new CornerTable(triangles.corners()));
         return room.findWalls() && room.isClosed() ? Optional.of(room) : Optional.empty();
@@ -158,7 +158,7 @@ final class ConvexRoom {
         return true;
     }
 
-    /** Whether each edge is one of two triangles: nothing on the surface of a convex body is closed but all of it. */
+    /** Whether each edge belongs to two triangles: of the surface of a convex body, only the whole is closed. */
     private boolean isClosed() {
         int[] corners = table.triangles(1);
         Map<List<Integer>, Integer> edges = new HashMap<>();

@@ -33,7 +33,7 @@ public final class CampaignPlan implements Cases {
 
     private static final String CASE = "case";
 
-    /** Of the heap, what is kept of the sites without drones. */
+    /** One in this many bytes of the heap is for sites without drones. */
     private static final int MEMORY_SHARE = 4;
 
     private final CampaignSettings settings;

@@ -97,7 +97,7 @@ public record Variation(
                 .orElseThrow();
     }
 
-    /** With its unit, and as many digits as anybody needs to repeat a case by hand. */
+    /** A value with its unit, and with as many digits as are needed to repeat a case by hand. */
     private static String written(Quantity quantity, double value) {
         // Angles are the only ones shown in another unit than they are kept in.
         double shown = quantity.unit().equals(quantity.displayUnit()) ? value : Math.toDegrees(value);

@@ -15,7 +15,7 @@ record LooseContact(int contact, String sensor, long order, double time, double 
     /** The earliest confirmed first. */
     static final Comparator<LooseContact> BY_ORDER = Comparator.comparingLong(LooseContact::order);
 
-    /** By bearing, those without one last; the earliest confirmed of equal ones first. */
+    /** The order by bearing: contacts without one come last, and of equal ones the earliest confirmed comes first. */
     static final Comparator<LooseContact> BY_BEARING =
             Comparator.comparingDouble(LooseContact::bearing).thenComparing(BY_ORDER);
 

@@ -90,7 +90,7 @@ public record MapExtent(double west, double east, double south, double north) {
                 degrees.east + 0.0);
     }
 
-    /** In degrees; empty if the grid has no coordinates there. */
+    /** The extent in degrees; empty if the grid has no coordinates there. */
     private Optional<MapExtent> onEarth(MapTransform map) {
         Collector earth = new Collector();
         try {

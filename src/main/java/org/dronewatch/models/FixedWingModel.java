@@ -94,7 +94,7 @@ public final class FixedWingModel {
         }
     }
 
-    /** From an upright axis to one that points to the nose. */
+    /** Turns a solid from an upright axis to one that points to the nose. */
     private static Solid forward(Solid upright) {
         return upright.moved(p -> new Point(p.x(), -p.z(), -0.540 - p.y()));
     }

@@ -21,7 +21,7 @@ public final class LongTask implements AutoCloseable {
 
     private final Watcher watcher;
     private final long every;
-    /** In parts of steps. */
+    /** The work done, in parts of steps. */
     private final AtomicLong done = new AtomicLong();
 
     /** Shows how far tasks have come; called by the thread that began the task, and by its workers. */

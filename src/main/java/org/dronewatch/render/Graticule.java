@@ -117,7 +117,7 @@ final class Graticule {
         label(g, axis, edge, String.format(Locale.ROOT, "%." + decimals + "f\u00b0 %s", Math.abs(at), hemisphere));
     }
 
-    /** At the lower or the right edge, clear of what is in the corners. */
+    /** Writes a label at the lower or the right edge, clear of what is in the corners. */
     private void label(Graphics2D g, int axis, Point2d edge, String text) {
         FontMetrics metrics = g.getFontMetrics();
         double x =

@@ -90,7 +90,7 @@ final class LinePainter {
         end[2] = NEAR;
     }
 
-    /** From pixel to pixel; 1/depth changes evenly along the line. */
+    /** Draws a line from pixel to pixel; 1/depth changes evenly along it. */
     private void draw(
             double x0, double y0, double w0, double x1, double y1, double w1, double width, int colour, double share) {
         boolean steep = Math.abs(y1 - y0) > Math.abs(x1 - x0);

@@ -25,7 +25,7 @@ public final class RecordedRays {
     private final int maxOrder;
     private final LevelScale scale;
 
-    /** From arrays that are handed over. */
+    /** Rays in arrays that are handed over. */
     RecordedRays(
             String sensor,
             String drone,

@@ -38,7 +38,7 @@ public final class SitePicture {
     /** How far the frustums of cameras are drawn, as a fraction of the framed box. */
     private static final double OUTLINE = 0.16;
 
-    /** From where on a view from afar is one from above, rad. */
+    /** The elevation from which on a view from afar counts as one from above, rad. */
     private static final double STEEP = 1.5;
 
     private final SitePainter painter;

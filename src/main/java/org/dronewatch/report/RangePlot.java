@@ -171,7 +171,7 @@ final class RangePlot {
         return values.isEmpty() ? "" : ", " + values;
     }
 
-    /** Of the run of a number: in a sweep of which only some runs were made, that is not its index. */
+    /** The settings of the run of a number, which is not its index in a sweep of which only some runs were made. */
     private SceneSettings settings(int run) {
         return result.runs().stream()
                 .filter(one -> one.run() == run)

@@ -69,7 +69,7 @@ public final class RayPaths {
         return String.format(Locale.ROOT, "v %.4f %.4f %.4f", rounded(east), rounded(up), rounded(-north)) + LINE;
     }
 
-    /** To what the file shows, without a negative zero. */
+    /** A length, rounded to what the file shows, without a negative zero. */
     private static double rounded(double metres) {
         return Math.round(metres * 1e4) / 1e4 + 0.0;
     }

@@ -44,7 +44,7 @@ final class Refusal {
         return deepest;
     }
 
-    /** In words, without the name of a temporary file. */
+    /** The reason in words, without the name of a temporary file. */
     static String reason(IOException problem) {
         if (problem instanceof FileAlreadyExistsException known) {
             return known.getFile() + " is a file";

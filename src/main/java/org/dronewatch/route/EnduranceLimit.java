@@ -14,7 +14,7 @@ import org.dronewatch.geometry.Position;
  * not found, so that a gap may remain.
  */
 final class EnduranceLimit {
-    /** At the first price, the whole time counts for this. */
+    /** The exposure for which the whole time counts at the first price. */
     private static final double FIRST = 0.1;
 
     private static final double FACTOR = 4.0;

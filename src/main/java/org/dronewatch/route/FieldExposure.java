@@ -122,7 +122,7 @@ public final class FieldExposure implements ExposureField {
         return least == Double.POSITIVE_INFINITY ? 0.0 : least;
     }
 
-    /** On any compass heading, at any speed. */
+    /** The least exposure on any compass heading, at any speed. */
     private double least(int level, int column, int row) {
         if (!field.isOpen(level, column, row)) {
             return 0.0;

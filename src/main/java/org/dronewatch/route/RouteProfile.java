@@ -133,7 +133,7 @@ public record RouteProfile(List<RoutePoint> points) {
         if (points.size() == 1) {
             return end().above();
         }
-        // By the time that the drone spends on each piece, in the order of height.
+        // Each piece is weighted by the time that the drone spends on it; pieces are in the order of height.
         double[][] pieces = new double[points.size() - 1][];
         Arrays.setAll(pieces, i -> new double[] {
             0.5 * (points.get(i).above() + points.get(i + 1).above()),

@@ -42,7 +42,7 @@ final class RouteTree {
         return best;
     }
 
-    /** Those of some posts from which the exposure is least, the least first; only posts that have a route. */
+    /** The ones among some posts from which the exposure is least, the least first; only posts that have a route. */
     List<Integer> weakest(BitSet posts, int count) {
         return posts.stream()
                 .filter(post -> cost(post) < Double.POSITIVE_INFINITY)

@@ -48,7 +48,7 @@ final class ActiveSensor {
         return sensor instanceof RaySensor;
     }
 
-    /** From the index, not from the last time: adding up intervals drifts. */
+    /** The time of the next look, from its index and not from the last time, since adding up intervals drifts. */
     double nextTime() {
         return nextIndex / rate;
     }

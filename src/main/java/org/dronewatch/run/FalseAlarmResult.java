@@ -28,7 +28,7 @@ public record FalseAlarmResult(
     /** Maximum number of alerts that are kept. */
     public static final int MOST_ALERTS = 1000;
 
-    /** That of a run in which no sensor looked. */
+    /** The result of a run in which no sensor looked. */
     static final FalseAlarmResult NONE = new FalseAlarmResult(Map.of(), Map.of(), 0, List.of(), Map.of(), List.of());
 
     /** Copies maps and lists: later changes by the caller have no effect. */

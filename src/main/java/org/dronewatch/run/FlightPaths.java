@@ -51,7 +51,10 @@ final class FlightPaths {
         }
     }
 
-    /** In a swarm: each drone is steered separately, and repeats its own flight unless another's is named. */
+    /**
+     * The path of a drone in a swarm: each drone is steered separately, and repeats its own flight unless another's is
+     * named.
+     */
     private FlightPath beside(String id, DroneSettings drone, Displaced follower) {
         if (follower.leader() instanceof Steered leader) {
             return drone.withFlight(leader.beside(follower.offset())).createFlight(places.ground());

@@ -49,7 +49,7 @@ public record LightAdvice(Light light) {
         });
     }
 
-    /** To two digits. */
+    /** A value, rounded to two digits. */
     private static double rounded(double value) {
         return new BigDecimal(value).round(new MathContext(2)).doubleValue();
     }

@@ -127,7 +127,7 @@ final class ValueSchema {
         return schema;
     }
 
-    /** By name, or by the only part that has no default. */
+    /** Allows a value by name, or by the only part that has no default. */
     private void putOnePart(ArrayNode any, Class<?> type) {
         any.addObject().put("$ref", reference.apply(type));
         SettingsForm form = SettingsForm.of(type);

@@ -17,7 +17,7 @@ public final class CameraRange extends Scene {
     /** The area of the quadrotor's silhouette from the front, m2. */
     public static final double FRONTAL_AREA = 0.0528;
 
-    /** On a mast of 12 m on the hill's level top, from where it sees over the edge into the valleys. */
+    /** The camera is on a mast of 12 m on the hill's level top, from where it sees over the edge into the valleys. */
     private static final Position CAMERA = new Position(0, 0, 144);
 
     @Override

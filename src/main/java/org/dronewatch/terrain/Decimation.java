@@ -16,7 +16,9 @@ import org.dronewatch.setting.InputException;
  * again, and the few posts are added that are too far off there.
  */
 final class Decimation {
-    /** At a hundred bytes each, with a tree over them, they fill some gigabytes. */
+    /**
+     * The most triangles that are kept: at a hundred bytes each, with a tree over them, they fill a gigabyte or more.
+     */
     private static final int MOST_TRIANGLES = 10_000_000;
 
     private static final int NONE = -1;
@@ -55,7 +57,7 @@ final class Decimation {
         }
     }
 
-    /** For corners of the rectangle that lie in a hole. */
+    /** A height for corners of the rectangle that are in a hole. */
     private double anyHeight() {
         for (int post = 0; post < isCorner.length; post++) {
             if (!posts.isHole(post)) {

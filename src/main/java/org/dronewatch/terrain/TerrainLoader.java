@@ -136,7 +136,7 @@ public final class TerrainLoader {
         }
         int[] sources = new int[kept.count()];
         for (int i = 0; i < kept.count(); i++) {
-            // From clockwise to counter-clockwise.
+            // The order changes from clockwise to counter-clockwise.
             corners[3 * i] = numbers[kept.corners()[3 * i]];
             corners[3 * i + 1] = numbers[kept.corners()[3 * i + 2]];
             corners[3 * i + 2] = numbers[kept.corners()[3 * i + 1]];

@@ -22,7 +22,7 @@ final class CoverageComputing implements AutoCloseable {
     private final AtomicLong looks = new AtomicLong();
     private volatile long expected = 1;
 
-    /** Of the computation that was requested last. */
+    /** Whether the computation that was requested last is cancelled. */
     private AtomicBoolean cancelled = new AtomicBoolean();
 
     /**

@@ -80,7 +80,7 @@ final class Playback {
     /** Pauses, and steps by looks of the sensor that looks most often, forward or back. */
     void step(int looks) {
         playing = false;
-        // From look to look, wherever between two of them it was.
+        // The time goes from look to look, wherever between two looks it was.
         double number = looks > 0 ? Math.floor(time / step + 1e-6) : Math.ceil(time / step - 1e-6);
         jump((number + looks) * step);
     }

@@ -18,7 +18,7 @@ final class PointedCell implements AutoCloseable {
     private Optional<Position> place = Optional.empty();
     private Optional<Cell> cell = Optional.empty();
 
-    /** Of the thread. */
+    /** The coverage that the thread examines; only the thread uses it. */
     private FieldCoverage examined;
 
     private CellExaminer examiner;

@@ -80,7 +80,7 @@ final class WorldMouse extends MouseAdapter {
         panel.move(orbit.at(target).zoomed(factor));
     }
 
-    /** From the middle of the picture to the pointer, in the plane through the target, m. */
+    /** The vector from the middle of the picture to the pointer, in the plane through the target, m. */
     private Position aside(Orbit orbit, MouseEvent e) {
         double metres = orbit.metresPerPixel(panel.getHeight());
         double right = (e.getX() - 0.5 * panel.getWidth()) * metres;

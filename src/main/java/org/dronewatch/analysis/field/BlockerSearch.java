@@ -65,7 +65,7 @@ final class BlockerSearch {
         return new Blocker(named, building(sensor.x() + behind * along.x(), sensor.y() + behind * along.y()));
     }
 
-    /** With a name if any of those there has one: a building and its parts lie over one another. */
+    /** The building at a place: one with a name if any of those there has one, as a building and its parts overlap. */
     private Optional<BuildingOutline> building(double x, double y) {
         List<BuildingOutline> there = buildings.stream()
                 .filter(one -> one.contains(x, y))

@@ -113,7 +113,7 @@ public record Course(
         };
     }
 
-    /** From one point to another; north where they have the same plan position. */
+    /** The bearing from one point to another; north where they have the same plan position. */
     private static double bearing(Position from, Position to) {
         return StrictMath.atan2(to.x() - from.x(), to.y() - from.y());
     }

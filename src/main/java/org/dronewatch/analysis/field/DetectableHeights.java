@@ -64,7 +64,7 @@ public final class DetectableHeights {
         return rounds;
     }
 
-    /** From what is known at the heights of the grid. */
+    /** Begins with what is known at the heights of the grid. */
     private void begin(FieldCoverage coverage, int cell) {
         lower[cell] = 0.0;
         upper[cell] = Double.NaN;

@@ -11,8 +11,8 @@ import java.util.Optional;
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error
  * @param largely what the error does not exceed at 95 % of these, dB
- * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB: looks have it,
- *     too, so that no interpolation between more positions is more accurate
+ * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB; looks have it,
+ *     too, so that interpolation between more positions would not be more accurate
  * @param inSight where nothing is in the way
  * @param hidden where something is
  */
@@ -84,7 +84,7 @@ public record InterpolationError(
                 .orElse(0.0));
     }
 
-    /** What looks alone cause of the error: 95 % of normally distributed errors do not exceed it, dB. */
+    /** The part of the error that looks alone cause: 95 % of normally distributed errors do not exceed it, dB. */
     public double largelyOfLooks() {
         return TWO_SIDED * ofLooks;
     }

@@ -60,7 +60,7 @@ final class SearchPeriod {
         return sensor.as(Mounted.class).flatMap(Mounted::createPositioner).orElseThrow();
     }
 
-    /** Those of the second period: in the first one, the positioner may still be on its way to the pattern. */
+    /** The directions in the second period: in the first one, the positioner may still be on its way to the pattern. */
     private static List<Pointing> pointings(Positioner positioner, double period, int count) {
         List<Pointing> all = new ArrayList<>();
         for (int i = 0; i < 2 * count; i++) {

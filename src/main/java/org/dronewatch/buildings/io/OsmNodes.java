@@ -23,7 +23,7 @@ final class OsmNodes {
     private final LongIndex numbers = new LongIndex();
     private double[] coordinates = new double[1 << 12];
 
-    /** None yet; {@code file} is for messages. */
+    /** A collection without nodes; {@code file} is for messages. */
     OsmNodes(String file, HeapBudget budget) {
         this.file = file;
         this.budget = budget;

@@ -15,7 +15,7 @@ final class Coast {
 
     private final double[] pieces;
 
-    /** From lines in the world frame: x and y of each corner in turn. */
+    /** A coast of lines in the world frame: x and y of each corner in turn. */
     Coast(List<double[]> lines) {
         int count = 0;
         for (double[] line : lines) {
@@ -110,7 +110,7 @@ final class Coast {
         double dx = pieces[at + 2] - pieces[at];
         double dy = pieces[at + 3] - pieces[at + 1];
         double along = ((x - pieces[at]) * dx + (y - pieces[at + 1]) * dy) / (dx * dx + dy * dy);
-        // At a corner exactly that, so that both pieces that meet there are at the same distance.
+        // The distance from a corner is exact, so that both pieces that meet there are at the same distance.
         if (along <= 0.0) {
             return Math.hypot(x - pieces[at], y - pieces[at + 1]);
         }

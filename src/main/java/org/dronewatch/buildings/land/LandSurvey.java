@@ -111,7 +111,7 @@ public final class LandSurvey {
         drawn.add(new Drawn(use, lines, area));
     }
 
-    /** With the first corner once more at the end. */
+    /** A ring with its first corner repeated at the end. */
     private static double[] closed(double[] ring) {
         double[] line = Arrays.copyOf(ring, ring.length + 2);
         System.arraycopy(ring, 0, line, ring.length, Math.min(2, ring.length));

@@ -155,7 +155,7 @@ final class MissionLegs {
                 && Math.hypot(to.at.x() - from.at.x(), to.at.y() - from.at.y()) > SAME;
     }
 
-    /** From the first of some stops to the last, low over the surface. */
+    /** Flies from the first of some stops to the last, low over the surface. */
     private void follow(int first, int end, List<MissionPath.Course> courses) {
         List<GroundPoint> points = stops.subList(first, end).stream()
                 .map(stop -> new GroundPoint(stop.at.x(), stop.at.y()))

@@ -109,7 +109,7 @@ public final class PlanWriter {
         return new Written(text(first), items.size(), found.tolerance());
     }
 
-    /** On the surface below the start; at the start where there is none. */
+    /** The home position: on the surface below the start, or at the start where there is no surface. */
     private GeoPoint home(Position start) {
         OptionalDouble ground = places.ground().height(start.x(), start.y());
         GeoPoint above = geodesy.onEarth(start);

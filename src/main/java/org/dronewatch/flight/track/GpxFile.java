@@ -18,7 +18,7 @@ import org.dronewatch.setting.file.XmlText;
 /** Reads a track or a route of a GPX file (1.0 or 1.1). */
 final class GpxFile {
     private static final double HIGHEST = 100_000.0;
-    /** Of an element in a track, in the file. */
+    /** The depth of an element of a track in the file. */
     private static final int DEPTH_IN_TRACK = 3;
 
     private static final int LONGEST_TEXT = 200;

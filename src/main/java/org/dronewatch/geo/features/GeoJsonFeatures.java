@@ -20,7 +20,7 @@ final class GeoJsonFeatures {
     private final String file;
     private final Features.Found found;
 
-    /** From coordinates of a grid, if the file states one. */
+    /** The transform from coordinates of a grid, if the file states one. */
     private Optional<MapTransform> grid = Optional.empty();
 
     GeoJsonFeatures(String file, Features.Found found) {

@@ -75,7 +75,10 @@ final class ObjParser {
         collector.addVertex(coordinates[0], coordinates[1], coordinates[2]);
     }
 
-    /** In single precision, which suffices near the origin; coordinates of national grids need double. */
+    /**
+     * A number in single precision, which suffices near the origin; coordinates of national grids need double
+     * precision.
+     */
     private double number(String token) {
         try {
             float value = Float.parseFloat(token);

@@ -20,7 +20,7 @@ final class PartGrid {
         this.near = camera.near();
         this.far = camera.far();
         double[][] pixels = camera.grid();
-        // From the centre of the first pixel to that of its first part.
+        // The step from the centre of the first pixel to that of its first part.
         double back = 0.5 * (1.0 / samples - 1.0);
         for (int i = 0; i < 3; i++) {
             right[i] = pixels[1][i] / samples;

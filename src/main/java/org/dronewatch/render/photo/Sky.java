@@ -21,7 +21,7 @@ final class Sky {
     private final Daylight daylight;
     private final Position sun;
 
-    /** That of a clear sky. */
+    /** The scattered light of a clear sky. */
     private final Optional<ScatteredLight> scattered;
 
     private final double scale;

@@ -155,7 +155,7 @@ public final class CellWords {
     public static String margin(GapEvidence.Examined examined) {
         Assessment assessment = examined.assessment();
         double margin = assessment.margin();
-        // Of nothing, such as 0 pixels of a drone out of view, no margin can be made.
+        // Without a signal, such as with 0 pixels of a drone out of view, there is no finite margin.
         if (!Double.isFinite(margin) || assessment.marginDb() == Double.NEGATIVE_INFINITY) {
             return margin > 0.0 ? "" : NO_SIGNAL;
         }

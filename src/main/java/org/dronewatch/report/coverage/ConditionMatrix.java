@@ -115,7 +115,7 @@ final class ConditionMatrix {
         g.drawString(text, x, y);
     }
 
-    /** In the middle of a cell; shortened if it is too long. */
+    /** Writes a text in the middle of a cell, shortened if it is too long. */
     private void centre(Font font, Color ink, String text, int left, int y) {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();

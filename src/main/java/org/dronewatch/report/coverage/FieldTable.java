@@ -163,7 +163,7 @@ public final class FieldTable {
         return lines;
     }
 
-    /** What makes levels more accurate: more rays, if the errors of looks alone are too large. */
+    /** The remedy that makes levels more accurate: more rays, if the errors of looks alone are too large. */
     private static String remedy(String sensor, InterpolationError error) {
         return error.largelyOfLooks() <= InterpolationError.ACCURATE
                 ? "larger cells or fewer heights help"

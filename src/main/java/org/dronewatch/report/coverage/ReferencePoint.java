@@ -53,7 +53,7 @@ record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
                 Locale.ROOT, "%.0f m %s", distance(x, y), CompassPoint.of(Math.atan2(x - at.x(), y - at.y())));
     }
 
-    /** In plan view, m. */
+    /** The distance in plan view, m. */
     double distance(double x, double y) {
         return Math.hypot(x - at.x(), y - at.y());
     }

@@ -30,7 +30,7 @@ final class WorstPlaces {
     private final CoverageSite site;
     private final ReferencePoint reference;
 
-    /** Those of more than a single cell, if there are any, the largest first. */
+    /** The gaps of more than a single cell, if there are any, the largest first. */
     private final List<GapSpan> gaps;
 
     private final int all;

@@ -46,7 +46,7 @@ record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabe
         return groups;
     }
 
-    /** For a table: {@code wing (25 drones)}; with its role unless it attacks. */
+    /** The words for a table: {@code wing (25 drones)}; with the role of the group unless it attacks. */
     String label() {
         String note = role == ThreatLabel.Role.DECOY ? "decoy" : role == ThreatLabel.Role.BYSTANDER ? "bystander" : "";
         String count = isSwarm ? members.size() + (members.size() == 1 ? " drone" : " drones") : "";

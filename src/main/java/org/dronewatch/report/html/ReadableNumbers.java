@@ -26,7 +26,7 @@ public final class ReadableNumbers {
         return percent < 0.1 ? "less than 0.1 %" : format(percent < 10.0 ? "%.1f %%" : "%.0f %%", percent);
     }
 
-    /** With one decimal, or a word where there is none. */
+    /** A value with one decimal, or a word where there is no value. */
     static String orElse(OptionalDouble value, String none) {
         return value.isPresent() ? format("%.1f", value.getAsDouble()) : none;
     }

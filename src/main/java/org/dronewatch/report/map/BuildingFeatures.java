@@ -15,7 +15,7 @@ import org.dronewatch.geometry.Position;
 final class BuildingFeatures {
     private static final Color KNOWN = new Color(0x7f7768);
 
-    /** That of buildings with assumed heights in pictures, darker. */
+    /** The colour of buildings with assumed heights in pictures, darker. */
     private static final Color ASSUMED = new Color(0xb5783a);
 
     private final Geodesy geodesy;

@@ -95,7 +95,10 @@ final class CellRings {
         return ring;
     }
 
-    /** To the right before straight on and left: over to a cell that touches at the corner only. */
+    /**
+     * The next direction: right is tried before straight on and left, so that a ring goes over to a cell that touches
+     * at the corner only.
+     */
     private int next(int x, int y, int direction) {
         for (int turn = 3; turn <= 5; turn++) {
             int next = (direction + turn) % DX.length;

@@ -13,7 +13,7 @@ final class Elements {
 
     /** Begins a file. */
     Elements(OutputStream target) throws XMLStreamException {
-        // That of the JDK, whatever else is on the class path: the same results are to give the same bytes.
+        // The factory of the JDK, whatever else is on the class path, so that the same results give the same bytes.
         xml = XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(target, StandardCharsets.UTF_8.name());
         xml.writeStartDocument(StandardCharsets.UTF_8.name(), "1.0");
     }

@@ -76,7 +76,7 @@ enum Role {
             return scale;
         }
 
-        /** In a word of simplestyle. */
+        /** The word of simplestyle for it. */
         String word() {
             return name().toLowerCase(Locale.ROOT);
         }

@@ -96,7 +96,7 @@ public final class ProvenanceFile {
         }
     }
 
-    /** To the microsecond. */
+    /** A time, rounded to the microsecond. */
     private static double rounded(double seconds) {
         return Math.rint(1e6 * seconds) / 1e6;
     }

@@ -56,7 +56,7 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
         return FlownRoute.of(scene, models).prove(runs, progress);
     }
 
-    /** On this thread alone: the runs are shared among the threads. */
+    /** Runs on this thread alone, as the runs are shared among the threads. */
     static OptionalDouble plain(SceneSettings settings, long seed, ModelCache models) {
         try (Workers alone = new Workers(1)) {
             return alone.call(() -> SeededFlights.firstDetectionOfRun(settings, seed, models));

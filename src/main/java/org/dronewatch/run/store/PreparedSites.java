@@ -84,7 +84,7 @@ public final class PreparedSites {
         return prepared;
     }
 
-    /** Of the files as they are now; empty if one cannot be read, which the loader reports. */
+    /** The hashes of the files as they are now; empty if one cannot be read, which the loader reports. */
     private Optional<List<FileHash>> hashes(TerrainSettings settings) {
         try {
             ElevationFiles source = new ElevationFiles(directory);

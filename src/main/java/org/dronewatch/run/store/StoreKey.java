@@ -91,7 +91,7 @@ public record StoreKey(String kind, String sha256) {
         }
     }
 
-    /** With its length, so that no two lists of texts look alike. */
+    /** Adds a text with its length, so that no two lists of texts look alike. */
     private static void add(String text, MessageDigest digest) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         digest.update(ByteBuffer.allocate(Integer.BYTES).putInt(bytes.length).flip());

@@ -19,7 +19,7 @@ public final class CameraAxes {
     private final double cos;
     private final double sin;
 
-    /** To the right and up with a level horizon. */
+    /** The directions to the right and up with a level horizon. */
     private final Position levelRight;
 
     private final Position levelUp;

@@ -24,7 +24,7 @@ public final class DronePicture {
     private DynamicView dynamicView;
     private StaticView staticView;
 
-    /** For drones without the world. */
+    /** A view for drones without the world. */
     private DynamicView openView;
 
     private PixelBounds bounds;

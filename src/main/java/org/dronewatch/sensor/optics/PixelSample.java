@@ -203,7 +203,7 @@ final class PixelSample {
         return true;
     }
 
-    /** At most this many pixels show the drone, however it turns. */
+    /** An upper bound on the number of pixels that show the drone, however it turns. */
     int mostAround() {
         return stride > 1 ? sampled : around;
     }

@@ -27,7 +27,10 @@ public record BeamPattern(
         @In(value = Quantity.LEVEL, from = 0, to = 100) double sideLobes,
         Steering steering,
         @In(value = Quantity.NUMBER, from = 0, to = 5) double scanLoss) {
-    /** Where an array does not radiate any more, its gain is not minus infinity either. */
+    /**
+     * The least cosine of the angle from an array's axis, so that the gain stays finite where an array no longer
+     * radiates.
+     */
     private static final double LEAST_COSINE = 1e-3;
 
     /** The angles in which a beam is steered. */

@@ -24,7 +24,7 @@ public record Clutter(
         @In(value = Quantity.LEVEL, from = 0, to = 150) double improvement,
         @Minor @In(value = Quantity.LEVEL, from = 0, to = 150) double rainImprovement,
         @Minor @In(value = Quantity.FREQUENCY, from = 1, to = 1e12) Optional<Double> bandwidth) {
-    /** Where the radar's budget states no bandwidth. */
+    /** The setting that is required where the radar's budget states no bandwidth. */
     private static final String BANDWIDTH = "bandwidth";
 
     /**

@@ -28,7 +28,7 @@ final class RadarAdvice {
                         AdvisedLimit.inWords(one.largestGain())));
     }
 
-    /** That of the transmitting antenna, dBi. */
+    /** The gain of the transmitting antenna, dBi. */
     private static OptionalDouble statedGain(LinkBudget budget) {
         return budget instanceof Hardware hardware ? OptionalDouble.of(hardware.gain()) : budget.narrowerGain();
     }

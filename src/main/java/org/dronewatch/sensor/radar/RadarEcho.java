@@ -89,7 +89,7 @@ final class RadarEcho {
         return received(drone, area, 0.0);
     }
 
-    /** With the attenuation by rain both ways, for the drone as for the clutter beside it. */
+    /** What is received, with the attenuation by rain both ways: the echo of the drone and of the clutter beside it. */
     private Received received(Drone drone, double area, double loss) {
         double range = range(drone);
         double reflection = groundReflection(drone);

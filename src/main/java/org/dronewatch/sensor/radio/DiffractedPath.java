@@ -18,7 +18,7 @@ final class DiffractedPath {
     /** Edges this near to each other, in wavelengths, are one; the construction would count it twice. */
     private static final double ONE_EDGE = 5.0;
 
-    /** From this distance on, in wavelengths, the second counts in full. */
+    /** From this distance on, in wavelengths, the second edge counts in full. */
     private static final double TWO_EDGES = 50.0;
 
     /**

@@ -18,7 +18,7 @@ final class SpotDetector {
     private final double threshold;
     private final double looksPerSecond;
 
-    /** In the images of a camera that has such a rule. */
+    /** A detector of spots in the images of a camera that has such a rule. */
     SpotDetector(PointTargets rule, ThermalSettings camera) {
         this.rule = rule;
         this.threshold = rule.threshold(camera.pixels());

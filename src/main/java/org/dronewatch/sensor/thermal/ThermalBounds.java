@@ -46,7 +46,7 @@ final class ThermalBounds {
         return signals.of(drone, bounds.most(drone.origin(), drone.radius()));
     }
 
-    /** Those of a drone that is outside the image, that single triangles of the site hide, or that is too weak. */
+    /** The bounds of a drone that is outside the image, that single triangles of the site hide, or that is too weak. */
     Optional<AssessmentBounds> atAllHeadings(Drone drone, Position at) {
         Drone there = drone.at(new FlightState(at, AT_REST, 0.0));
         double radius = there.radius();
@@ -70,7 +70,7 @@ final class ThermalBounds {
         return most.isDetected() ? Optional.empty() : bounds(nothing, most, Cause.TOO_WEAK);
     }
 
-    /** Those of a level drone that nothing hides, from the silhouette of its model. */
+    /** The bounds of a level drone that nothing hides, from the silhouette of its model. */
     Optional<AssessmentBounds> of(Drone drone, FlightState state, DoubleToIntFunction steps) {
         if (!sight.isClear(state.position(), drone.radius())) {
             return Optional.empty();

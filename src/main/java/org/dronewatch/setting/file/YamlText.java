@@ -13,7 +13,7 @@ final class YamlText {
     /** Mappings of more values have a line for each. */
     private static final int MOST_IN_A_LINE = 3;
 
-    /** From this depth on a mapping may be written in one line: a drone or a sensor is not. */
+    /** From this depth on, a mapping may be written in one line; a drone or a sensor is less deep. */
     private static final int FLOW_DEPTH = 2;
 
     private static final String STEP = "  ";

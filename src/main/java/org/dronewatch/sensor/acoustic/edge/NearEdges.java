@@ -203,7 +203,7 @@ public final class NearEdges {
         return Math.min(fold, cone.bend());
     }
 
-    /** From an edge into a triangle, perpendicular to the edge. */
+    /** The direction from an edge into a triangle, perpendicular to the edge. */
     private Position inward(int triangle, Position at, Position edge) {
         Position centre = corner(triangle, 0)
                 .plus(corner(triangle, 1))

@@ -18,7 +18,7 @@ public final class DecayCurve {
     private static final double FROM = -5.0;
     private static final double SPAN = 30.0;
 
-    /** By bin, and in it by band: one arrival is in all bands at once. */
+    /** The energy received, by bin and in it by band, as an arrival is in all bands at once. */
     private final double[] received = new double[BINS * BANDS];
 
     /** The bins from this one on are empty. */

@@ -180,7 +180,7 @@ final class DiffuseConnection {
         }
         double cosine = leg.cosineAtBeginning(point.normal);
         Position start = ends.start();
-        // From the start, as rays come: so the surface is at the far end of both.
+        // Seen from the start, like rays that arrive, so that the surface is at the far end of both.
         double curvature = ends.curvature(start.x() - point.x, start.y() - point.y, start.z() - point.z);
         if (!(cosine > 0.0)
                 || !leg.isOpen(

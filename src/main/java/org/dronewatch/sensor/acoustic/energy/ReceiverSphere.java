@@ -139,7 +139,7 @@ final class ReceiverSphere {
         return besideSquared(ray, middle(ray)) < farthestSquared;
     }
 
-    /** How far along a ray its line is nearest to the centre, m. */
+    /** The distance along a ray at which its line is nearest to the centre, m. */
     private double middle(AcousticRay ray) {
         return (centreX - ray.originX) * ray.directionX
                 + (centreY - ray.originY) * ray.directionY

@@ -40,7 +40,7 @@ public final class ImageSources {
             orders[image] = orders[parents[image]] + 1;
             found[image] = appended(found[parents[image]], walls[image]);
         }
-        // At most half full.
+        // The table is at most half full.
         this.keys = new long[Integer.highestOneBit(Math.max(1, parents.length - 1)) << 2];
         for (int image = 1; image < parents.length; image++) {
             keys[slot(found[image])] = found[image];

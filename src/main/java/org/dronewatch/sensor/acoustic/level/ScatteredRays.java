@@ -24,7 +24,7 @@ final class ScatteredRays {
         ALL,
         /** Those directed at the sensor, and perhaps some others. */
         DIRECTED,
-        /** None of them. */
+        /** No scattered rays. */
         NONE
     }
 
