@@ -30,11 +30,11 @@ import org.dronewatch.terrain.TerrainGround;
  * </pre>
  *
  * <p>All little-endian; arrays and texts (UTF-8) have their length before them as an int. Change {@link #VERSION} with
- * every change.
+ * every change, also of the forms of other packages.
  */
 final class StoredForms {
     static final int MAGIC = 0x5345_5744;
-    static final int VERSION = 2;
+    static final int VERSION = 3;
 
     /** A terrain. */
     static final StoredForm<PreparedTerrain> TERRAIN = new TerrainForm();
