@@ -11,12 +11,10 @@ import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
-import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Shard;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.campaign.CampaignFiles;
-import org.dronewatch.report.campaign.CampaignWords;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
@@ -203,7 +201,7 @@ final class CampaignCommand implements Callable<Integer> {
             if (report != null) {
                 report.write(stream -> files.writeJunit(result, stream));
             }
-            code = whole && part.isAll() ? Math.max(failure, expected(plan, result)) : 0;
+            code = whole && part.isAll() ? Math.max(failure, CampaignLines.judge(plan, result.summary(), err)) : 0;
             if (!whole) {
                 err.println("interrupted: --resume runs the cases that are missing");
             }
@@ -211,20 +209,6 @@ final class CampaignCommand implements Callable<Integer> {
                 err.println("part " + part + " of the campaign: 'merge' joins the parts");
             }
             err.println("results in " + directory);
-        }
-        return code;
-    }
-
-    /** The exit code: whether the campaign shows what is expected of it. */
-    private int expected(CampaignPlan plan, CampaignResult result) {
-        int code = 0;
-        for (Expectation one : plan.settings().expect()) {
-            if (!one.isMet(plan, result.summary())) {
-                spec.commandLine()
-                        .getErr()
-                        .println("expectation not met: " + CampaignWords.missed(plan, one, result.summary()));
-                code = Main.FAILED;
-            }
         }
         return code;
     }

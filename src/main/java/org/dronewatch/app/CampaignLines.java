@@ -11,6 +11,7 @@ import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignSummary;
 import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Measures;
 import org.dronewatch.campaign.Outcome;
 import org.dronewatch.campaign.PairedDifference;
@@ -75,6 +76,22 @@ final class CampaignLines {
             return Main.FAILED;
         }
         return 0;
+    }
+
+    /**
+     * Prints which expectations of a campaign are not met.
+     *
+     * @return the exit code: that of a failure if any is not
+     */
+    static int judge(CampaignPlan plan, CampaignSummary summary, PrintWriter err) {
+        int code = 0;
+        for (Expectation one : plan.settings().expect()) {
+            if (!one.isMet(plan, summary)) {
+                err.println("expectation not met: " + CampaignWords.missed(plan, one, summary));
+                code = Main.FAILED;
+            }
+        }
+        return code;
     }
 
     private static void printPrecision(CampaignPlan plan, UntilSettings until, Stopping stopping, PrintWriter out) {

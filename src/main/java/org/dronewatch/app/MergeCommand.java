@@ -70,10 +70,11 @@ final class MergeCommand implements Callable<Integer> {
             plan.sensitivity().ifPresent(further -> copy(further, there, files.chunks(further)));
             CampaignResult result = files.finish(Optional.of(part.campaign().caseCommand()));
             CampaignLines.print(plan, result, spec.commandLine().getOut());
-            code = CampaignLines.warn(result.summary(), spec.commandLine().getErr());
+            PrintWriter err = spec.commandLine().getErr();
+            int failure = CampaignLines.warn(result.summary(), err);
+            code = Math.max(failure, CampaignLines.judge(plan, result.summary(), err));
         }
-        PrintWriter err = spec.commandLine().getErr();
-        err.println("results in " + directory);
+        spec.commandLine().getErr().println("results in " + directory);
         return code;
     }
 

@@ -86,6 +86,25 @@ class CampaignShardTest {
         refused("no directory has the further cases 50 to 99", "merge", at("matters-1"), "--out=" + at("none"));
     }
 
+    /** A part alone cannot tell whether they are met. */
+    @Test
+    void expectationsAreJudgedWhenThePartsAreJoined() throws IOException {
+        String hopeful =
+                CAMPAIGN.replace("runs: 130", "runs: 60") + "expect: [{of: detected, variant: near, low: 0.999}]\n";
+        Path file = Files.writeString(directory.resolve("hopeful.campaign.yaml"), hopeful);
+        for (int part = 1; part <= 2; part++) {
+            String[] command = {"campaign", file.toString(), "--shard=" + part + "/2", "--out=" + at("hopeful-" + part)
+            };
+            assertThat(Program.run(command).code()).isZero();
+        }
+
+        Outcome merged = Program.run("merge", at("hopeful-1"), at("hopeful-2"), "--out", at("hopeful"));
+
+        assertThat(merged.code()).isEqualTo(1);
+        assertThat(merged.err()).contains("expectation not met: detected of near: lower bound");
+        assertThat(directory.resolve("hopeful/report.html")).exists();
+    }
+
     @Test
     void everyCaseIsInExactlyOnePartAsItIsInTheWhole() throws IOException {
         List<String> rows = new ArrayList<>();
