@@ -23,6 +23,9 @@ final class DocPictures {
     /** How the command line that makes a picture names what it writes. */
     private static final String OUT = "OUT";
 
+    private static final String PALACE = "route scenes/palace.yaml --cell 20m --out OUT";
+    private static final String BIRDS = "route scenes/birds.yaml --cell 20m --out OUT";
+
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 760;
 
@@ -53,6 +56,10 @@ final class DocPictures {
                     "coverage-causes",
                     "coverage multi-sensor --side 400m --cell 8m --heights 10m --out OUT",
                     "cause-10.png")),
+            slow(map("route-view", PALACE, "view.png")),
+            slow(map("route-plan", BIRDS, "routes.png")),
+            slow(map("route-profile", BIRDS, "profile.png")),
+            slow(map("route-time-to-go", BIRDS, "time-to-go.png")),
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             slow(file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT")),
@@ -175,7 +182,7 @@ final class DocPictures {
                 false);
     }
 
-    /** A map among what {@code coverage} writes. */
+    /** A picture among those that {@code coverage} or {@code route} writes. */
     private static DocPicture map(String name, String command, String map) {
         return new DocPicture(
                 name,

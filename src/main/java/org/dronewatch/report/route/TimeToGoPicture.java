@@ -18,8 +18,11 @@ import org.dronewatch.run.Stage;
  * comes too late for the response.
  */
 final class TimeToGoPicture {
-    private static final Color LONG = new Color(0xfff3c4);
-    private static final Color SHORT = new Color(0x2c4a86);
+    /** Like ColorBrewer's YlGnBu (C. A. Brewer, colorbrewer2.org), for any colour vision. */
+    private static final Color LONG = new Color(0xffffcc);
+
+    private static final Color MEDIUM = new Color(0x41b6c4);
+    private static final Color SHORT = new Color(0x253494);
     private static final Color NOWHERE = new Color(0x2b2b2b);
     private static final Color LINE = new Color(0xd7191c);
     private static final Color ZONE = Color.BLACK;
@@ -105,7 +108,8 @@ final class TimeToGoPicture {
     }
 
     private Color ofClass(int number) {
-        return MapSheet.mixed(SHORT, LONG, classes == 1 ? 1.0 : (double) number / (classes - 1));
+        double part = classes == 1 ? 1.0 : (double) number / (classes - 1);
+        return part < 0.5 ? MapSheet.mixed(SHORT, MEDIUM, 2.0 * part) : MapSheet.mixed(MEDIUM, LONG, 2.0 * part - 1.0);
     }
 
     private Color colour(int u, int v, Color ground) {
