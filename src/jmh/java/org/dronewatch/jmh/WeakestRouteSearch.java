@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.ExposureField;
 import org.dronewatch.route.PlanDirections;
 import org.dronewatch.route.RouteGrid;
@@ -24,6 +25,7 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
@@ -46,7 +48,12 @@ public class WeakestRouteSearch {
     @Param({"50", "100", "200"})
     public int cells;
 
+    /** On which search and bound run. */
+    @Param({"1", "2"})
+    public int threads;
+
     private RouteProblem problem;
+    private Workers workers;
 
     /** A sensor on the ground whose rate falls with the square of the distance. */
     private record Directed(double x, double y) implements ExposureField {
@@ -90,6 +97,7 @@ public class WeakestRouteSearch {
             starts.set(post, Math.max(east, north) > half - 0.5 * CELL);
             goals.set(post, Math.hypot(east, north) < ZONE);
         }
+        workers = new Workers(threads);
         RouteMode powered = new RouteMode("powered", 20.0, 5.0, 5.0, Double.POSITIVE_INFINITY);
         problem = new RouteProblem(
                 grid, ExposureField.ofSensors(sensors), List.of(powered), 34.0, PlanDirections.of(16), starts, goals);
@@ -98,6 +106,14 @@ public class WeakestRouteSearch {
     /** Search, lower bound and smoothing of one route. */
     @Benchmark
     public WeakestRoute weakestRoute() {
-        return WeakestRoutes.of(problem, problem.goals()).from(problem.starts()).orElseThrow();
+        return workers.call(() -> WeakestRoutes.of(problem, problem.goals())
+                .from(problem.starts())
+                .orElseThrow());
+    }
+
+    /** Ends the threads. */
+    @TearDown
+    public void close() {
+        workers.close();
     }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -128,6 +130,23 @@ class SiteRoutesTest {
             }
         }
         assertThat(blind).isBetween(300, 1000);
+    }
+
+    /** Coming closer by less than 3 m/s, a drone at 12 m/s is never detected: the lower bound of 0 is reached. */
+    @Test
+    void aSpiralRoundARadarIsNotExposed() {
+        RouteMode mode = RouteMode.free("powered", 12.0);
+        RouteExposure exposure = new RouteExposure(exposure(), List.of(mode), 1.0);
+        List<Position> spiral = new ArrayList<>();
+        double bearing = 0.0;
+        for (double radius = 145.0; radius > 40.0; radius -= 0.5) {
+            spiral.add(new Position(radius * Math.sin(bearing), radius * Math.cos(bearing), 26.0));
+            bearing += 4.0 / radius;
+        }
+        double straight = exposure.leg(spiral.get(0), spiral.get(spiral.size() - 1), 0);
+        assertThat(straight).isGreaterThan(20.0);
+        assertThat(exposure.along(new RoutePath(spiral, Collections.nCopies(spiral.size() - 1, 0))))
+                .isZero();
     }
 
     private static boolean isDetected(Assessor assessor, Drone drone, Position at, LegMotion motion) {
