@@ -23,9 +23,8 @@ final class CauseLegend {
      *
      * @param fill the colour and the pattern
      * @param words what it means, with its fraction of the known cells
-     * @param isKnown whether it means known cells
      */
-    record LegendRow(MapSheet.Fill fill, String words, boolean isKnown) {}
+    record LegendRow(MapSheet.Fill fill, String words) {}
 
     /**
      * A legend.
@@ -53,7 +52,7 @@ final class CauseLegend {
     }
 
     /**
-     * The rows of all states that occur, and of what is detected in any case; those of known cells first.
+     * The rows of all states that occur, and of what is detected in any case.
      *
      * @param within the time within which the drone has to be detected, with a space before it; empty for a single look
      */
@@ -66,7 +65,7 @@ final class CauseLegend {
         List<LegendRow> rows = new ArrayList<>();
         counts.forEach((state, count) -> {
             if (state.kind() != CellState.StateKind.OUTSIDE) {
-                rows.add(new LegendRow(state.fill(), inWords(state, count, within), state.isKnown()));
+                rows.add(new LegendRow(state.fill(), inWords(state, count, within)));
             }
         });
         return rows;

@@ -1,6 +1,5 @@
 package org.dronewatch.report.coverage;
 
-import java.util.List;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.HeightSummary;
@@ -37,12 +36,10 @@ final class CauseMap {
         sheet.line(inputs.headingInWords() + ";");
         writeMeaning(sheet);
         sheet.space();
-        List<CauseLegend.LegendRow> rows = legend.rows(within());
-        rows.stream().filter(row -> row.isKnown()).forEach(row -> sheet.entry(row.fill(), row.words()));
+        legend.rows(within()).forEach(row -> sheet.entry(row.fill(), row.words()));
         sheet.space();
         sheet.line("percentages of the known area"
                 + inputs.area().map(name -> " in '" + name + "'").orElse(""));
-        rows.stream().filter(row -> !row.isKnown()).forEach(row -> sheet.entry(row.fill(), row.words()));
         sheet.line("cells of " + Numbers.text(grid.cell()) + " m");
         sheet.caption("At " + above + " above the ground: where the drone is detected, and the main reason elsewhere.");
     }
