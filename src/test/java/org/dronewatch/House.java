@@ -13,6 +13,7 @@ public final class House {
             new Storey("for people", "app.."),
             new Storey("", "viewer.."),
             new Storey("results", "report.."),
+            new Storey("", "placement.site"),
             new Storey("", "bench..", "models..", "render..", "campaign..", "placement.solver", "route.."),
             new Storey("", "placement"),
             new Storey("questions", "analysis..", "scenes.."),

@@ -41,6 +41,7 @@ import picocli.CommandLine.Spec;
             RenderCommand.class,
             CoverageCommand.class,
             RouteCommand.class,
+            PlaceCommand.class,
             CampaignCommand.class,
             CompareCommand.class,
             MergeCommand.class,

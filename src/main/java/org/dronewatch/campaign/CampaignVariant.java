@@ -8,13 +8,9 @@ import java.util.function.Function;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.scenes.PackagedScene;
+import org.dronewatch.scenes.SceneByName;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.Spelling;
-import org.dronewatch.setting.file.LinkOut;
 
 /**
  * A variant of a campaign, ready to be run: its scene with its own settings and models.
@@ -61,20 +57,7 @@ record CampaignVariant(
 
     /** Not a class by its name: no code is loaded from data. */
     static Scene scene(Path directory, String name) {
-        if (SceneFile.isFileName(name)) {
-            Path file = directory.resolve(name).normalize();
-            if (!file.startsWith(directory.normalize())) {
-                throw new InputException("scene '" + PlainText.value(name)
-                        + "': a scene file must lie beside the campaign file or below it");
-            }
-            LinkOut.refuse(directory, file, "scene");
-            return new SceneFile(file);
-        }
-        return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseThrow(() -> {
-            var known = PackagedScene.all().stream().map(PackagedScene::name).toList();
-            return new InputException("scene '" + PlainText.value(name) + "': neither packaged ("
-                    + String.join(", ", known) + ") nor a .yaml file" + Spelling.didYouMean(name, known));
-        });
+        return SceneByName.of(directory, name, "campaign file");
     }
 
     /** The settings with another value, as a sweep writes it. */

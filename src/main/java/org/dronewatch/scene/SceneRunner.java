@@ -32,6 +32,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.world.Places;
 import org.dronewatch.world.World;
 
@@ -314,6 +315,17 @@ public final class SceneRunner {
     public ProtectedArea area(String option, String text, SceneSettings settings) {
         Places places = new Places(settings.world(), () -> world(settings).newGround());
         return PlaceForms.area(option, text, places, scene.directory().toAbsolutePath(), scene.maps());
+    }
+
+    /**
+     * Kinds of settings, with the forms in which the scene's file may give places on the site of one of its runs.
+     *
+     * @param kinds without these forms
+     * @param settings one of {@link #settingsOfRuns()}
+     */
+    public Kinds kinds(Kinds kinds, SceneSettings settings) {
+        Places places = new Places(settings.world(), () -> world(settings).newGround());
+        return PlaceForms.in(kinds, () -> Optional.of(places), scene.maps());
     }
 
     /**

@@ -181,6 +181,15 @@ public final class DetectionField {
         return (double) steps(sensor, height, column, row, course) / CellCode.STEPS;
     }
 
+    /**
+     * Whether a sensor covers a cell on a course: its probability is at least a given one. Parameters as above.
+     *
+     * @param covered above 0 and at most 1
+     */
+    public boolean covers(int sensor, int height, int column, int row, int course, double covered) {
+        return steps(sensor, height, column, row, course) >= CellCode.stepsToCover(covered);
+    }
+
     /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */
     public Cause cause(int sensor, int height, int column, int row, int course) {
         return all.cause(sensor, height, column, row, course);

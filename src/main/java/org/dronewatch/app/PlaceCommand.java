@@ -1,0 +1,155 @@
+package org.dronewatch.app;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.site.CoveredCells;
+import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.site.PlaceSearch;
+import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.report.placement.PlaceDirectory;
+import org.dronewatch.report.placement.PlaceTable;
+import org.dronewatch.report.provenance.Provenance;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.InputException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+
+/** Finds the best layout for the money. */
+@Command(
+        name = "place",
+        mixinStandardHelpOptions = true,
+        description =
+                "Chooses, among sensors that may be bought and the places where they may stand, those that cover the most"
+                        + " air within a budget; prints the layout, how much better one could be at most, and the order in"
+                        + " which to buy its sensors.",
+        footer = {
+            "",
+            "Examples:",
+            "  dronewatch place scenes/palace.place.yaml",
+            "  dronewatch place scenes/palace.place.yaml --budget 100000 --out layout"
+        })
+final class PlaceCommand implements Callable<Integer> {
+    private static final double DEFAULT_GAP = 0.001;
+    private static final double DEAREST = 1e12;
+
+    @Parameters(
+            index = "0",
+            paramLabel = "FILE.yaml",
+            description = "Placement file: scene, candidates with their places and prices, budget, and conditions.")
+    private String file;
+
+    @Option(names = "--budget", paramLabel = "N", description = "Budget instead of that in the file.")
+    private Double budget;
+
+    @Option(
+            names = "--gap",
+            paramLabel = "G",
+            description =
+                    "Ends the search once no layout can cover more than the best so far by this fraction of it, 0 to 1;"
+                            + " 0.001 by default, 0 proves the best.")
+    private double gap = DEFAULT_GAP;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
+    private Long seed;
+
+    @Option(
+            names = "--set",
+            paramLabel = "PATH=VALUE",
+            description = "Overrides a setting of the scene by its path, with a unit or without.")
+    private List<String> overrides = new ArrayList<>();
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "Directory for place.json, provenance.json and the layout as a scene, layout.yaml.")
+    private String out;
+
+    @Mixin
+    private ThreadsOption threads = new ThreadsOption();
+
+    @ParentCommand
+    private Main main;
+
+    @Spec
+    private CommandSpec spec;
+
+    private final Instant started = Instant.now();
+
+    @Override
+    public Integer call() {
+        threads.number();
+        SolverLimits limits = limits();
+        Path given = PathWord.of("placement file", file);
+        Consumer<String> notes = spec.commandLine().getErr()::println;
+        PlacePlan read = PlacePlan.read(given, this::configure, notes);
+        PlacePlan plan = budget == null ? read : read.withBudget(budget);
+        try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
+            return threads.call(() -> {
+                SitePlacement placement = search(given, plan, limits, notes);
+                main.interruption().letFinish();
+                if (target != null) {
+                    target.write(placement, provenance(plan), threads.number(), notes);
+                }
+                PlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
+                if (!placement.complete()) {
+                    notes.accept("interrupted: the best layout so far");
+                }
+                return 0;
+            });
+        }
+    }
+
+    private SolverLimits limits() {
+        if (!(gap >= 0.0 && gap <= 1.0)) {
+            throw new InputException("--gap " + gap + ": must be 0 to 1");
+        }
+        if (budget != null && !(budget >= 0.0 && budget <= DEAREST)) {
+            throw new InputException("--budget " + budget + ": must be 0 to 1e12");
+        }
+        return new SolverLimits(
+                gap, Double.POSITIVE_INFINITY, () -> main.interruption().happened());
+    }
+
+    private void configure(SceneRunner runner) {
+        SetOption.parsed("--set", overrides).forEach(runner::set);
+        if (seed != null) {
+            runner.seed(seed);
+        }
+    }
+
+    private SitePlacement search(Path given, PlacePlan plan, SolverLimits limits, Consumer<String> notes) {
+        plan.runner().adviseOnConditions();
+        Stage stage = plan.runner().stage(plan.present());
+        LayerStore store = LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(notes));
+        try {
+            CoveredCells cells = new CoveredCells(plan, stage, store);
+            PlaceSearch search = new PlaceSearch(plan, cells, new ExactSolver());
+            return Progress.during(
+                    "coverage of candidates",
+                    cells.looks(),
+                    progress -> search.found(limits, progress, main.interruption()::letFinish));
+        } catch (InputException e) {
+            throw PlacePlan.placed(given, e);
+        }
+    }
+
+    private Provenance provenance(PlacePlan plan) {
+        return new Provenance(
+                started,
+                spec.root().commandLine().getParseResult().originalArgs(),
+                plan.runner().inputs());
+    }
+}

@@ -1,0 +1,68 @@
+package org.dronewatch.placement.site;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * The air that is to be covered, and when a sensor covers it: the options of {@code coverage} of the same names.
+ *
+ * @param area a protected zone of the scene: only cells whose centre is in it count
+ * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default
+ * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
+ * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
+ *     default
+ * @param covered the probability with which a sensor covers a cell, above 0 and at most 1; 0.5 by default
+ * @param within time in which it has to detect the drone, s; one look by default
+ * @param heading {@code any}: every cell counts an eighth on each of eight headings; {@code inbound}: towards the
+ *     protected zone. {@code any} by default
+ * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or {@code search}; {@code cued}
+ *     by default
+ */
+public record AirSettings(
+        Optional<String> area,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double side,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> cell,
+        @In(value = Quantity.LENGTH, above = 0, to = FieldGrid.HIGHEST) List<Double> heights,
+        @In(value = Quantity.RATIO, above = 0, to = 1) double covered,
+        @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within,
+        Heading heading,
+        FieldTerms.Turning pointing) {
+    /** Which heading of the drone counts. */
+    public enum Heading {
+        /** Eight directions of the compass, which count alike. */
+        ANY,
+        /** Towards the protected zone. */
+        INBOUND
+    }
+
+    /** The air within 250 m. */
+    @Defaults
+    public static final AirSettings DEFAULT = new AirSettings(
+            Optional.empty(),
+            FieldGrid.DEFAULT_SIDE,
+            Optional.empty(),
+            FieldGrid.HEIGHTS,
+            FieldCoverage.DEFAULT_COVERED,
+            Optional.empty(),
+            Heading.ANY,
+            FieldTerms.Turning.CUED);
+
+    /** Checks the limits. */
+    public AirSettings {
+        Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, pointing);
+        heights = List.copyOf(heights);
+        new FieldGrid(0.0, 0.0, side, side, heights);
+    }
+
+    /** On which terms the drone counts as detected. */
+    FieldTerms terms() {
+        return new FieldTerms(pointing, within);
+    }
+}

@@ -1,0 +1,158 @@
+package org.dronewatch.placement.site;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.geo.LocalPlace;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.Candidate;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
+import org.dronewatch.setting.file.SettingsFile;
+import org.dronewatch.world.GroundPoint;
+import org.dronewatch.world.Places;
+
+/** The sensors that a placement file offers, at each of their places and with each of their aims. */
+final class CandidatesOnSite {
+    /** Maximum number of candidates. */
+    private static final int MOST = 1000;
+
+    private static final String OFFERS = "candidates.";
+
+    private final PlaceSettings settings;
+    private final SceneSettings present;
+    private final Kinds kinds;
+    private final Path directory;
+    private final Places places;
+    private final List<SiteCandidate> all = new ArrayList<>();
+    private final Set<String> names = new HashSet<>();
+
+    CandidatesOnSite(PlaceSettings settings, SceneSettings present, SceneRunner runner, Kinds kinds, Path directory) {
+        this.settings = settings;
+        this.present = present;
+        this.kinds = kinds;
+        this.directory = directory;
+        this.places = new Places(present.world(), () -> runner.world(present).newGround());
+        settings.keep().forEach(this::keep);
+        settings.candidates().forEach(this::offer);
+    }
+
+    List<SiteCandidate> all() {
+        return all;
+    }
+
+    private void keep(String id) {
+        Map<String, SensorSettings<?>> sensors = present.enabledSensors();
+        if (!sensors.containsKey(id)) {
+            throw new InputException("keep: there is no enabled sensor '" + PlainText.value(id) + "'; "
+                    + Spelling.closestMatches(id, sensors.keySet()));
+        }
+        add("keep", new SiteCandidate(new Candidate(id, 0.0, "", "", true), sensors.get(id)));
+    }
+
+    private void offer(String name, OfferSettings offer) {
+        List<Position> positions = positions(OFFERS + name, offer);
+        if (positions.isEmpty()) {
+            throw new InputException(OFFERS + name + ": has no place: needs 'places', a 'line' or an 'area'");
+        }
+        int width = String.valueOf(positions.size()).length();
+        for (int place = 0; place < positions.size(); place++) {
+            SensorSettings<?> sensor = sensor(OFFERS + name, offer.sensor(), positions.get(place));
+            String number = String.format(Locale.ROOT, "%s-%0" + width + "d", name, place + 1);
+            for (int aim = 0; aim < offer.aims(); aim++) {
+                String id = offer.aims() == 1 ? number : number + "-" + Math.round(360.0 * aim / offer.aims());
+                String taken = offer.exclusive() ? positions.get(place).toString() : "";
+                Candidate candidate = new Candidate(id, offer.price(), name, taken, false);
+                add(OFFERS + name, new SiteCandidate(candidate, turned(OFFERS + name, sensor, aim, offer.aims())));
+            }
+        }
+    }
+
+    private List<Position> positions(String path, OfferSettings offer) {
+        List<Position> positions = new ArrayList<>(offer.places());
+        offer.line().ifPresent(line -> line.points(MOST)
+                .forEach(point -> positions.add(above(path + ".line", point, line.above()))));
+        offer.area().ifPresent(area -> points(path + ".area", area)
+                .forEach(point -> positions.add(above(path + ".area", point, area.above()))));
+        return positions;
+    }
+
+    private static List<GroundPoint> points(String path, AreaOfPlaces area) {
+        try {
+            return area.points(MOST);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(path + "." + e.getMessage(), e);
+        }
+    }
+
+    private Position above(String path, GroundPoint point, double height) {
+        try {
+            return places.at(new LocalPlace(point.x(), point.y(), height));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(path + ": " + e.getMessage(), e);
+        }
+    }
+
+    private SensorSettings<?> sensor(String path, Node.Mapping sensor, Position position) {
+        if (sensor.values().containsKey("position")) {
+            throw new InputException(path + ".sensor.position: must not be given here, but as a place");
+        }
+        Node.Mapping placed = sensor.overlaidWith(Node.Mapping.ofReady(path, Map.of("position", position)));
+        try {
+            return SettingsFile.read(
+                            Node.Mapping.ofNodes(path, Map.of("sensor", placed)),
+                            Offered.class,
+                            kinds,
+                            directory,
+                            new FormerNames())
+                    .sensor();
+        } catch (InputException e) {
+            throw new InputException(e.getMessage().replace(": sensor", ": " + path + ".sensor"), e);
+        }
+    }
+
+    /** A sensor alone. */
+    private record Offered(SensorSettings<?> sensor) {}
+
+    /** One of several aims, evenly spaced around the compass from its own azimuth. */
+    private static SensorSettings<?> turned(String path, SensorSettings<?> sensor, int number, int of) {
+        if (of == 1) {
+            return sensor;
+        }
+        Aimed aimed = sensor.as(Aimed.class)
+                .orElseThrow(() -> new InputException(
+                        path + ".aims " + of + ": a sensor of kind " + sensor.kind() + " has no aim; must be 1"));
+        Position forward = aimed.aim().from(sensor.position());
+        double level = Math.hypot(forward.x(), forward.y());
+        double azimuth = StrictMath.atan2(forward.x(), forward.y()) + 2.0 * Math.PI * number / of;
+        double elevation = StrictMath.atan2(forward.z(), level);
+        return number == 0
+                ? sensor
+                : aimed.withAim(new Aim.Direction(StrictMath.IEEEremainder(azimuth, 2.0 * Math.PI), elevation));
+    }
+
+    private void add(String path, SiteCandidate candidate) {
+        boolean isOfScene = !path.equals("keep") && present.sensors().containsKey(candidate.name());
+        if (isOfScene || !names.add(candidate.name())) {
+            throw new InputException(path + ": the name " + candidate.name() + " is taken by another sensor"
+                    + (isOfScene ? " of the scene" : "") + ": rename it");
+        }
+        if (all.size() == MOST) {
+            throw new InputException(path + ": more than " + MOST + " candidates: fewer places or aims are needed");
+        }
+        all.add(candidate);
+    }
+}

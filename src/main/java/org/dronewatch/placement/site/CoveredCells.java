@@ -1,0 +1,240 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldHeading;
+import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * The air that each sensor covers: a row for each cell and each of eight headings, or for each cell and the heading
+ * towards the protected zone. Cells that are inside something solid, without ground below them or outside the area do
+ * not count. For one thread, which may have {@link org.dronewatch.parallel.Workers}.
+ */
+public final class CoveredCells {
+    /** The number of cells along a side unless the length of a cell is given. */
+    private static final double CELLS = 50.0;
+
+    private final PlacePlan plan;
+    private final Stage stage;
+    private final LayerStore store;
+    private final FieldGrid grid;
+    private final List<Course> courses;
+
+    /** By cell: its first row; -1 where it does not count. */
+    private int[] first;
+
+    private int count = -1;
+
+    /**
+     * The cells of a plan.
+     *
+     * @param stage of its scene
+     * @param store of assessments that were made before
+     * @throws InputException when the area is not one of the scene's zones, or there is no zone to fly to
+     */
+    public CoveredCells(PlacePlan plan, Stage stage, LayerStore store) {
+        this.plan = plan;
+        this.stage = stage;
+        this.store = store;
+        this.grid = grid(plan);
+        this.courses = courses();
+    }
+
+    private List<Course> courses() {
+        if (!isInbound()) {
+            return Course.all(Map.of(), DetectionField.droneOf(stage, plan.drone())).stream()
+                    .filter(course -> course.kind() == Course.Kind.COMPASS)
+                    .toList();
+        }
+        boolean hasZone = stage.protection().zone().isPresent()
+                || !stage.protection().areas().isEmpty();
+        if (!hasZone) {
+            throw new InputException("air.heading inbound: the scene protects no zone towards which a drone could fly");
+        }
+        return List.of(Course.inbound(InboundTarget.of(plan.present(), stage.protection(), grid)));
+    }
+
+    private static FieldGrid grid(PlacePlan plan) {
+        AirSettings air = plan.settings().air();
+        try {
+            if (air.area().isPresent()) {
+                AreaZone zone = AreaZone.inPlan(air.area().get(), plan.present().alert())
+                        .orElseThrow(() -> new InputException("air.area "
+                                + air.area().get()
+                                + ": no such zone; the scene protects "
+                                + String.join(
+                                        ", ", plan.present().alert().zones().keySet())));
+                double side = FieldGrid.over(zone, air.side(), air.heights()).side();
+                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.heights());
+            }
+            double east = plan.candidates().stream()
+                    .mapToDouble(one -> one.sensor().position().x())
+                    .average()
+                    .orElse(0.0);
+            double north = plan.candidates().stream()
+                    .mapToDouble(one -> one.sensor().position().y())
+                    .average()
+                    .orElse(0.0);
+            return new FieldGrid(east, north, air.side(), air.cell().orElse(air.side() / CELLS), air.heights());
+        } catch (IllegalArgumentException e) {
+            throw new InputException("air: " + e.getMessage(), e);
+        }
+    }
+
+    /** The grid. */
+    public FieldGrid grid() {
+        return grid;
+    }
+
+    /** The approximate number of cells at which candidates have to be assessed. */
+    public long looks() {
+        return (long) plan.candidates().size() * grid.cells() * grid.heights().size();
+    }
+
+    /** The number of headings on which each cell counts. */
+    public int headings() {
+        return courses.size();
+    }
+
+    /** The number of rows; known once a sensor was assessed. */
+    public int size() {
+        return count;
+    }
+
+    /**
+     * What each candidate covers, in the order of the plan; after an interruption, of those that were assessed, and at
+     * least one.
+     *
+     * @param progress receives the number of cells that were assessed since the last call
+     * @throws CancellationException when this thread is interrupted before the first is assessed; its interrupt status
+     *     is kept
+     */
+    public List<CandidateColumn> columns(IntConsumer progress) {
+        List<CandidateColumn> columns = new ArrayList<>();
+        try {
+            for (SiteCandidate candidate : plan.candidates()) {
+                columns.add(column(candidate.name(), candidate.sensor(), progress));
+            }
+        } catch (CancellationException e) {
+            if (columns.isEmpty()) {
+                throw e;
+            }
+        }
+        return columns;
+    }
+
+    /** What a sensor covers: rows in ascending order, each with the value 1. */
+    public CandidateColumn column(String name, SensorSettings<?> sensor, IntConsumer progress) {
+        DetectionField field = field(Map.of(name, sensor), courses, progress);
+        double share = plan.settings().air().covered();
+        int[] covering = new int[count];
+        int covered = 0;
+        for (int cell = 0; cell < first.length; cell++) {
+            for (int course = 0; course < courses.size() && first[cell] >= 0; course++) {
+                if (field.covers(0, height(cell), column(cell), row(cell), course, share)) {
+                    covering[covered++] = first[cell] + course;
+                }
+            }
+        }
+        double[] ones = new double[covered];
+        Arrays.fill(ones, 1.0);
+        return new CandidateColumn(Arrays.copyOf(covering, covered), ones);
+    }
+
+    /**
+     * The fraction of the cells that sensors cover on the heading on which they together are least likely to detect the
+     * drone, as {@code coverage} counts it, or towards the protected zone.
+     *
+     * @param fold number of sensors that must cover a cell
+     */
+    double worst(Map<String, SensorSettings<?>> sensors, int fold, IntConsumer progress) {
+        FieldHeading heading = isInbound() ? FieldHeading.INBOUND : FieldHeading.WORST;
+        SceneSettings alone = alone(sensors);
+        DetectionField field = field(sensors, heading.courses(alone, stage, plan.drone(), grid), progress);
+        FieldCoverage coverage =
+                new FieldCoverage(field, heading.choice(), plan.settings().air().covered());
+        int covered = 0;
+        for (int cell = 0; cell < first.length; cell++) {
+            boolean counts = first[cell] >= 0;
+            covered += counts && coverage.count(height(cell), column(cell), row(cell)) >= fold ? 1 : 0;
+        }
+        return (double) covered * courses.size() / count;
+    }
+
+    private boolean isInbound() {
+        return plan.settings().air().heading() == AirSettings.Heading.INBOUND;
+    }
+
+    /** All other sensors of the scene are switched off, so that those to which a sensor refers exist. */
+    private SceneSettings alone(Map<String, SensorSettings<?>> sensors) {
+        Map<String, SensorSettings<?>> all = new LinkedHashMap<>(plan.present().sensors());
+        all.putAll(sensors);
+        Set<String> others = new LinkedHashSet<>(all.keySet());
+        others.removeAll(sensors.keySet());
+        return SettingsForm.with(plan.present(), Map.of("sensors", all, "disabled", others));
+    }
+
+    private DetectionField field(Map<String, SensorSettings<?>> sensors, List<Course> flown, IntConsumer progress) {
+        AirSettings air = plan.settings().air();
+        FieldRequest request = new FieldRequest(
+                alone(sensors),
+                stage,
+                plan.drone(),
+                grid,
+                flown,
+                FieldCoverage.Choice.WORST,
+                air.terms(),
+                air.covered());
+        DetectionField field = FieldAssessment.of(request, store, progress);
+        if (first == null) {
+            number(field);
+        }
+        return field;
+    }
+
+    /** Numbers the cells in which the drone can be, on each course. */
+    private void number(DetectionField field) {
+        first = new int[grid.cells() * grid.heights().size()];
+        count = 0;
+        for (int cell = 0; cell < first.length; cell++) {
+            first[cell] = field.isOpen(height(cell), column(cell), row(cell)) ? count : -1;
+            count += first[cell] < 0 ? 0 : courses.size();
+        }
+        if (count == 0) {
+            throw new InputException("air: there is no cell in which the drone can be");
+        }
+    }
+
+    private int column(int cell) {
+        return cell % grid.columns();
+    }
+
+    private int height(int cell) {
+        return cell / grid.cells();
+    }
+
+    private int row(int cell) {
+        return cell / grid.columns() % grid.columns();
+    }
+}

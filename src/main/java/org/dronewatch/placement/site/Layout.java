@@ -1,0 +1,53 @@
+package org.dronewatch.placement.site;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronewatch.fusion.AlertRule;
+import org.dronewatch.scenario.PriceSettings;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsForm;
+
+/** Scenes with the sensors of a layout in place of their own. */
+public final class Layout {
+    private Layout() {}
+
+    /**
+     * The scene of a plan with some of its candidates alone, and their prices.
+     *
+     * @throws InputException when the scene needs a sensor that is missing
+     */
+    public static SceneSettings of(PlacePlan plan, List<SiteCandidate> chosen) {
+        SceneSettings present = plan.present();
+        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+        Map<String, Double> prices = new LinkedHashMap<>();
+        chosen.forEach(one -> {
+            sensors.put(one.name(), one.sensor());
+            Double known = present.prices().sensors().get(one.name());
+            boolean isKept = one.candidate().fixed();
+            if (!isKept || known != null) {
+                prices.put(one.name(), isKept ? known : one.candidate().cost());
+            }
+        });
+        if (present.alert().rule() instanceof AlertRule.SeveralSensors rule && rule.count() > sensors.size()) {
+            throw new InputException(
+                    "alert.rule.count " + rule.count() + ": the layout has only " + sensors.size() + " sensors");
+        }
+        try {
+            return SettingsForm.with(
+                    present,
+                    Map.of(
+                            "sensors",
+                            sensors,
+                            "disabled",
+                            Set.of(),
+                            "prices",
+                            new PriceSettings(present.prices().currency(), prices)));
+        } catch (IllegalArgumentException e) {
+            throw new InputException(e.getMessage(), e);
+        }
+    }
+}

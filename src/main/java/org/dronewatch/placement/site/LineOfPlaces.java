@@ -1,0 +1,50 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.world.GroundPoint;
+
+/**
+ * Places at equal distances along a straight line, above the highest surface.
+ *
+ * @param from its beginning
+ * @param to its end
+ * @param every distance between two places, above 0 and at most 100 km, m
+ * @param above height above the highest surface, 0 to 100 km, m; 2 m by default
+ */
+public record LineOfPlaces(
+        GroundPoint from,
+        GroundPoint to,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double every,
+        @In(value = Quantity.LENGTH, from = 0, to = In.FARTHEST) double above) {
+    /** The height of a sensor above a roof or the ground unless another one is given, m. */
+    static final double ABOVE = 2.0;
+
+    private static final double ROUNDING = 1e-9;
+
+    /** Checks the limits. */
+    public LineOfPlaces {
+        Limits.check(LineOfPlaces.class, from, to, every, above);
+    }
+
+    /** Places 2 m above the surface. */
+    @Defaults({"from", "to", "every"})
+    public static LineOfPlaces of(GroundPoint from, GroundPoint to, double every) {
+        return new LineOfPlaces(from, to, every, ABOVE);
+    }
+
+    /** The places in plan view, from its beginning; at most so many and one more. */
+    List<GroundPoint> points(int most) {
+        double length = from.distance(to);
+        List<GroundPoint> points = new ArrayList<>();
+        for (int i = 0; i * every <= length + ROUNDING && points.size() <= most; i++) {
+            double part = length == 0.0 ? 0.0 : Math.min(1.0, i * every / length);
+            points.add(new GroundPoint(from.x() + part * (to.x() - from.x()), from.y() + part * (to.y() - from.y())));
+        }
+        return points;
+    }
+}

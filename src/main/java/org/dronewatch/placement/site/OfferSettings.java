@@ -1,0 +1,53 @@
+package org.dronewatch.placement.site;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.file.Node;
+
+/**
+ * A sensor that may be bought, and where it may stand.
+ *
+ * @param sensor its settings as in a scene file, without a position, such as {@code {use: blighter-a400-m10s}}
+ * @param price of one with its installation, 0 to 1e12, in the currency of the budget
+ * @param places where one may stand
+ * @param line places along a line
+ * @param area places within a polygon, such as a roof
+ * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
+ *     each place, 1 to 72; 1 by default
+ * @param exclusive whether at most one of such sensors, of all candidates, may stand at a place; {@code false} by
+ *     default
+ * @param atLeast number of them that the layout must have, 0 by default
+ * @param atMost number of them that it may have; any by default
+ */
+public record OfferSettings(
+        Node.Mapping sensor,
+        @In(value = Quantity.NUMBER, from = 0, to = 1e12) double price,
+        List<Position> places,
+        Optional<LineOfPlaces> line,
+        Optional<AreaOfPlaces> area,
+        @In(value = Quantity.NUMBER, from = 1, to = 72) int aims,
+        boolean exclusive,
+        @In(value = Quantity.NUMBER, from = 0, to = 1000) int atLeast,
+        @In(value = Quantity.NUMBER, from = 0, to = 1000) Optional<Integer> atMost) {
+    /** Checks the limits. */
+    public OfferSettings {
+        Limits.check(OfferSettings.class, sensor, price, places, line, area, aims, exclusive, atLeast, atMost);
+        places = List.copyOf(places);
+        int least = atLeast;
+        if (atMost.filter(most -> most < least).isPresent()) {
+            throw new IllegalArgumentException("atMost " + atMost.get() + ": must be at least atLeast, " + atLeast);
+        }
+    }
+
+    /** A sensor without a place. */
+    @Defaults({"sensor", "price"})
+    public static OfferSettings of(Node.Mapping sensor, double price) {
+        return new OfferSettings(
+                sensor, price, List.of(), Optional.empty(), Optional.empty(), 1, false, 0, Optional.empty());
+    }
+}

@@ -1,0 +1,114 @@
+package org.dronewatch.placement.site;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.catalog.Catalog;
+import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.SceneByName;
+import org.dronewatch.setting.FormerNames;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
+import org.dronewatch.setting.file.SettingsFile;
+
+/**
+ * A placement file with its scene and its candidates. The site is loaded only where places are given above its surface.
+ *
+ * @param settings of the file
+ * @param scene that it names
+ * @param runner of that scene
+ * @param present settings of the scene as it is
+ * @param drone that is to be detected
+ * @param candidates in the order of the file; those that are kept first
+ */
+public record PlacePlan(
+        PlaceSettings settings,
+        Scene scene,
+        SceneRunner runner,
+        SceneSettings present,
+        String drone,
+        List<SiteCandidate> candidates) {
+    private static final String SCENE = "scene";
+    private static final Pattern PLACED = Pattern.compile("(scene|drone|budget|candidates|keep|conditions|air)[.: ]");
+
+    /** Copies the list: later changes by the caller have no effect. */
+    public PlacePlan {
+        candidates = List.copyOf(candidates);
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param configuration changes what the scene's file states
+     * @param notes receives a line for each file read, and each warning
+     * @throws InputException with a line for each mistake: file, line, column, setting, value and limit
+     */
+    public static PlacePlan read(Path file, Consumer<SceneRunner> configuration, Consumer<String> notes) {
+        Path directory = file.toAbsolutePath().normalize().resolveSibling("");
+        Node.Mapping document = SettingsFile.document(file);
+        String name = document.text(SCENE).orElse("");
+        if (name.isEmpty()) {
+            // Reports that it is missing, together with other mistakes that show without it.
+            SettingsFile.read(document, PlaceSettings.class, Kinds.FOUND, directory, new FormerNames());
+            throw new InputException(PlainText.value(file) + ": scene: is empty");
+        }
+        Scene scene = scene(document, directory, name);
+        SceneRunner runner = new SceneRunner(scene).notes(notes);
+        configuration.accept(runner);
+        SceneSettings present = runner.settings().withoutSweep();
+        Kinds kinds = runner.kinds(SensorKinds.kinds(Catalog.beside(directory)), present);
+        PlaceSettings settings = SettingsFile.read(document, PlaceSettings.class, kinds, directory, new FormerNames());
+        try {
+            CandidatesOnSite found = new CandidatesOnSite(settings, present, runner, kinds, directory);
+            return new PlacePlan(settings, scene, runner, present, drone(settings, present), found.all());
+        } catch (InputException e) {
+            throw placed(file, e);
+        }
+    }
+
+    /**
+     * A problem that shows when candidates are assessed or chosen, with the location in the file of the setting with
+     * which its message begins.
+     *
+     * @param file that was read
+     */
+    public static InputException placed(Path file, InputException problem) {
+        String message = String.valueOf(problem.getMessage());
+        return PLACED.matcher(message).lookingAt()
+                ? new InputException(SettingsFile.document(file).markOf(message) + ": " + message, problem)
+                : problem;
+    }
+
+    private static Scene scene(Node.Mapping document, Path directory, String name) {
+        try {
+            return SceneByName.of(directory, name, "placement file");
+        } catch (InputException e) {
+            throw new InputException(document.markOf(SCENE) + ": " + e.getMessage(), e);
+        }
+    }
+
+    private static String drone(PlaceSettings settings, SceneSettings present) {
+        var drones = present.individualDrones().keySet();
+        if (settings.drone().isPresent() && !drones.contains(settings.drone().get())) {
+            String name = settings.drone().get();
+            throw new InputException("drone " + PlainText.value(name) + ": there is no such drone; "
+                    + Spelling.closestMatches(name, drones));
+        }
+        return settings.drone()
+                .or(() -> FieldRequest.firstDrone(present))
+                .orElseThrow(() -> new InputException("scene: it has no drone that could be detected"));
+    }
+
+    /** The same with another budget. */
+    public PlacePlan withBudget(double budget) {
+        return new PlacePlan(settings.withBudget(budget), scene, runner, present, drone, candidates);
+    }
+}

@@ -1,0 +1,152 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.CandidateTable;
+import org.dronewatch.placement.KindLimits;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.placement.PlacementObjective;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+
+/** Finds the best layout of a plan: what each candidate covers is assessed once, and then the best of them chosen. */
+public final class PlaceSearch {
+    private final PlacePlan plan;
+    private final CoveredCells cells;
+    private final PlacementSolver solver;
+
+    /** A search. */
+    public PlaceSearch(PlacePlan plan, CoveredCells cells, PlacementSolver solver) {
+        this.plan = plan;
+        this.cells = cells;
+        this.solver = solver;
+    }
+
+    /** What was assessed of a site. */
+    private record Assessed(List<CandidateColumn> columns, Optional<List<CandidateColumn>> present, boolean isWhole) {}
+
+    /**
+     * The best layout that it finds.
+     *
+     * @param limits of the choice among the candidates
+     * @param progress receives the number of cells that were assessed since the last call
+     * @param assessed called when the candidates have been assessed, perhaps because this thread was interrupted; should
+     *     then clear its interrupt status
+     * @throws InputException when no layout complies with the conditions
+     * @throws CancellationException when this thread is interrupted before any candidate is assessed
+     */
+    public SitePlacement found(SolverLimits limits, IntConsumer progress, Runnable assessed) {
+        Assessed air = assess(progress);
+        assessed.run();
+        PlacementProblem problem = problem(air.columns());
+        SolverLimits within = air.isWhole() ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
+        PlacementResult result = solver.solve(problem, within).orElseThrow(this::impossible);
+        // What was not assessed could cover everything.
+        double bound = air.isWhole() ? result.bound() : problem.table().rows();
+        boolean isComplete = air.isWhole() && result.complete();
+        return new SitePlacement(
+                plan,
+                cells.grid(),
+                cells.headings(),
+                problem,
+                new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
+                air.present().map(columns -> present(columns, problem)),
+                isComplete ? worst(result, progress) : OptionalDouble.empty(),
+                isComplete);
+    }
+
+    private OptionalDouble worst(PlacementResult result, IntConsumer progress) {
+        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+        result.chosen().stream().map(plan.candidates()::get).forEach(one -> sensors.put(one.name(), one.sensor()));
+        int fold = plan.settings().conditions().fold();
+        return sensors.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(cells.worst(sensors, fold, progress));
+    }
+
+    private InputException impossible() {
+        return new InputException(
+                "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
+                        + ": no layout was found that complies with it and with the other conditions: the numbers of sensors"
+                        + plan.settings()
+                                .conditions()
+                                .anyoneLost()
+                                .map(loss -> ", and a coverage of " + Quantity.NUMBER.inWords(loss.atLeast())
+                                        + " after the loss of any one")
+                                .orElse(""));
+    }
+
+    private Assessed assess(IntConsumer progress) {
+        List<CandidateColumn> columns = new ArrayList<>(cells.columns(progress));
+        boolean isWhole = columns.size() == plan.candidates().size();
+        while (columns.size() < plan.candidates().size()) {
+            columns.add(new CandidateColumn(new int[0], new double[0]));
+        }
+        Map<String, SensorSettings<?>> own = plan.present().enabledSensors();
+        List<CandidateColumn> present = new ArrayList<>();
+        try {
+            if (isWhole) {
+                own.forEach((name, sensor) -> present.add(cells.column(name, sensor, progress)));
+            }
+        } catch (CancellationException e) {
+            return new Assessed(columns, Optional.empty(), true);
+        }
+        return new Assessed(columns, isWhole && !own.isEmpty() ? Optional.of(present) : Optional.empty(), isWhole);
+    }
+
+    private PlacementProblem problem(List<CandidateColumn> columns) {
+        List<Candidate> candidates =
+                plan.candidates().stream().map(SiteCandidate::candidate).toList();
+        return new PlacementProblem(table(candidates, columns), PlacementObjective.COVERED_WEIGHT, conditions());
+    }
+
+    private CandidateTable table(List<Candidate> candidates, List<CandidateColumn> columns) {
+        double[] weights = new double[cells.size()];
+        Arrays.fill(weights, 1.0);
+        return new CandidateTable(candidates, columns, weights);
+    }
+
+    private PlacementConditions conditions() {
+        LayoutConditions asked = plan.settings().conditions();
+        Map<String, KindLimits> kinds = new HashMap<>();
+        plan.settings()
+                .candidates()
+                .forEach((name, offer) -> kinds.put(
+                        name, new KindLimits(offer.atLeast(), offer.atMost().orElse(Integer.MAX_VALUE))));
+        PlacementConditions conditions = PlacementConditions.NONE
+                .withBudget(plan.settings().budget())
+                .withAtMost(asked.atMost().orElse(Integer.MAX_VALUE))
+                .withKinds(kinds)
+                .withFold(asked.fold());
+        return asked.anyoneLost()
+                .map(loss -> conditions.withAnyoneLost(loss.atLeast() * cells.size()))
+                .orElse(conditions);
+    }
+
+    /** The value of the scene's own sensors, on the same terms. */
+    private PresentLayout present(List<CandidateColumn> columns, PlacementProblem problem) {
+        List<Candidate> own = plan.present().enabledSensors().keySet().stream()
+                .map(name -> new Candidate(name, 0.0))
+                .toList();
+        PlacementConditions conditions =
+                PlacementConditions.NONE.withFold(problem.conditions().fold());
+        PlacementProblem same =
+                new PlacementProblem(table(own, columns), PlacementObjective.COVERED_WEIGHT, conditions);
+        List<Integer> all = IntStream.range(0, own.size()).boxed().toList();
+        return new PresentLayout(own.size(), same.value(all) / cells.size());
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronewatch.placement.site;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.SettingsForm;
+
+/**
+ * A placement: which sensors, at which of several places, cover the most air for the money.
+ *
+ * @param scene a packaged scene by name, or a scene file beside this file or below it
+ * @param drone of the scene, which is to be detected; the first by default
+ * @param objective what is made best: {@code coverage}
+ * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
+ * @param candidates sensors that may be bought, by the names that those in the layout begin with
+ * @param keep sensors of the scene that stay, at no cost
+ * @param conditions what the layout must comply with
+ * @param air that is to be covered
+ */
+public record PlaceSettings(
+        String scene,
+        Optional<String> drone,
+        PlaceObjective objective,
+        @In(value = Quantity.NUMBER, from = 0, to = 1e12) double budget,
+        Map<String, OfferSettings> candidates,
+        List<String> keep,
+        LayoutConditions conditions,
+        AirSettings air) {
+    private static final String NAME = "[A-Za-z0-9_-]{1,40}";
+
+    /** Checks the limits and copies the map. */
+    public PlaceSettings {
+        Limits.check(PlaceSettings.class, scene, drone, objective, budget, candidates, keep, conditions, air);
+        candidates = Collections.unmodifiableMap(new LinkedHashMap<>(candidates));
+        keep = List.copyOf(keep);
+        candidates.keySet().forEach(name -> {
+            if (!name.matches(NAME)) {
+                throw new IllegalArgumentException(
+                        "candidates." + name + ": a name must have 1 to 40 letters, digits, hyphens and underscores");
+            }
+        });
+        if (candidates.isEmpty()) {
+            throw new IllegalArgumentException("candidates is empty: must name at least one sensor that may be bought");
+        }
+    }
+
+    /** The most coverage for a budget. */
+    @Defaults({"scene", "budget", "candidates"})
+    public static PlaceSettings of(String scene, double budget, Map<String, OfferSettings> candidates) {
+        return new PlaceSettings(
+                scene,
+                Optional.empty(),
+                PlaceObjective.COVERAGE,
+                budget,
+                candidates,
+                List.of(),
+                LayoutConditions.NONE,
+                AirSettings.DEFAULT);
+    }
+
+    /** A copy with another budget. */
+    public PlaceSettings withBudget(double other) {
+        return SettingsForm.with(this, "budget", other);
+    }
+}

@@ -1,0 +1,10 @@
+package org.dronewatch.placement.site;
+
+/**
+ * One step towards a layout: the sensor to be bought next.
+ *
+ * @param added its name
+ * @param cost of all sensors so far
+ * @param value fraction of the air that they cover
+ */
+public record PlaceStep(String added, double cost, double value) {}

@@ -1,0 +1,9 @@
+package org.dronewatch.placement.site;
+
+/**
+ * The scene's own sensors, for comparison.
+ *
+ * @param sensors their number
+ * @param value fraction of the air that they cover
+ */
+public record PresentLayout(int sensors, double value) {}

@@ -1,0 +1,110 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementResult;
+
+/**
+ * The best layout of a plan that was found. Values are fractions of the air: of the rows that {@link CoveredCells}
+ * counts.
+ *
+ * @param plan what was asked for
+ * @param grid the cells
+ * @param headings on which each cell counts
+ * @param problem whose rows have a weight of 1 each
+ * @param result of the search, in rows
+ * @param present the scene's own sensors; empty if it has none, or the search was interrupted before
+ * @param worst fraction of the cells that it covers on the heading that is worst for it; empty if that was interrupted
+ * @param complete whether every candidate was assessed and the search ended by itself
+ */
+public record SitePlacement(
+        PlacePlan plan,
+        FieldGrid grid,
+        int headings,
+        PlacementProblem problem,
+        PlacementResult result,
+        Optional<PresentLayout> present,
+        OptionalDouble worst,
+        boolean complete) {
+    /** The sensors of the layout, in the order of the file. */
+    public List<SiteCandidate> chosen() {
+        return result.chosen().stream().map(plan.candidates()::get).toList();
+    }
+
+    /** The number of cells that count. */
+    public int cells() {
+        return rows() / headings;
+    }
+
+    private int rows() {
+        return problem.table().rows();
+    }
+
+    /** The fraction of the air that the layout covers. */
+    public double value() {
+        return result.value() / rows();
+    }
+
+    /** No layout covers a greater fraction. */
+    public double bound() {
+        return result.bound() / rows();
+    }
+
+    /** The fraction of the air that a chosen sensor covers by itself. */
+    public double alone(SiteCandidate sensor) {
+        CandidateColumn column = problem.table().column(plan.candidates().indexOf(sensor));
+        return (double) column.size() / rows();
+    }
+
+    /** What remains covered without each of the sensors, by their names, in the order of the file. */
+    public Map<String, Double> withoutEach() {
+        Map<String, Double> remaining = new LinkedHashMap<>();
+        for (int lost : result.chosen()) {
+            List<Integer> rest =
+                    result.chosen().stream().filter(other -> other != lost).toList();
+            remaining.put(plan.candidates().get(lost).name(), problem.value(rest) / rows());
+        }
+        return remaining;
+    }
+
+    /**
+     * The order in which the sensors of the layout are best bought: each time the one that adds most for its price,
+     * after those that are kept.
+     */
+    public List<PlaceStep> front() {
+        List<Integer> bought = new ArrayList<>(result.chosen().stream()
+                .filter(number -> plan.candidates().get(number).candidate().fixed())
+                .toList());
+        List<Integer> left = new ArrayList<>(result.chosen());
+        left.removeAll(bought);
+        List<PlaceStep> front = new ArrayList<>();
+        while (!left.isEmpty()) {
+            double before = problem.value(bought);
+            Integer next = left.stream()
+                    .max(Comparator.comparingDouble((Integer number) -> gained(number, bought, before))
+                            .thenComparing(Comparator.reverseOrder()))
+                    .orElseThrow();
+            left.remove(next);
+            bought.add(next);
+            front.add(new PlaceStep(
+                    plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows()));
+        }
+        return front;
+    }
+
+    private double gained(int number, List<Integer> bought, double before) {
+        List<Integer> more = new ArrayList<>(bought);
+        more.add(number);
+        double price = plan.candidates().get(number).candidate().cost();
+        double gain = problem.value(more) - before;
+        return price > 0.0 ? gain / price : gain > 0.0 ? Double.MAX_VALUE : 0.0;
+    }
+}

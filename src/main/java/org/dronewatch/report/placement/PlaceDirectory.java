@@ -1,0 +1,68 @@
+package org.dronewatch.report.placement;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronewatch.placement.site.Layout;
+import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.report.JsonFile;
+import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.provenance.Provenance;
+import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.setting.InputException;
+
+/** The directory into which {@code place} writes; its files appear together, or none of them. */
+public final class PlaceDirectory implements AutoCloseable {
+    private static final String SCENE = "layout.yaml";
+
+    private final Path target;
+    private final OutputDirectory directory;
+
+    /**
+     * Makes sure that the directory can be written, before the work begins.
+     *
+     * @throws InputException when it cannot
+     */
+    public PlaceDirectory(Path target) {
+        this.target = target;
+        this.directory = new OutputDirectory(target);
+    }
+
+    /**
+     * Writes all files.
+     *
+     * @param provenance origin of the results
+     * @param threads number of worker threads
+     * @param notes receives a line on what could not be written
+     * @throws InputException when writing fails
+     */
+    public void write(SitePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
+        directory.write(() -> {
+            PlacePlan plan = placement.plan();
+            JsonFile.write(directory.file("place.json"), PlaceFile.toJson(placement));
+            JsonFile.write(
+                    directory.file(ProvenanceFile.NAME),
+                    ProvenanceFile.of(provenance, plan.scene().name(), threads));
+            boolean isWritten = false;
+            try {
+                String text = plan.runner().text(Layout.of(plan, placement.chosen()), target.resolve(SCENE));
+                Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
+                isWritten = true;
+            } catch (InputException e) {
+                notes.accept("the layout is not written as a scene: " + e.getMessage());
+            }
+            // That of an earlier layout must not stay beside these results.
+            directory.publish(
+                    isWritten || !Files.isRegularFile(target.resolve("place.json")) ? List.of() : List.of(SCENE));
+        });
+    }
+
+    /** Removes what was not written completely. */
+    @Override
+    public void close() {
+        directory.close();
+    }
+}

@@ -1,0 +1,57 @@
+package org.dronewatch.report.placement;
+
+import java.util.Locale;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.SiteCandidate;
+import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.report.Numbers;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
+final class PlaceFile {
+    private PlaceFile() {}
+
+    static ObjectNode toJson(SitePlacement placement) {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("objective", placement.plan().settings().objective().name().toLowerCase(Locale.ROOT));
+        root.put("value", Numbers.rounded(placement.value()));
+        root.put("bound", Numbers.rounded(placement.bound()));
+        double gap = placement.result().gap();
+        root.put("gap", Double.isFinite(gap) ? Numbers.rounded(gap) : null);
+        root.put("cost", Numbers.rounded(placement.result().cost()));
+        ArrayNode chosen = root.putArray("chosen");
+        placement.chosen().forEach(sensor -> add(chosen.addObject(), sensor, placement));
+        ObjectNode present = root.putObject("present");
+        placement.present().ifPresent(own -> {
+            present.put("sensors", own.sensors());
+            present.put("value", Numbers.rounded(own.value()));
+        });
+        ArrayNode front = root.putArray("front");
+        for (PlaceStep step : placement.front()) {
+            ObjectNode node = front.addObject();
+            node.put("cost", Numbers.rounded(step.cost()));
+            node.put("value", Numbers.rounded(step.value()));
+            node.put("added", step.added());
+        }
+        root.put("complete", placement.complete());
+        return root;
+    }
+
+    private static void add(ObjectNode node, SiteCandidate sensor, SitePlacement placement) {
+        Position position = sensor.sensor().position();
+        node.put("sensor", sensor.name());
+        node.put("kind", sensor.sensor().kind());
+        node.put("x", Numbers.rounded(position.x()));
+        node.put("y", Numbers.rounded(position.y()));
+        node.put("z", Numbers.rounded(position.z()));
+        PlaceTable.azimuth(sensor)
+                .ifPresentOrElse(
+                        azimuth -> node.put("azimuth_deg", Numbers.rounded(azimuth)),
+                        () -> node.putNull("azimuth_deg"));
+        node.put("cost", Numbers.rounded(sensor.candidate().cost()));
+        node.put("alone", Numbers.rounded(placement.alone(sensor)));
+    }
+}

@@ -1,0 +1,2 @@
+/** What {@code place} prints and writes. */
+package org.dronewatch.report.placement;

@@ -1,0 +1,39 @@
+package org.dronewatch.scenes;
+
+import java.nio.file.Path;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
+import org.dronewatch.setting.file.LinkOut;
+
+/** The scene that a file names. */
+public final class SceneByName {
+    private SceneByName() {}
+
+    /**
+     * A packaged scene, or a scene file beside the naming file or below it: not a class, since no code is loaded from
+     * data.
+     *
+     * @param directory of the naming file
+     * @param file what that is, for messages, such as {@code campaign file}
+     * @throws InputException in one line when there is none, or it is elsewhere
+     */
+    public static Scene of(Path directory, String name, String file) {
+        if (SceneFile.isFileName(name)) {
+            Path path = directory.resolve(name).normalize();
+            if (!path.startsWith(directory.normalize())) {
+                throw new InputException("scene '" + PlainText.value(name) + "': a scene file must lie beside the "
+                        + file + " or below it");
+            }
+            LinkOut.refuse(directory, path, "scene");
+            return new SceneFile(path);
+        }
+        return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseThrow(() -> {
+            var known = PackagedScene.all().stream().map(PackagedScene::name).toList();
+            return new InputException("scene '" + PlainText.value(name) + "': neither packaged ("
+                    + String.join(", ", known) + ") nor a .yaml file" + Spelling.didYouMean(name, known));
+        });
+    }
+}
