@@ -28,8 +28,8 @@ import picocli.CommandLine.Spec;
         name = "again",
         mixinStandardHelpOptions = true,
         description = {
-            "Repeats the run, campaign, comparison or search for routes that a provenance.json records, and states for"
-                    + " each file beside it whether the new file has the same bytes; the exit code is 1 if any"
+            "Repeats the run, campaign, comparison, search for routes or placement that a provenance.json records, and"
+                    + " states for each file beside it whether the new file has the same bytes; the exit code is 1 if any"
                     + " differs.",
             "Relative paths are resolved from the current directory, as in the first run."
         },

@@ -17,6 +17,7 @@ import org.dronewatch.report.placement.PlaceDirectory;
 import org.dronewatch.report.placement.PlaceTable;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
@@ -101,7 +102,7 @@ final class PlaceCommand implements Callable<Integer> {
                 SitePlacement placement = search(given, plan, limits, notes);
                 main.interruption().letFinish();
                 if (target != null) {
-                    target.write(placement, provenance(plan), threads.number(), notes);
+                    target.write(placement, provenance(given, plan), threads.number(), notes);
                 }
                 PlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
                 if (!placement.complete()) {
@@ -146,10 +147,12 @@ final class PlaceCommand implements Callable<Integer> {
         }
     }
 
-    private Provenance provenance(PlacePlan plan) {
+    /** The placement file counts among those that describe the scene. */
+    private Provenance provenance(Path given, PlacePlan plan) {
+        InputFiles inputs = plan.runner().inputs();
         return new Provenance(
                 started,
                 spec.root().commandLine().getParseResult().originalArgs(),
-                plan.runner().inputs());
+                inputs.withScene(inputs.scene(), List.of(given)));
     }
 }

@@ -27,6 +27,7 @@ final class Replay {
     private static final String CAMPAIGN = "campaign";
     private static final String COMPARE = "compare";
     private static final String ROUTE = "route";
+    private static final String PLACE = "place";
 
     private static final String SHARD = "--shard";
 
@@ -50,6 +51,8 @@ final class Replay {
             "--stopped",
             "--pointing",
             "--proof",
+            "--budget",
+            "--gap",
             SHARD);
 
     private final Path file;
@@ -72,8 +75,8 @@ final class Replay {
         } catch (ParameterException e) {
             throw refusal("its command cannot be read: " + WrongUsage.message(e));
         }
-        if (parsed == null || !Set.of(RUN, CAMPAIGN, COMPARE, ROUTE).contains(name())) {
-            throw refusal("only 'run', 'campaign', 'compare' and 'route' can be repeated");
+        if (parsed == null || !Set.of(RUN, CAMPAIGN, COMPARE, ROUTE, PLACE).contains(name())) {
+            throw refusal("only 'run', 'campaign', 'compare', 'route' and 'place' can be repeated");
         }
     }
 

@@ -98,7 +98,7 @@ class AgainCommandTest {
         refused("[\"run\", \"@options\"]", "is not the name of a scene");
         refused(
                 "[\"models\", \"--out\", \"elsewhere\"]",
-                "only 'run', 'campaign', 'compare' and 'route' can be repeated");
+                "only 'run', 'campaign', 'compare', 'route' and 'place' can be repeated");
         refused("[\"run\", \"a.yaml\", \"--evil\"]", "its command cannot be read");
         refused("[]", "states no command");
         refused("\"rm\"", "states no command");

@@ -24,6 +24,7 @@ public final class SameBytes {
             "sensitivity.csv",
             "campaign.json",
             "route.json",
+            "place.json",
             "plan.json");
 
     private static final int DEPTH = 4;

@@ -1,0 +1,130 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.site.PlacedSite;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The best layout before a plain with four boxes, as the command prints and writes it. */
+class PlaceCommandTest {
+    @TempDir
+    private static Path directory;
+
+    private static Path file;
+    private static Outcome outcome;
+    private static JsonNode json;
+
+    @BeforeAll
+    static void run() throws IOException {
+        file = PlacedSite.in(directory, "budget: 6\nkeep: [round]\n");
+        outcome = place(file, "--threads=1", "--out=" + directory.resolve("."));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        json = JsonMapper.builder()
+                .build()
+                .readTree(directory.resolve("place.json").toFile());
+    }
+
+    private static Outcome place(Path from, String... more) {
+        List<String> words = new ArrayList<>(List.of("place", from.toString()));
+        words.addAll(List.of(more));
+        return Program.run(words.toArray(String[]::new));
+    }
+
+    @Test
+    void theFileStatesTheLayoutAndTheOrderInWhichToBuy() {
+        assertThat(json.propertyNames())
+                .containsExactly(
+                        "objective", "value", "bound", "gap", "cost", "chosen", "present", "front", "complete");
+        assertThat(json.get("objective").asString()).isEqualTo("coverage");
+        assertThat(json.get("complete").asBoolean()).isTrue();
+        assertThat(json.get("bound").asDouble())
+                .isGreaterThanOrEqualTo(json.get("value").asDouble());
+        assertThat(json.get("gap").asDouble()).isBetween(0.0, 0.001);
+        assertThat(json.get("cost").asDouble()).isLessThanOrEqualTo(6.0);
+        assertThat(json.get("present").get("sensors").asInt()).isEqualTo(1);
+        assertThat(json.get("chosen").get(0).get("sensor").asString()).isEqualTo("round");
+        JsonNode front = json.get("front");
+        assertThat(front.size()).isEqualTo(json.get("chosen").size() - 1);
+        JsonNode last = front.get(front.size() - 1);
+        assertThat(last.get("value").asDouble()).isCloseTo(json.get("value").asDouble(), within(1e-9));
+        assertThat(last.get("cost").asDouble()).isEqualTo(json.get("cost").asDouble());
+        for (int step = 1; step < front.size(); step++) {
+            assertThat(front.get(step).get("value").asDouble())
+                    .isGreaterThanOrEqualTo(front.get(step - 1).get("value").asDouble());
+        }
+    }
+
+    @Test
+    void theLayoutIsASceneThatRuns() throws IOException {
+        Outcome run = Program.run("check", directory.resolve("layout.yaml").toString());
+
+        assertThat(run.code()).as(run.err()).isZero();
+        String scene = Files.readString(directory.resolve("layout.yaml"));
+        json.get("chosen").forEach(sensor -> assertThat(scene)
+                .contains(sensor.get("sensor").asString() + ":"));
+    }
+
+    @Test
+    void anyNumberOfThreadsGivesTheSameBytes() throws IOException {
+        place(file, "--threads=3", "--out=" + directory.resolve("again"));
+
+        assertThat(directory.resolve("again/place.json")).hasSameBinaryContentAs(directory.resolve("place.json"));
+    }
+
+    @Test
+    void itPrintsWhatTheLayoutIsWorth() {
+        assertThat(outcome.out())
+                .contains("best layout of 15 candidates for a budget of 6, in the order in which to buy:")
+                .contains("The layout covers ")
+                .contains("The scene's own 1 sensor covers ")
+                .contains(", whose loss is worst, the layout covers ");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "budget: -1                                       | 'budget -1 must be 0 to 1e12'",
+                "budget: 1 and: more                              | 'unknown'",
+                "keep: [x]                                        | 'keep: there is no enabled sensor ''x'''",
+                "drone: two                                       | 'drone two: there is no such drone'",
+                "objective: money                                 | 'objective: ''money'' is not one of [coverage]'",
+                "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that complies'",
+                "conditions: {fold: 0}                            | 'fold 0 must be 1 to 10'",
+            })
+    void namesWhatIsWrong(String line, String message) throws IOException {
+        Path bad = directory.resolve("bad.place.yaml");
+        String good = Files.readString(file).replaceAll("(?m)^(budget|keep):.*\n", "");
+        Files.writeString(bad, good + (line.startsWith("budget") ? "" : "budget: 1\n") + line + "\n");
+        Outcome refused = place(bad, "--out=" + directory.resolve("refused"));
+
+        assertThat(refused.code()).as(refused.err()).isEqualTo(2);
+        assertThat(refused.err())
+                .contains(message.replace("unknown", "bad.place.yaml:"))
+                .doesNotContain("\tat ");
+        assertThat(directory.resolve("refused")).doesNotExist();
+    }
+
+    @Test
+    void namesTheCandidateThatIsWrong() throws IOException {
+        Path bad = directory.resolve("wrong.place.yaml");
+        Files.writeString(
+                bad,
+                "scene: site.yaml\nbudget: 1\ncandidates:\n  a: {sensor: {use: spotter}, price: 1, places: [[0, 0, 4]]}\n");
+
+        assertThat(place(bad).err()).contains("wrong.place.yaml:4:").contains("candidates.a.sensor.use: unknown name");
+    }
+}

@@ -1,0 +1,217 @@
+package org.dronewatch.placement.site;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The best layout of a plain with four boxes against all choices among its candidates. */
+class PlaceSearchTest {
+    @TempDir
+    private Path directory;
+
+    /** By the set of candidates that cover it: the number of cells and headings. */
+    private final Map<Integer, Integer> covered = new HashMap<>();
+
+    private int all;
+
+    private PlacePlan plan(String more) throws IOException {
+        return PlacePlan.read(PlacedSite.in(directory, more), runner -> {}, note -> {});
+    }
+
+    private static SitePlacement found(PlacePlan plan) {
+        Stage stage = plan.runner().stage(plan.present());
+        return new PlaceSearch(plan, new CoveredCells(plan, stage, LayerStore.NONE), new ExactSolver())
+                .found(SolverLimits.NONE, cells -> {}, () -> {});
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "5 | 14 | 1 | 0",
+                "8 | 14 | 2 | 0",
+                "7 |  3 | 1 | 0",
+                "9 | 14 | 1 | 0.3",
+            })
+    void isTheBestOfAllChoices(double budget, int atMost, int fold, double remaining) throws IOException {
+        PlacePlan plan = plan("budget: " + budget + "\nconditions: {atMost: " + atMost + ", fold: " + fold
+                + (remaining > 0.0 ? ", anyoneLost: {atLeast: " + remaining + "}}\n" : "}\n"));
+        SitePlacement placement = found(plan);
+        countAll(plan, placement);
+        double best = 0.0;
+        for (int choice = 0; choice < 1 << plan.candidates().size(); choice++) {
+            boolean complies = Integer.bitCount(choice) <= atMost
+                    && cost(plan, choice) <= budget
+                    && (remaining == 0.0 || worstLoss(choice, fold) >= remaining);
+            best = complies ? Math.max(best, value(choice, fold)) : best;
+        }
+
+        assertThat(placement.value()).isCloseTo(best, within(1e-12));
+        assertThat(placement.bound()).isEqualTo(placement.value());
+        assertThat(placement.complete()).isTrue();
+        assertThat(placement.value()).isBetween(0.05, 0.99);
+        assertThat(placement.withoutEach().values().stream().min(Double::compare))
+                .hasValueSatisfying(least -> assertThat(least).isGreaterThanOrEqualTo(remaining));
+    }
+
+    /** All candidates are sensors of one scene, whose field says which of them cover each cell on each heading. */
+    private void countAll(PlacePlan plan, SitePlacement placement) {
+        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+        plan.candidates().forEach(one -> sensors.put(one.name(), one.sensor()));
+        Stage stage = plan.runner().stage(plan.present());
+        var scene = SettingsForm.with(plan.present(), Map.of("sensors", sensors, "disabled", Set.of()));
+        List<Course> courses = Course.all(Map.of(), DetectionField.droneOf(stage, FieldSite.DRONE))
+                .subList(0, 8);
+        DetectionField field =
+                FieldAssessment.of(scene, stage, FieldSite.DRONE, placement.grid(), courses, cells -> {});
+        int columns = placement.grid().columns();
+        for (int at = 0; at < columns * columns * 2 * 8; at++) {
+            int column = at % columns;
+            int row = at / columns % columns;
+            int height = at / (columns * columns) % 2;
+            int course = at / (columns * columns * 2);
+            if (field.isOpen(height, column, row)) {
+                int who = 0;
+                for (int sensor = 0; sensor < sensors.size(); sensor++) {
+                    who |= field.probability(sensor, height, column, row, course) >= 0.5 ? 1 << sensor : 0;
+                }
+                covered.merge(who, 1, Integer::sum);
+                all++;
+            }
+        }
+        assertThat(placement.cells() * 8).isEqualTo(all);
+    }
+
+    private double value(int choice, int fold) {
+        return covered.entrySet().stream()
+                        .filter(one -> Integer.bitCount(one.getKey() & choice) >= fold)
+                        .mapToInt(Map.Entry::getValue)
+                        .sum()
+                / (double) all;
+    }
+
+    private double worstLoss(int choice, int fold) {
+        double worst = choice == 0 ? 0.0 : 1.0;
+        for (int lost = 0; lost < 14; lost++) {
+            worst = (choice >> lost & 1) == 1 ? Math.min(worst, value(choice & ~(1 << lost), fold)) : worst;
+        }
+        return worst;
+    }
+
+    private static double cost(PlacePlan plan, int choice) {
+        double cost = 0.0;
+        for (int candidate = 0; candidate < plan.candidates().size(); candidate++) {
+            cost += (choice >> candidate & 1)
+                    * plan.candidates().get(candidate).candidate().cost();
+        }
+        return cost;
+    }
+
+    @Test
+    void candidatesStandOnTheHighestSurfaceAndFaceAllDirections() throws IOException {
+        Map<String, SiteCandidate> byName = plan("budget: 5\n").candidates().stream()
+                .collect(Collectors.toMap(SiteCandidate::name, one -> one, (one, other) -> one, LinkedHashMap::new));
+
+        assertThat(byName.keySet())
+                .containsExactly(
+                        "radar-1",
+                        "radar-2",
+                        "radar-3",
+                        "radio-1",
+                        "radio-2",
+                        "radio-3",
+                        "radio-4",
+                        "radio-5",
+                        "radio-6",
+                        "radio-7",
+                        "eye-1-0",
+                        "eye-1-90",
+                        "eye-1-180",
+                        "eye-1-270");
+        // The box "terrain" is 15 m high.
+        assertPosition(byName.get("radar-3"), -85, -10, 17);
+        assertPosition(byName.get("radio-1"), -135, 0, 3);
+        assertPosition(byName.get("radio-2"), -85, 0, 18);
+        assertPosition(byName.get("radio-7"), 165, 0, 3);
+        Position east = byName.get("eye-1-90")
+                .sensor()
+                .as(Aimed.class)
+                .orElseThrow()
+                .aim()
+                .from(new Position(0, 0, 0));
+        assertThat(east.x()).isCloseTo(1.0, within(1e-12));
+        assertThat(east.y()).isCloseTo(0.0, within(1e-12));
+    }
+
+    private static void assertPosition(SiteCandidate candidate, double x, double y, double z) {
+        Position position = candidate.sensor().position();
+        assertThat(position.x()).isCloseTo(x, within(1e-9));
+        assertThat(position.y()).isCloseTo(y, within(1e-9));
+        assertThat(position.z()).isCloseTo(z, within(1e-4));
+    }
+
+    /** Interrupted after half of the cells, the search chooses among the candidates that were assessed. */
+    @Test
+    void anInterruptedSearchGivesTheBestSoFar() throws IOException {
+        PlacePlan plan = plan("budget: 9\n");
+        CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
+        AtomicInteger left = new AtomicInteger((int) cells.looks() / 2);
+        SitePlacement placement = new PlaceSearch(plan, cells, new ExactSolver())
+                .found(
+                        SolverLimits.NONE,
+                        some -> {
+                            if (left.addAndGet(-some) < 0) {
+                                Thread.currentThread().interrupt();
+                            }
+                        },
+                        Thread::interrupted);
+
+        assertThat(placement.complete()).isFalse();
+        assertThat(placement.value()).isPositive();
+        assertThat(placement.bound()).isEqualTo(1.0);
+        assertThat(placement.chosen()).isNotEmpty().allMatch(one -> placement.alone(one) > 0.0);
+        assertThat(placement.worst()).isEqualTo(OptionalDouble.empty());
+    }
+
+    @Test
+    void withoutAnyAssessedCandidateThereIsNoLayout() throws IOException {
+        PlacePlan plan = plan("budget: 9\n");
+        CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
+        Thread.currentThread().interrupt();
+        try {
+            assertThatThrownBy(() -> new PlaceSearch(plan, cells, new ExactSolver())
+                            .found(SolverLimits.NONE, some -> {}, () -> {}))
+                    .isInstanceOf(CancellationException.class);
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+    }
+}
