@@ -22,8 +22,8 @@ import org.dronewatch.setting.Quantity;
  * @param within time in which it has to detect the drone, s; one look by default
  * @param heading {@code any}: every cell counts an eighth on each of eight headings; {@code inbound}: towards the
  *     protected zone. {@code any} by default
- * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or {@code search}; {@code cued}
- *     by default
+ * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or {@code search}; {@code
+ *     cued} by default
  */
 public record AirSettings(
         Optional<String> area,

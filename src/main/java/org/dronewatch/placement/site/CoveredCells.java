@@ -163,8 +163,8 @@ public final class CoveredCells {
     }
 
     /**
-     * The fraction of the cells that sensors cover on the heading on which they together are least likely to detect the
-     * drone, as {@code coverage} counts it, or towards the protected zone.
+     * The fraction of the cells that sensors cover on the heading on which they together are least likely to detect
+     * the drone, as {@code coverage} counts it, or towards the protected zone.
      *
      * @param fold number of sensors that must cover a cell
      */

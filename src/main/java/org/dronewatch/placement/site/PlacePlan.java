@@ -20,7 +20,8 @@ import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 
 /**
- * A placement file with its scene and its candidates. The site is loaded only where places are given above its surface.
+ * A placement file with its scene and its candidates. The site is loaded only where places are given above its
+ * surface.
  *
  * @param settings of the file
  * @param scene that it names

@@ -46,8 +46,8 @@ public final class PlaceSearch {
      *
      * @param limits of the choice among the candidates
      * @param progress receives the number of cells that were assessed since the last call
-     * @param assessed called when the candidates have been assessed, perhaps because this thread was interrupted; should
-     *     then clear its interrupt status
+     * @param assessed called when the candidates have been assessed, perhaps because this thread was interrupted;
+     *     should then clear its interrupt status
      * @throws InputException when no layout complies with the conditions
      * @throws CancellationException when this thread is interrupted before any candidate is assessed
      */

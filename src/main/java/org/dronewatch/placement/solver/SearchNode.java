@@ -1,8 +1,8 @@
 package org.dronewatch.placement.solver;
 
 /**
- * A part of the search: candidates that are decided, and how good a choice with these decisions can be at most. It owns
- * the arrays.
+ * A part of the search: candidates that are decided, and how good a choice with these decisions can be at most. It
+ * owns the arrays.
  */
 record SearchNode(byte[] state, double[] multipliers, double bound) {
     static final byte FREE = 0;
