@@ -35,7 +35,7 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     }
 
     /**
-     * With a clock.
+     * A display of progress with a clock.
      *
      * @param bar null for lines
      * @param clock gives the time, ns
@@ -48,7 +48,7 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
         this.start = clock.getAsLong();
     }
 
-    /** They took no time: the rate does not count them. */
+    /** Counts cases that took no time, which the rate does not include. */
     @Override
     public synchronized void kept(int cases) {
         kept += cases;

@@ -28,7 +28,7 @@ final class Progress implements SceneListener, AutoCloseable {
     }
 
     /**
-     * For one run alone, up to a time.
+     * The progress of one run alone, up to a time.
      *
      * @param only index of the run; negative for all runs
      * @param until simulated time at which it ends, s

@@ -97,7 +97,7 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
         return Math.abs(covered - expected) <= PRECISION * expected;
     }
 
-    /** As long as twice the area of a ring (Newell). */
+    /** The normal of a ring, as long as twice its area (Newell). */
     private static double[] normal(int[] ring, double[] vertices) {
         double[] normal = new double[3];
         int base = 3 * ring[0];

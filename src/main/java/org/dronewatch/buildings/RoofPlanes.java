@@ -100,8 +100,8 @@ record RoofPlanes(List<Slope> planes) {
     }
 
     /**
-     * From each side to the middle, where the distance from the side is a fraction of that in the middle, 1 at the side
-     * and 0 in the middle; the height is a curve over that fraction, given by its corners.
+     * Slopes from each side to the middle, where the distance from the side is a fraction of that in the middle, 1 at
+     * the side and 0 in the middle; the height is a curve over that fraction, given by its corners.
      */
     private static List<Slope> aboutMiddle(
             double[] outer, Rectangle rectangle, double rise, double[] fractions, double[] heights) {

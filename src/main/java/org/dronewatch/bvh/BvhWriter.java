@@ -12,7 +12,7 @@ final class BvhWriter {
     private int depth;
 
     /**
-     * For triangles.
+     * A writer of the tree over triangles.
      *
      * @param triangles in leaf order
      * @param order their indices, part by part

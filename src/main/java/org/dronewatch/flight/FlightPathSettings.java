@@ -163,7 +163,7 @@ public interface FlightPathSettings {
      * @param to end of the glide, below the release, with a glide ratio of at most 30, m
      */
     record Glide(Position from, Position release, Position to) implements FlightPathSettings {
-        /** More than the best gliders of a drone's size reach. */
+        /** The highest glide ratio, above those that the best gliders of a drone's size reach. */
         private static final double FLATTEST = 30.0;
 
         /** Checks the limits. */

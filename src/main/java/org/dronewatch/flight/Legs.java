@@ -82,7 +82,8 @@ public final class Legs {
     }
 
     /**
-     * From one sample to the next: with the flight's own velocity if that leads there, otherwise with the mean of both.
+     * The leg from one sample to the next: with the flight's own velocity if that leads there, otherwise with the mean
+     * of both.
      */
     private static Leg leg(double time, FlightState here, FlightState next, double nextTime) {
         Leg own = new Leg(time, here);

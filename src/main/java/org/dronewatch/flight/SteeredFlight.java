@@ -33,7 +33,7 @@ public final class SteeredFlight implements FlownPath {
     private Thread steering = Thread.currentThread();
 
     /**
-     * At rest at the start of a run, steered by the calling thread.
+     * A flight that is at rest at the start of a run and is steered by the calling thread.
      *
      * @param start where it is, m
      * @param heading heading of its nose, clockwise from north, rad

@@ -21,8 +21,8 @@ final class EpsgParameters {
     private static final String SHIFT = "+towgs84=";
 
     /**
-     * From S-JTSK to WGS 84 in the Czech Republic to a metre (EPSG 5239, here as a position vector). The register of
-     * PROJ4J has a shift along the axes alone, which is 10 m off.
+     * The shift from S-JTSK to WGS 84 in the Czech Republic to a metre (EPSG 5239, here as a position vector). The
+     * register of PROJ4J has a shift along the axes alone, which is 10 m off.
      */
     private static final String CZECH_SHIFT = SHIFT + "572.213,85.334,461.94,4.9732,1.529,5.2484,3.5378";
 

@@ -59,7 +59,8 @@ final class CathedralShell {
     }
 
     /**
-     * From the foot of the south wall over the aisle's vault and the nave's wall to the crown, which is its last point.
+     * The outline from the foot of the south wall over the aisle's vault and the nave's wall to the crown, which is its
+     * last point.
      */
     private static List<Corner> southSide() {
         List<Corner> side = new ArrayList<>();

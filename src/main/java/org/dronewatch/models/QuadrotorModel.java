@@ -78,7 +78,7 @@ public final class QuadrotorModel {
                 parts.add("motor_" + number, Solids.turned(Material.METAL, foot, housing, 20));
                 Point hub = foot.plus(new Point(0, 0.048, 0));
                 parts.add("hub_" + number, Solids.cylinder(Material.DARK_PLASTIC, hub, 0.008, 0.010, 12));
-                // As they happen to stand after landing; neighbours turn in opposite directions.
+                // Rotors as they happen to stop after landing; neighbours turn in opposite directions.
                 double standing = StrictMath.toRadians(new double[] {8, -38, -25, 12}[number - 1]);
                 double turn = side * end;
                 Point middle = hub.plus(new Point(0, 0.006, 0));

@@ -144,7 +144,7 @@ final class Solids {
         }
     }
 
-    /** As a band of quads, but safe where the quads would not be flat. */
+    /** A band of triangles, like a band of quads, but safe where the quads would not be flat. */
     private static void addTriangleBand(Solid solid, Material material, List<Point> lower, List<Point> upper) {
         for (int i = 0; i < lower.size(); i++) {
             int next = (i + 1) % lower.size();

@@ -11,7 +11,7 @@ public final class LongTask implements AutoCloseable {
     /** How many times at most a task of known length is reported. */
     private static final long REPORTS = 500;
 
-    /** After how many steps a task of unknown length is reported. */
+    /** The number of steps after which a task of unknown length is reported. */
     private static final long SOME = 1 << 12;
 
     /** Steps are counted in parts, so that threads may add fractions in any order. */

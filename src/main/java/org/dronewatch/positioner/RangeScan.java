@@ -79,7 +79,7 @@ final class RangeScan {
     }
 
     /**
-     * To be called when the positioner has reached the direction asked for, at the field of view with which it
+     * Must be called when the positioner has reached the direction asked for, at the field of view with which it
      * searches.
      */
     void arrive(double now) {

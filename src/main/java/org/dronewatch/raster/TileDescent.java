@@ -24,8 +24,9 @@ final class TileDescent {
     private double farthest;
 
     /**
-     * For each axis, first for planes above the origin, then for planes below: ray parameter per metre at which the
-     * first ray of the tile meets a plane, and at which the last one does. Infinite where none does, or not all.
+     * The ray parameters per metre at which the first ray of the tile meets a plane, for each axis, first for planes
+     * above the origin, then for planes below, and those at which the last ray does; infinite where no ray meets it, or
+     * not all rays.
      */
     private final double[] first = new double[6];
 

@@ -35,7 +35,7 @@ final class Graticule {
     private final double scale;
 
     /**
-     * For one picture from above.
+     * A graticule for one picture from above.
      *
      * @param width of the picture in pixels
      * @param height of the picture in pixels

@@ -59,7 +59,7 @@ final class Symbols {
     }
 
     /**
-     * For one picture.
+     * Symbols in one picture.
      *
      * @param sight knows what hides what
      * @param toPicture pixels of the picture for one of the camera's

@@ -116,7 +116,7 @@ public record SceneSettings(
         });
     }
 
-    /** More would take days even for the fastest sensor. */
+    /** With more looks, a run would take days even for the fastest sensor. */
     private static void checkLooks(String id, double rate, double duration) {
         // The library's own kinds have tighter limits; those of other jars may have none.
         if (!(rate > 0.0)) {

@@ -108,7 +108,10 @@ final class ValueSchema {
         return schema;
     }
 
-    /** As a list of numbers, as one text, by name, as one number where that stands for all, or in another form. */
+    /**
+     * Allows a value as a list of numbers, as one text, by name, as one number where that stands for all, or in another
+     * form.
+     */
     private ObjectNode numbers(Class<?> type, List<Kinds.OtherForm> others) {
         ObjectNode schema = object();
         ArrayNode any = schema.putArray("anyOf");

@@ -102,7 +102,7 @@ final class ScenePlaces {
         }
     }
 
-    /** Otherwise reading the whole file reports what is missing. */
+    /** Whether the settings are complete; if not, reading the whole file reports what is missing. */
     private static boolean isComplete(WorldSettings world) {
         try {
             SceneSettings.of(world);

@@ -32,7 +32,7 @@ final class ProviderFiles {
     }
 
     /**
-     * Those that a class loader sees.
+     * The files that a class loader finds.
      *
      * @throws InputException when one cannot be read
      */

@@ -158,7 +158,7 @@ final class CameraPanel extends JPanel {
                 .map(visual ->
                         new int[] {(int) (visual.frame().width * density), (int) (visual.frame().height * density)})
                 .toList();
-        // Not abandoned: while time goes on, a time just past is better than none.
+        // The picture is not abandoned: while time goes on, a picture of a time just past is better than none.
         looks.ask(outdated -> {
             for (int i = 0; i < wanted.size(); i++) {
                 CameraVisual visual = wanted.get(i);

@@ -82,7 +82,8 @@ final class CoverageComputing implements AutoCloseable {
 
     /** Ends the computation early. */
     void cancel() {
-        // Not by another request: one that has not begun would be dropped, and nobody would hear of its end.
+        // This is not done by another request: a computation that has not begun would be dropped, and its end not
+        // reported.
         cancelled.set(true);
     }
 

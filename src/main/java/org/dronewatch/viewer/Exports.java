@@ -28,7 +28,7 @@ final class Exports {
     private final Consumer<Throwable> failed;
 
     /**
-     * For a pane.
+     * Exports of a pane.
      *
      * @param failed receives what went wrong
      */

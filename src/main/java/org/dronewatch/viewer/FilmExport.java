@@ -35,7 +35,7 @@ final class FilmExport implements AutoCloseable {
     private volatile boolean closed;
 
     /**
-     * For a pane.
+     * The export of films of a pane.
      *
      * @param failed is given what went wrong
      */
@@ -120,7 +120,7 @@ final class FilmExport implements AutoCloseable {
      */
     static Film film(ViewedRun viewed, String from, String to, String fps, String speed) {
         double end = Double.parseDouble(to.strip());
-        // As it is offered: to two digits.
+        // The end time is offered with two digits.
         double reached = viewed.run().reached();
         if (end > reached + 0.01) {
             throw new IllegalArgumentException(

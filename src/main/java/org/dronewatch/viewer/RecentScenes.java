@@ -65,7 +65,7 @@ final class RecentScenes {
             }
             Files.write(file, scenes.stream().map(Path::toString).toList());
         } catch (IOException e) {
-            // Not kept: the menu then shows what was kept before.
+            // The list is not kept; the menu then shows what was kept before.
             return;
         }
     }

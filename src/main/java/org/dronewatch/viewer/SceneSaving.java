@@ -20,7 +20,7 @@ final class SceneSaving {
     private final BiFunction<SceneSettings, Path, String> text;
 
     /**
-     * For a pane.
+     * The saving of the scene of a pane.
      *
      * @param name of the scene, which is the name of a file unless the user chooses another
      * @param text gives settings as the text of a file; throws InputException when they cannot be written

@@ -98,14 +98,14 @@ final class TimeLine extends JPanel implements Scrollable {
         return nameMetrics().getHeight();
     }
 
-    /** As high as its rows. */
+    /** A size as high as its rows. */
     @Override
     public Dimension getPreferredSize() {
         int rows = (int) Math.ceil(sensors.size() * rowHeight());
         return new Dimension(Scaled.px(WANTED_WIDTH), Math.max(Scaled.px(LOWEST), axisHeight() + 2 * GAP + rows));
     }
 
-    /** As high as its rows, but no more than a part of the window. */
+    /** A size as high as its rows, but no more than a part of the window. */
     @Override
     public Dimension getPreferredScrollableViewportSize() {
         int most = getTopLevelAncestor() == null

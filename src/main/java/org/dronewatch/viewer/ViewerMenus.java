@@ -27,7 +27,7 @@ final class ViewerMenus {
     private final Runnable keysChosen;
 
     /**
-     * For a pane.
+     * The menus of a pane.
      *
      * @param saving writes the scene
      * @param opening opens other scenes; empty where the run is fixed

@@ -7,7 +7,7 @@ import org.dronewatch.kdtree.RayTracer;
 /** Probes the surfaces around a point, with one ray towards each corner, edge and face of a cube. */
 final class Surroundings {
     /**
-     * Fewer rays with a hit from behind say little: far from a model, a ray along an axis or a diagonal may hit just a
+     * Fewer rays with a hit from behind mean little: far from a model, a ray along an axis or a diagonal may hit just a
      * corner or an edge, from behind. From under the corner of a flat ground, four rays hit it.
      */
     private static final int FEWEST = 4;

@@ -10,9 +10,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Signal;
 
 /**
- * By how much the signal of one sensor exceeds that in the open, and what it receives along other than exact paths, at
- * any position: interpolated between the nearest traced ones, separately in sight of the sensor, out of sight, and
- * where nothing arrives along exact paths. Immutable.
+ * The amount by which the signal of one sensor exceeds that in the open, and what the sensor receives along other than
+ * exact paths, at any position: interpolated between the nearest traced ones, separately in sight of the sensor, out of
+ * sight, and where nothing arrives along exact paths. Immutable.
  */
 final class ExcessMap {
     private static final int NEIGHBOURS = 20;
@@ -51,7 +51,7 @@ final class ExcessMap {
     record Estimate(
             double rest, double leastRest, double greatestRest, double overOpen, double least, double greatest) {
         /**
-         * By how much the signal exceeds that in the open, dB.
+         * The amount by which the signal exceeds that in the open, dB.
          *
          * @param open the signal in the open, dB
          * @param exact by how much the signal along exact paths exceeds that in the open, dB

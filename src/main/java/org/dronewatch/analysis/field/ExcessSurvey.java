@@ -103,7 +103,7 @@ final class ExcessSurvey {
     }
 
     /**
-     * On any course, or on the first one.
+     * Traces positions on a random course each, or on the first one.
      *
      * @param of the number of all positions of the survey
      */

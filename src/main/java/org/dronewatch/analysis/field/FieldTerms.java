@@ -29,7 +29,7 @@ public record FieldTerms(
     /** A single look of sensors that have turned to the drone. */
     public static final FieldTerms ONE_LOOK = new FieldTerms(Turning.CUED, Optional.empty());
 
-    /** So that the number of looks in 0.3 s at 10 Hz is three, whatever the product is rounded to. */
+    /** A tolerance with which the number of looks in 0.3 s at 10 Hz is three, whatever the product is rounded to. */
     private static final double ROUNDING = 1e-9;
 
     /** Checks the limits. */

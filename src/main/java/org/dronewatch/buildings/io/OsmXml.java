@@ -149,7 +149,7 @@ final class OsmXml {
             case "way" -> target.way(id, Arrays.copyOf(nodes, count), tags);
             case "relation" -> target.relation(id, members, tags);
             default -> {
-                // Only the three kinds of elements are whole here.
+                // Only elements of the three kinds are complete here.
             }
         }
     }

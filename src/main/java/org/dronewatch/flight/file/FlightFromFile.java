@@ -25,7 +25,7 @@ public interface FlightFromFile extends FlightPathSettings {
     FlightSource read(Path path, String shown);
 
     /**
-     * Not possible: without a scene, the flight has no geographic position.
+     * This is not possible: without a scene, the flight has no geographic position.
      *
      * @throws IllegalArgumentException always
      */

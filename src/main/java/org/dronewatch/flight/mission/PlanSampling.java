@@ -28,7 +28,7 @@ final class PlanSampling {
     /** The finest tolerance, m. */
     private static final double FINEST = 0.5;
 
-    /** More waypoints than that are hard to work with in a ground station. */
+    /** The most waypoints: more are hard to work with in a ground station. */
     private static final int MOST_WAYPOINTS = 1000;
 
     private final Position[] places;

@@ -69,7 +69,7 @@ final class GpxFile {
                 keep(unnamed + (tracks.size() + 1));
             }
             case "name" -> {
-                // Not that of the file, of a point, or in an extension.
+                // The name is not that of the file or of a point, nor one in an extension.
                 boolean isOfTrack = xml.depth() == DEPTH_IN_TRACK;
                 String text = xml.content();
                 if (isOfTrack && course != null && course.fixes.size() == 0) {

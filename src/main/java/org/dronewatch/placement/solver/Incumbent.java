@@ -14,7 +14,7 @@ final class Incumbent {
     private double value = Double.NEGATIVE_INFINITY;
 
     /**
-     * None yet.
+     * A best choice that has not been found yet.
      *
      * @param needed gain that must remain after the worst loss
      */

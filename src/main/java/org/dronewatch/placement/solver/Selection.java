@@ -168,7 +168,7 @@ final class Selection {
     }
 
     /**
-     * By how much the bound decreases, at least, if a free candidate that is not picked is chosen, or one that is
+     * The least amount by which the bound decreases if a free candidate that is not picked is chosen, or one that is
      * picked is not: another takes its place.
      */
     double loss(int candidate) {

@@ -10,7 +10,7 @@ public final class LossWords {
     private LossWords() {}
 
     /**
-     * In a sentence: {@code At 30 m, 31.0 % of the known area instead of 43.3 % is covered without 'radar'.}
+     * The loss in a sentence: {@code At 30 m, 31.0 % of the known area instead of 43.3 % is covered without 'radar'.}
      *
      * @param off the sensors that are left out, perhaps none
      */

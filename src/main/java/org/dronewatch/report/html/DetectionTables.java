@@ -152,7 +152,7 @@ final class DetectionTables {
         return format("%.0f %%", 100.0 * fraction);
     }
 
-    /** Until when a sensor detects a drone: when it loses it for the last time. */
+    /** The time until which a sensor detects a drone: when the sensor loses it for the last time. */
     private String last(PairResult pair) {
         return lastEvents.containsKey(List.of(pair.sensor(), pair.drone())) ? orElse(lost(pair), "to the end") : NONE;
     }

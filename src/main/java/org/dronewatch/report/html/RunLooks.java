@@ -26,7 +26,7 @@ public final class RunLooks {
     private final Stage stage;
 
     /**
-     * For a run that has not started yet.
+     * The looks of a run that has not started yet.
      *
      * @param duration of the run, s
      * @param stage its site

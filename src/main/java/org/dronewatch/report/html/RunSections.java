@@ -22,7 +22,7 @@ final class RunSections {
         this.level = level;
     }
 
-    /** As a collapsible section of a sweep, with the verdict on this run. */
+    /** The run as a collapsible section of a sweep, with the verdict on this run. */
     String fold(boolean open) {
         String verdict = Html.plain("p", new Verdict(run).inWords());
         return Html.fold(SweepVerdict.title(run), verdict + html(), open);

@@ -51,7 +51,7 @@ final class LabelledCamera {
 
     /** Index of the look that a frame is; negative when the camera does not look then. Queried once for each frame. */
     long look(Frame frame) {
-        // As a run computes it: the same numbers.
+        // This is computed as in a run, with the same numbers.
         if (Double.compare(nextLook / sensor.rate(), frame.time()) != 0) {
             return -1;
         }

@@ -71,7 +71,7 @@ enum Role {
             this.scale = scale;
         }
 
-        /** As a fraction of a map's usual marker. */
+        /** The size as a fraction of a map's usual marker. */
         double scale() {
             return scale;
         }

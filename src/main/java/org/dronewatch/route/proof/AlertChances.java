@@ -21,8 +21,9 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
     }
 
     /**
-     * By the rule of a scene, where it can be computed: if any sensor alone raises an alert, by its first detection or,
-     * where its looks are independent, by detections in several of up to twelve looks. Empty for other rules.
+     * The chances by the rule of a scene, where they can be computed: if any sensor alone raises an alert, by its first
+     * detection or, where its looks are independent, by detections in several of up to twelve looks. Empty for other
+     * rules.
      */
     static Optional<AlertChances> of(LookSchedule schedule, AlertSettings alert) {
         int looks = alert.confirm().looks();

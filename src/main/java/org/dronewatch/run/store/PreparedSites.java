@@ -54,7 +54,7 @@ public final class PreparedSites {
     }
 
     /**
-     * With another store.
+     * Sites prepared with another store.
      *
      * @param small number of triangles below which the tree over a mesh is not looked up in the store
      */

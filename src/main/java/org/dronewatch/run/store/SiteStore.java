@@ -121,7 +121,7 @@ public final class SiteStore {
         }
     }
 
-    /** So that it is not the next to be deleted. */
+    /** Marks an entry as used, so that it is not the next to be deleted. */
     private static void markUsed(Path file) {
         try {
             Files.setLastModifiedTime(file, FileTime.from(Instant.now()));

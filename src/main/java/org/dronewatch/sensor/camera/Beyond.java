@@ -16,7 +16,7 @@ final class Beyond {
     private final Position camera;
 
     /**
-     * From the position of a camera.
+     * What is beyond drones as seen from the position of a camera.
      *
      * @param camera m
      */

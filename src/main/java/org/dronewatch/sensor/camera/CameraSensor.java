@@ -34,7 +34,7 @@ import org.dronewatch.world.World;
 
 /** A camera for visible light. Keeps its last image, and scratch memory for drones: one thread at a time. */
 public final class CameraSensor implements BoundingSensor {
-    /** Fewer pixels are counted at once. */
+    /** If there are fewer pixels than this, all are counted at once. */
     private static final int FEW_PIXELS = 256;
 
     private final CameraSettings settings;

@@ -44,7 +44,8 @@ final class DynamicView {
     private Silhouette[] silhouettes = new Silhouette[0];
 
     /**
-     * Those before the drone that is being drawn which may overlap with it in the image: few, where a swarm has many.
+     * The silhouettes in front of the drone that is being drawn which may overlap with it in the image: only a few of a
+     * large swarm.
      */
     private Silhouette[] rivals = new Silhouette[0];
 

@@ -13,7 +13,7 @@ final class SiteImages {
     private SiteImage image;
 
     /**
-     * None yet.
+     * A collection without images.
      *
      * @param atRest whether other runs are likely to have a camera of the same pose
      */

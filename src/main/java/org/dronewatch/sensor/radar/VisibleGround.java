@@ -40,7 +40,7 @@ final class VisibleGround {
     private double low;
     private double high;
 
-    /** As seen from a position in a world. */
+    /** The ground as seen from a position in a world. */
     VisibleGround(World world, Position radar) {
         this.radar = radar;
         this.visibility = new Visibility(world);

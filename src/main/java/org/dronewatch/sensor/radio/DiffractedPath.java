@@ -22,8 +22,8 @@ final class DiffractedPath {
     private static final double TWO_EDGES = 50.0;
 
     /**
-     * From this loss on, that of an edge which the line just touches, dB, the others count in full; they fade in up to
-     * it.
+     * From this loss on, which is that of an edge that the line just touches, dB, the other edges count in full; they
+     * fade in up to it.
      */
     private static final double GRAZING = KnifeEdge.loss(0.0);
 

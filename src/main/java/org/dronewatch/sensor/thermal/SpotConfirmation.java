@@ -51,8 +51,9 @@ final class SpotConfirmation {
     }
 
     /**
-     * From the probabilities that one frame, and two in succession, do not confirm the spot. Two share N - 1 marks:
-     * they do not confirm it if fewer than M - 1 of these are set, or if M - 1 are and no further one.
+     * An estimate from the probabilities that one frame, and two in succession, do not confirm the spot. Two frames
+     * share N - 1 marks: they do not confirm it if fewer than M - 1 of these are set, or if M - 1 are and no further
+     * one.
      */
     static double byPairs(int windows, int hits, int frames, double mark) {
         double fewer = 0.0;

@@ -175,8 +175,8 @@ final class SettingsWriter {
     }
 
     /**
-     * In the shortest form that a reader understands: numbers in order, the only part that is needed, or all parts by
-     * name.
+     * The settings in the shortest form that a reader understands: numbers in order, the only part that is needed, or
+     * all parts by name.
      */
     private Node record(Record settings, String path) {
         SettingsForm form = SettingsForm.of(settings.getClass());

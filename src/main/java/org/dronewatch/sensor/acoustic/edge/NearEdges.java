@@ -146,8 +146,8 @@ public final class NearEdges {
     }
 
     /**
-     * By how much the triangles of an edge bend in the plane through both ends of the line and a point of the edge; 0
-     * where they would not obstruct a line on the other side of it.
+     * The angle by which the triangles of an edge bend in the plane through both ends of the line and a point of the
+     * edge; 0 where they would not obstruct a line on the other side of it.
      */
     private double bend(
             Position source,

@@ -170,7 +170,7 @@ final class PlaneCut {
     }
 
     private int bent(double[] at) {
-        // Only across the line, so that what is straight remains a parabola over u.
+        // Points are bent only across the line, so that what is straight remains a parabola over u.
         return outline.point(along(at, ahead), along(at, side) + sag(along(at, ahead)) * side.z());
     }
 

@@ -36,8 +36,8 @@ final class EdgeLoss {
     private static final double FULL_TURN = 0.5;
 
     /**
-     * By what fraction another path may be longer to be of influence: less than that by which {@link EdgePath} looks
-     * for others, so that none comes and goes at once.
+     * The fraction by which another path may be longer and still have an influence: less than the fraction up to which
+     * {@link EdgePath} searches for others, so that no path appears or vanishes at once.
      */
     private static final double NEARLY_AS_SHORT = 0.1;
 
