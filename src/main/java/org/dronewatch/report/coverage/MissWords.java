@@ -22,6 +22,9 @@ final class MissWords {
     /** What hides a drone is named up to this number of times, the most frequent first. */
     private static final int MOST_NAMES = 3;
 
+    /** Less than this is not rounded to 0.1, dB. */
+    private static final double LEAST_SHOWN = 0.05;
+
     private static final String DECIBELS = "dB";
 
     private final GapEvidence evidence;
@@ -115,8 +118,10 @@ final class MissWords {
                 + measured(best.threshold(), best.unit()) + ")";
     }
 
+    /** A miss is never by nothing. */
     private static String decibels(Assessment one) {
-        return String.format(Locale.ROOT, "%.1f", Math.abs(one.marginDb()));
+        double missing = Math.abs(one.marginDb());
+        return missing < LEAST_SHOWN ? "less than 0.1" : String.format(Locale.ROOT, "%.1f", missing);
     }
 
     /** The best margin of an examined cell in which the signal is too weak, dB; minus infinity without one. */
