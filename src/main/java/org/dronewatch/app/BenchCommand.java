@@ -71,7 +71,7 @@ final class BenchCommand implements Callable<Integer> {
             names = "--traversal",
             defaultValue = "fastest",
             paramLabel = "NAME",
-            description = "tiles (for images), stack, sequential or bvh; the fastest by default.")
+            description = "tiles (for images), fan (for segments), stack, sequential or bvh; the fastest by default.")
     private TraversalKind traversal;
 
     @Option(

@@ -7,10 +7,12 @@ import org.dronewatch.kdtree.SequentialTraversal;
 
 /** The traversals of a tree that can be measured. */
 public enum TraversalKind {
-    /** The fastest for the set: tiles for a picture, vectors for other sets if they can be used. */
+    /** The fastest for the set: tiles for a picture, fans for segments, vectors for other sets if they can be used. */
     FASTEST,
     /** Tiles of a picture; one ray at a time for other sets. */
     TILES,
+    /** Segments with a common origin together; for other sets, as BVH. */
+    FAN,
     /** One ray at a time, ordered, with a stack. */
     STACK,
     /** One ray at a time, eight boxes per step with vector instructions; if these cannot be used, as STACK. */
@@ -21,7 +23,8 @@ public enum TraversalKind {
     /** This kind, or the one that it stands for with a set of rays. */
     TraversalKind of(RaySet set) {
         return switch (this) {
-            case FASTEST -> set.width() > 0 ? TILES : BVH;
+            case FASTEST -> set.width() > 0 ? TILES : FAN.of(set);
+            case FAN -> set.query() == RaySet.Query.OCCLUDED ? FAN : BVH;
             case TILES -> set.width() > 0 ? TILES : STACK;
             default -> this;
         };
@@ -36,6 +39,7 @@ public enum TraversalKind {
                 boolean[][] isTile = PictureTracer.tilesOf(picture);
                 yield () -> new PictureTracer(index.tree(), set, picture, isTile);
             }
+            case FAN -> () -> new FanSetTracer(index.newSegmentFan(), set);
             case BVH -> () -> new RaySetTracer(index.newIncoherentRayTracer(), set);
             default -> () -> new RaySetTracer(index.newRayTracer(), set);
         };

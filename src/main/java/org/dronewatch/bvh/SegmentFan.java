@@ -1,0 +1,101 @@
+package org.dronewatch.bvh;
+
+import org.dronewatch.geometry.AABB;
+import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
+
+/**
+ * Finds out which of many segments with a common origin are hidden: the lines of sight from a sensor to many places.
+ * The answers are those of {@link RayTracer#isOccluded} for each segment. Segments of similar directions are traced
+ * together, in whatever order they are given; those for which single precision leaves a doubt are traced again, one by
+ * one. For the use of one thread.
+ */
+public final class SegmentFan {
+    private final RayTracer single;
+    private final FanOrder order = new FanOrder();
+    private final FanBeam beam = new FanBeam();
+
+    /** Traces segments together; null to trace all of them one by one. */
+    private final FanTracer tracer;
+
+    private double ox;
+    private double oy;
+    private double oz;
+
+    /**
+     * Segments in a tree.
+     *
+     * @param single traces one segment
+     * @param byVectors whether the processor's vectors can be used
+     */
+    SegmentFan(KDTree tree, RayTracer single, boolean byVectors) {
+        this.single = single;
+        this.tracer = byVectors && isBounded(tree.bounds()) ? new FanTracer(tree, beam) : null;
+    }
+
+    private static boolean isBounded(AABB box) {
+        return isBounded(box.minX(), box.minY(), box.minZ()) && isBounded(box.maxX(), box.maxY(), box.maxZ());
+    }
+
+    private static boolean isBounded(double x, double y, double z) {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) < FanOrder.FARTHEST;
+    }
+
+    /**
+     * Finds out which segments are hidden.
+     *
+     * @param originX of the origin of all segments, m
+     * @param originY of the origin, m
+     * @param originZ of the origin, m
+     * @param vectors of the segments from the origin to their ends: x, y and z of each, m
+     * @param count number of segments
+     * @param skipped at both ends of each segment triangles within this distance do not count, m; 0 or more
+     * @param hidden receives for each segment whether any triangle hides it; none hides one without length
+     */
+    public void trace(
+            double originX,
+            double originY,
+            double originZ,
+            double[] vectors,
+            int count,
+            double skipped,
+            boolean[] hidden) {
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        if (tracer == null || !isBounded(ox, oy, oz)) {
+            for (int segment = 0; segment < count; segment++) {
+                hidden[segment] = isHidden(vectors, segment, skipped);
+            }
+            return;
+        }
+        for (int from = 0; from < count; from += FanOrder.MOST) {
+            traceSorted(vectors, from, Math.min(FanOrder.MOST, count - from), skipped, hidden);
+        }
+    }
+
+    private void traceSorted(double[] vectors, int first, int count, double skipped, boolean[] hidden) {
+        order.sort(vectors, first, count);
+        int from = 0;
+        while (from < count) {
+            from = beam.take(order, from, count);
+            boolean isTraced = beam.isTraceable();
+            if (isTraced) {
+                tracer.trace(ox, oy, oz, skipped);
+            }
+            for (int lane = 0; lane < beam.lanes(); lane++) {
+                int segment = first + beam.segment(lane);
+                hidden[segment] = isTraced && beam.isHidden(lane)
+                        || !(isTraced && beam.isClear(lane)) && isHidden(vectors, segment, skipped);
+            }
+        }
+    }
+
+    private boolean isHidden(double[] vectors, int segment, double skipped) {
+        double x = vectors[3 * segment];
+        double y = vectors[3 * segment + 1];
+        double z = vectors[3 * segment + 2];
+        double start = skipped == 0.0 ? 0.0 : skipped / Math.sqrt(x * x + y * y + z * z);
+        return (x != 0.0 || y != 0.0 || z != 0.0) && single.isOccluded(ox, oy, oz, x, y, z, start, 1.0 - start);
+    }
+}
