@@ -2,12 +2,16 @@ package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import org.dronewatch.LongForm;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
 import org.junit.jupiter.api.BeforeAll;
@@ -103,11 +107,13 @@ class PlaceCommandTest {
                 "drone: two                                       | 'drone two: there is no such drone'",
                 "objective: money                                 | 'objective: ''money'' is not one of [coverage]'",
                 "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that complies'",
+                "air: {cell: 1 m}                                 | 'air.cell: 500 x 500 cells at 5 heights on 8 headings'",
                 "conditions: {fold: 0}                            | 'fold 0 must be 1 to 10'",
             })
     void namesWhatIsWrong(String line, String message) throws IOException {
         Path bad = directory.resolve("bad.place.yaml");
-        String good = Files.readString(file).replaceAll("(?m)^(budget|keep):.*\n", "");
+        String good = Files.readString(file)
+                .replaceAll("(?m)^(budget|keep" + (line.startsWith("air") ? "|air" : "") + "):.*\n", "");
         Files.writeString(bad, good + (line.startsWith("budget") ? "" : "budget: 1\n") + line + "\n");
         Outcome refused = place(bad, "--out=" + directory.resolve("refused"));
 
@@ -116,6 +122,32 @@ class PlaceCommandTest {
                 .contains(message.replace("unknown", "bad.place.yaml:"))
                 .doesNotContain("\tat ");
         assertThat(directory.resolve("refused")).doesNotExist();
+    }
+
+    /** The page's example: its table of what each sensor covers, and the sentences below it. */
+    @Test
+    void thePageStatesTheLayoutAtMonaco() throws IOException {
+        assumeTrue(LongForm.IS_ON, "takes some ten seconds");
+        String page = Files.readString(Path.of("src", "site", "markdown", "placement.md"));
+        Outcome monaco = place(Path.of("scenes", "palace.place.yaml"));
+
+        assertThat(monaco.code()).as(monaco.err()).isZero();
+        List<String> shares = Pattern.compile("\\d+\\.\\d %")
+                .matcher(monaco.out())
+                .results()
+                .map(MatchResult::group)
+                .toList();
+        assertThat(shares).hasSize(15).allMatch(page::contains);
+    }
+
+    /** {@code again} finds the file unchanged, and place.json the same. */
+    @Test
+    void againRepeatsIt() {
+        Outcome again =
+                Program.run("again", directory.resolve("provenance.json").toString());
+
+        assertThat(again.code()).as(again.err()).isZero();
+        assertThat(again.out()).contains("same       place.json").doesNotContain("changed since");
     }
 
     @Test

@@ -35,6 +35,9 @@ public final class CoveredCells {
     /** The number of cells along a side unless the length of a cell is given. */
     private static final double CELLS = 50.0;
 
+    /** Maximum number of rows. */
+    private static final int MOST = 2_000_000;
+
     private final PlacePlan plan;
     private final Stage stage;
     private final LayerStore store;
@@ -59,6 +62,16 @@ public final class CoveredCells {
         this.store = store;
         this.grid = grid(plan);
         this.courses = courses();
+        checkSize();
+    }
+
+    private void checkSize() {
+        long rows = (long) grid.cells() * grid.heights().size() * courses.size();
+        if (rows > MOST) {
+            throw new InputException("air.cell: " + grid.columns() + " x " + grid.columns() + " cells at "
+                    + grid.heights().size() + " heights on " + courses.size()
+                    + " headings are too many, must be at most " + MOST + " together: give a larger cell");
+        }
     }
 
     private List<Course> courses() {
