@@ -36,7 +36,8 @@ final class ConvexRoom {
     /** The room whose triangles these are; empty if they are not a closed convex room. */
     static Optional<ConvexRoom> of(LeafOrderTriangles triangles) {
         ConvexRoom room = new ConvexRoom(new CornerTable(triangles.corners()));
-        return room.findWalls() && room.isClosed() ? Optional.of(room) : Optional.empty();
+        boolean exists = triangles.count() > 0 && room.findWalls() && room.isClosed();
+        return exists ? Optional.of(room) : Optional.empty();
     }
 
     /** The planes of all walls; their unit vectors point outward. */

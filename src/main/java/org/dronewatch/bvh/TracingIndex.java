@@ -102,6 +102,9 @@ public final class TracingIndex {
      * traversal.
      */
     public Optional<RayPacket> newRayPacket() {
+        if (few.isEmpty()) {
+            return Optional.empty();
+        }
         RayTracer alone = newIncoherentRayTracer();
         if (room.isPresent()) {
             return Optional.of(
@@ -109,7 +112,7 @@ public final class TracingIndex {
                             ? new VectorConvexRoomPacket(tree.triangles(), room.get(), alone)
                             : new ConvexRoomPacket(tree.triangles(), room.get(), alone));
         }
-        return few.isPresent() && traversal == RayTraversal.FASTEST && suitsVectors()
+        return traversal == RayTraversal.FASTEST && suitsVectors()
                 ? Optional.of(new FewTrianglesPacket(tree.triangles(), alone))
                 : Optional.empty();
     }

@@ -85,6 +85,13 @@ class ConvexRoomTest {
         assertThat(room(dented, WALLS)).as("a corner pressed in").isEmpty();
     }
 
+    @Test
+    void thereIsNoRoomWithoutTriangles() {
+        assertThat(room(new float[0])).isEmpty();
+        assertThat(new TracingIndex(KDTree.of(TriangleMesh.of(new float[0], new int[0]))).newRayPacket())
+                .isEmpty();
+    }
+
     /** Each edge of these is one of two triangles, as in a closed room. */
     @Test
     void sheetsOfTwoLayersAreNot() {
