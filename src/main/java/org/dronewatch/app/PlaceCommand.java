@@ -28,13 +28,13 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Finds the best layout for the money. */
+/** Finds the best layout of sensors for a budget. */
 @Command(
         name = "place",
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, among sensors that may be bought and the places where they may stand, those that cover the most"
-                        + " air within a budget; prints the layout, how much better one could be at most, and the order in"
+                        + " air within a budget; prints the layout, the most that any other could cover, and the order in"
                         + " which to buy its sensors.",
         footer = {
             "",
@@ -52,15 +52,15 @@ final class PlaceCommand implements Callable<Integer> {
             description = "Placement file: scene, candidates with their places and prices, budget, and conditions.")
     private String file;
 
-    @Option(names = "--budget", paramLabel = "N", description = "Budget instead of that in the file.")
+    @Option(names = "--budget", paramLabel = "N", description = "Budget in place of the one in the file.")
     private Double budget;
 
     @Option(
             names = "--gap",
             paramLabel = "G",
             description =
-                    "Ends the search once no layout can cover more than the best so far by this fraction of it, 0 to 1;"
-                            + " 0.001 by default, 0 proves the best.")
+                    "Ends the search once no layout can cover more than the best so far by more than this fraction of"
+                            + " it, 0 to 1; 0.001 by default; 0 proves the best.")
     private double gap = DEFAULT_GAP;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")

@@ -11,19 +11,20 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The air that is to be covered, and when a sensor covers it: the options of {@code coverage} of the same names.
+ * The air that is to be covered, and the terms on which a sensor covers it, which are the options of {@code coverage}
+ * of the same names.
  *
- * @param area a protected zone of the scene: only cells whose centre is in it count
+ * @param area a protected zone of the scene; only cells whose centre is in it count
  * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
  *     default
  * @param covered the probability with which a sensor covers a cell, above 0 and at most 1; 0.5 by default
- * @param within time in which it has to detect the drone, s; one look by default
- * @param heading {@code any}: every cell counts an eighth on each of eight headings; {@code inbound}: towards the
- *     protected zone. {@code any} by default
- * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or {@code search}; {@code
- *     cued} by default
+ * @param within time in which a sensor has to detect the drone, s; one look by default
+ * @param heading {@code any}: every cell counts by an eighth on each of eight headings; {@code inbound}: every cell
+ *     counts on the heading towards the protected zone. {@code any} by default
+ * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or search for it,
+ *     {@code search}; {@code cued} by default
  */
 public record AirSettings(
         Optional<String> area,
@@ -34,15 +35,15 @@ public record AirSettings(
         @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within,
         Heading heading,
         FieldTerms.Turning pointing) {
-    /** Which heading of the drone counts. */
+    /** The headings of the drone that count. */
     public enum Heading {
-        /** Eight directions of the compass, which count alike. */
+        /** Eight headings of the compass, which count alike. */
         ANY,
-        /** Towards the protected zone. */
+        /** The heading towards the protected zone. */
         INBOUND
     }
 
-    /** The air within 250 m. */
+    /** The air in a square of 500 m around the candidates. */
     @Defaults
     public static final AirSettings DEFAULT = new AirSettings(
             Optional.empty(),
@@ -61,7 +62,7 @@ public record AirSettings(
         new FieldGrid(0.0, 0.0, side, side, heights);
     }
 
-    /** On which terms the drone counts as detected. */
+    /** The terms on which the drone counts as detected. */
     FieldTerms terms() {
         return new FieldTerms(pointing, within);
     }

@@ -34,7 +34,7 @@ public record AreaOfPlaces(
         return new AreaOfPlaces(corners, every, LineOfPlaces.ABOVE);
     }
 
-    /** The places in plan view, row by row from the south-west; at most so many and one more. */
+    /** The places in plan view, row by row from the south-west; at most one more than a given number. */
     List<GroundPoint> points(int most) {
         AreaZone zone = new AreaZone("area", ProtectedArea.polygon(corners, 1.0), 0.0, 0.0);
         double west = corners.stream().mapToDouble(GroundPoint::x).min().orElseThrow();

@@ -7,9 +7,9 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What the layout must comply with, beside the budget.
+ * The conditions with which the layout must comply, besides the budget.
  *
- * @param atMost number of sensors that it may have, those that are kept among them; any by default
+ * @param atMost maximum number of its sensors, including those that are kept; any number by default
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default
  * @param anyoneLost what must remain covered after the loss of the sensor whose loss is worst
  */

@@ -37,7 +37,7 @@ public record LineOfPlaces(
         return new LineOfPlaces(from, to, every, ABOVE);
     }
 
-    /** The places in plan view, from its beginning; at most so many and one more. */
+    /** The places in plan view, from its beginning; at most one more than a given number. */
     List<GroundPoint> points(int most) {
         double length = from.distance(to);
         List<GroundPoint> points = new ArrayList<>();

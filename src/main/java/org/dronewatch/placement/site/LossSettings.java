@@ -5,7 +5,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What must remain after a loss.
+ * The coverage that must remain after a loss.
  *
  * @param atLeast the least fraction of the air that is still covered, 0 to 1
  */

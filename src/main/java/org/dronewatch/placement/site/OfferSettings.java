@@ -13,16 +13,16 @@ import org.dronewatch.setting.file.Node;
  * A sensor that may be bought, and where it may stand.
  *
  * @param sensor its settings as in a scene file, without a position, such as {@code {use: blighter-a400-m10s}}
- * @param price of one with its installation, 0 to 1e12, in the currency of the budget
- * @param places where one may stand
+ * @param price of one sensor with its installation, 0 to 1e12, in the currency of the budget
+ * @param places where the sensor may stand
  * @param line places along a line
  * @param area places within a polygon, such as a roof
  * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
  *     each place, 1 to 72; 1 by default
- * @param exclusive whether at most one of such sensors, of all candidates, may stand at a place; {@code false} by
+ * @param exclusive whether at most one such sensor, of all candidates, may stand at a place; {@code false} by
  *     default
- * @param atLeast number of them that the layout must have, 0 by default
- * @param atMost number of them that it may have; any by default
+ * @param atLeast minimum number of them in the layout; 0 by default
+ * @param atMost maximum number of them in the layout; any number by default
  */
 public record OfferSettings(
         Node.Mapping sensor,

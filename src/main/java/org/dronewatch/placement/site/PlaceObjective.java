@@ -1,6 +1,6 @@
 package org.dronewatch.placement.site;
 
-/** What a placement file makes best. */
+/** The quantity that a placement maximises. */
 public enum PlaceObjective {
     /** The fraction of the air in which at least one sensor covers the drone. */
     COVERAGE

@@ -25,7 +25,9 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
-/** Finds the best layout of a plan: what each candidate covers is assessed once, and then the best of them chosen. */
+/**
+ * Finds the best layout of a plan: what each candidate covers is assessed once, and then the best of them are chosen.
+ */
 public final class PlaceSearch {
     private final PlacePlan plan;
     private final CoveredCells cells;
@@ -38,11 +40,11 @@ public final class PlaceSearch {
         this.solver = solver;
     }
 
-    /** What was assessed of a site. */
+    /** The coverage that was assessed: of candidates, and of the scene's own sensors. */
     private record Assessed(List<CandidateColumn> columns, Optional<List<CandidateColumn>> present, boolean isWhole) {}
 
     /**
-     * The best layout that it finds.
+     * The best layout that this search finds.
      *
      * @param limits of the choice among the candidates
      * @param progress receives the number of cells that were assessed since the last call

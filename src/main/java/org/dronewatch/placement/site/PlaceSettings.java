@@ -12,11 +12,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A placement: which sensors, at which of several places, cover the most air for the money.
+ * A placement: a search for the sensors, and for their places among several, that cover the most air within a budget.
  *
  * @param scene a packaged scene by name, or a scene file beside this file or below it
  * @param drone of the scene, which is to be detected; the first by default
- * @param objective what is made best: {@code coverage}
+ * @param objective the quantity that is maximised: {@code coverage}
  * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
  * @param candidates sensors that may be bought, by the names that those in the layout begin with
  * @param keep sensors of the scene that stay, at no cost
@@ -50,7 +50,7 @@ public record PlaceSettings(
         }
     }
 
-    /** The most coverage for a budget. */
+    /** A placement with the most coverage for a budget. */
     @Defaults({"scene", "budget", "candidates"})
     public static PlaceSettings of(String scene, double budget, Map<String, OfferSettings> candidates) {
         return new PlaceSettings(

@@ -22,7 +22,8 @@ import org.dronewatch.placement.PlacementResult;
  * @param problem whose rows have a weight of 1 each
  * @param result of the search, in rows
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before
- * @param worst fraction of the cells that it covers on the heading that is worst for it; empty if that was interrupted
+ * @param worst fraction of the cells that the layout covers on the worst heading in each; empty if its computation was
+ *     interrupted
  * @param complete whether every candidate was assessed and the search ended by itself
  */
 public record SitePlacement(
@@ -53,7 +54,7 @@ public record SitePlacement(
         return result.value() / rows();
     }
 
-    /** No layout covers a greater fraction. */
+    /** The fraction that no layout exceeds. */
     public double bound() {
         return result.bound() / rows();
     }
@@ -64,7 +65,7 @@ public record SitePlacement(
         return (double) column.size() / rows();
     }
 
-    /** What remains covered without each of the sensors, by their names, in the order of the file. */
+    /** The fraction that remains covered without each of the sensors, by their names, in the order of the file. */
     public Map<String, Double> withoutEach() {
         Map<String, Double> remaining = new LinkedHashMap<>();
         for (int lost : result.chosen()) {

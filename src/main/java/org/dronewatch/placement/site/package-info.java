@@ -1,2 +1,5 @@
-/** The best layout of a real place: where sensors may stand, what each covers, and the scene with the best of them. */
+/**
+ * The best layout of sensors at a real site: where sensors may stand, what each covers, and the scene with the best of
+ * them.
+ */
 package org.dronewatch.placement.site;

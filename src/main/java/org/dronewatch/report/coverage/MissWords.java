@@ -22,7 +22,7 @@ final class MissWords {
     /** What hides a drone is named up to this number of times, the most frequent first. */
     private static final int MOST_NAMES = 3;
 
-    /** Less than this is not rounded to 0.1, dB. */
+    /** A value below this is written as less than 0.1, dB. */
     private static final double LEAST_SHOWN = 0.05;
 
     private static final String DECIBELS = "dB";
@@ -118,7 +118,7 @@ final class MissWords {
                 + measured(best.threshold(), best.unit()) + ")";
     }
 
-    /** A miss is never by nothing. */
+    /** The missing margin in words; it is never 0. */
     private static String decibels(Assessment one) {
         double missing = Math.abs(one.marginDb());
         return missing < LEAST_SHOWN ? "less than 0.1" : String.format(Locale.ROOT, "%.1f", missing);

@@ -54,7 +54,7 @@ public final class PlaceDirectory implements AutoCloseable {
             } catch (InputException e) {
                 notes.accept("the layout is not written as a scene: " + e.getMessage());
             }
-            // That of an earlier layout must not stay beside these results.
+            // The scene of an earlier layout must not remain beside these results.
             directory.publish(
                     isWritten || !Files.isRegularFile(target.resolve("place.json")) ? List.of() : List.of(SCENE));
         });

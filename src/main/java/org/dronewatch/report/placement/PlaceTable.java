@@ -12,7 +12,7 @@ import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Aimed;
 
-/** The best layout as a table, in the order in which its sensors are best bought, and what it is worth in words. */
+/** The best layout as a table, in the order in which its sensors are best bought, and its coverage in words. */
 public final class PlaceTable {
     private static final String ROW = "%-24s  %-8s  %24s  %7s  %10s  %10s  %7s  %8s";
     private static final double FULL_TURN = 360.0;
@@ -46,9 +46,9 @@ public final class PlaceTable {
                 .worst()
                 .ifPresent(share -> lines.add(
                         placement.headings() > 1
-                                ? "On the heading that is worst for it in each cell, it covers " + percent(share)
+                                ? "On the heading that is worst in each cell, the layout covers " + percent(share)
                                         + " of the cells."
-                                : "All this is for flight towards the protected zone."));
+                                : "All figures are for flight towards the protected zone."));
         placement
                 .present()
                 .ifPresent(own -> lines.add("The scene's own " + own.sensors()
@@ -65,7 +65,7 @@ public final class PlaceTable {
         String covered =
                 "The layout covers " + percent(placement.value()) + " of the air (" + placement.cells() + " cells"
                         + (placement.headings() > 1 ? ", " + placement.headings() + " headings)" : ")")
-                        + (fold > 1 ? ", each with " + fold + " sensors or more," : "") + " for "
+                        + (fold > 1 ? ", each covered by " + fold + " sensors or more," : "") + " for "
                         + Numbers.text(placement.result().cost());
         boolean isBest = placement.value() == placement.bound();
         return covered
