@@ -7,7 +7,7 @@ package org.dronewatch.route;
  */
 final class CourseBracket {
     /** A fraction below this counts like this one; as a power of ten. */
-    private static final double NOTHING = -3.0;
+    private static final double NOTHING = -1.5;
 
     private final double passing;
     private int below = -1;
