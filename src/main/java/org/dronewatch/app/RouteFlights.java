@@ -47,7 +47,7 @@ final class RouteFlights {
         try {
             Progress.during("looks along the routes", all, progress -> {
                 for (SectorRoute route : survey.routes()) {
-                    assessed.add(assess(route, survey));
+                    assessed.add(assess(route, survey, runs > 0 ? FlownRoute.ESTIMATES : 1));
                     progress.accept(1);
                 }
                 return all;
@@ -67,12 +67,12 @@ final class RouteFlights {
         return new RouteResults(survey.with(assessed, true), times, proofs, timely, survey.isComplete());
     }
 
-    private SectorRoute assess(SectorRoute route, RouteSurvey survey) {
+    private SectorRoute assess(SectorRoute route, RouteSurvey survey, int estimates) {
         Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
         if (scene.isEmpty()) {
             return route;
         }
-        FlownRoute flight = FlownRoute.of(scene.get(), runner.load(scene.get()));
+        FlownRoute flight = FlownRoute.of(scene.get(), runner.load(scene.get()), estimates);
         flown.put(route.sector(), flight);
         boolean isCued = inputs.pointing() == FieldTerms.Turning.CUED && RouteProof.hasCues(scene.get());
         if (survey.response() > 0.0) {

@@ -5,20 +5,22 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.report.Charts;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.map.RouteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.setting.InputException;
@@ -84,42 +86,49 @@ public final class RouteDirectory implements AutoCloseable {
                 notes.accept("the scene has no world.origin: no GeoJSON or KML files are written");
             }
             scenes.write(results.survey(), target, directory).ifPresent(notes);
-            int[] ground = MapSheet.ground(stage.world(), inputs.grid());
-            MapSheet plan = new RoutePictures(stage, inputs).plan(results.survey(), ground);
-            MapSheet times = new TimeToGoPicture(stage, inputs, results.times()).sheet(ground);
-            Optional<BufferedImage> view = RouteView.of(results.survey(), inputs, scenes, models);
-            write(plan, "routes.png");
-            write(times, "time-to-go.png");
-            Optional<BufferedImage> profile =
-                    results.survey().weakest().map(route -> Charts.picture(RouteProfilePicture.of(route, inputs)));
-            write(view, "view.png");
-            write(profile, "profile.png");
+            Map<String, Figure> figures = figures(results, inputs, scenes, stage, models);
+            for (Map.Entry<String, Figure> figure : figures.entrySet()) {
+                Files.write(directory.file(figure.getKey()), figure.getValue().png());
+            }
             try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
                 new RouteReport(results, inputs, stage)
                         .write(
                                 page,
-                                List.of(plan, times),
-                                view,
-                                profile,
+                                figures.values(),
                                 provenance.inWords(inputs.settings().run().seed(), threads));
             }
             directory.publish(directory.former(NUMBERS, FILES));
         });
     }
 
-    private void write(MapSheet sheet, String name) throws IOException {
-        try (OutputStream png = Files.newOutputStream(directory.file(name))) {
-            sheet.writePng(png);
+    /** The pictures by the names of their files, in the order of the report. */
+    private static Map<String, Figure> figures(
+            RouteResults results, RouteInputs inputs, RouteScenes scenes, Stage stage, ModelCache models)
+            throws IOException {
+        RouteSurvey survey = results.survey();
+        int[] ground = MapSheet.ground(stage.world(), inputs.grid());
+        Map<String, Figure> figures = new LinkedHashMap<>();
+        figures.put(
+                "routes.png",
+                new RoutePictures(stage, inputs).plan(survey, ground).figure());
+        figures.put(
+                "time-to-go.png",
+                new TimeToGoPicture(stage, inputs, results.times())
+                        .sheet(ground)
+                        .figure());
+        Optional<BufferedImage> view = RouteView.of(survey, inputs, scenes, models);
+        if (view.isPresent()) {
+            figures.put("view.png", Figure.of("The routes from the side, coloured as on the map.", view.get()));
         }
-    }
-
-    private void write(Optional<BufferedImage> picture, String name) throws IOException {
-        if (picture.isPresent()) {
-            try (OutputStream png = Files.newOutputStream(directory.file(name));
-                    ImageOutputStream stream = new MemoryCacheImageOutputStream(png)) {
-                ImageIO.write(picture.get(), "png", stream);
-            }
+        Optional<SectorRoute> weakest = survey.weakest();
+        if (weakest.isPresent()) {
+            BufferedImage profile = Charts.picture(RouteProfilePicture.of(weakest.get(), inputs));
+            String caption =
+                    "The weakest route: its height above the ground, and the probability that the drone has been"
+                            + " detected by then.";
+            figures.put("profile.png", Figure.of(caption, profile));
         }
+        return figures;
     }
 
     /** Removes what was not written completely. */

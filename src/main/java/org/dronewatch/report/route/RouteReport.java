@@ -2,17 +2,16 @@ package org.dronewatch.report.route;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.dronewatch.analysis.field.FieldTerms;
-import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
@@ -41,18 +40,10 @@ final class RouteReport {
     /**
      * Writes the page.
      *
-     * @param maps of the site
-     * @param view of the routes in perspective, if there is a route
-     * @param profile of the weakest route, if there is one
+     * @param figures in their order
      * @param provenance origin of the results, as names and values
      */
-    void write(
-            OutputStream target,
-            List<MapSheet> maps,
-            Optional<BufferedImage> view,
-            Optional<BufferedImage> profile,
-            Map<String, String> provenance)
-            throws IOException {
+    void write(OutputStream target, Collection<Figure> figures, Map<String, String> provenance) throws IOException {
         Page page = new Page(target, inputs.scene() + ": route report", inputs.scene() + ": weakest routes");
         page.verdict(words.weakest(survey));
         page.section(
@@ -66,16 +57,9 @@ final class RouteReport {
                                 .flatMap(Optional::stream)
                                 .map(text -> Html.plain("p", "Warning: " + text + "."))
                                 .reduce("", String::concat));
-        for (MapSheet map : maps) {
-            Figure figure = map.figure();
+        for (Figure figure : figures) {
             page.add(Html.figure(figure.png(), figure.caption()));
         }
-        add(page, view, "The routes from the side, coloured as on the map.");
-        add(
-                page,
-                profile,
-                "The weakest route: its height above the ground, and the probability that the drone has been detected"
-                        + " by then.");
         if (!results.proofs().isEmpty()) {
             page.section("Proof by flight", proofs());
         }
@@ -84,13 +68,6 @@ final class RouteReport {
         page.section("Scope of these results", list(scope(sensors)));
         page.section("Provenance", Html.definitions(provenance));
         page.end();
-    }
-
-    private static void add(Page page, Optional<BufferedImage> picture, String caption) throws IOException {
-        if (picture.isPresent()) {
-            Figure figure = Figure.of(caption, picture.get());
-            page.add(Html.figure(figure.png(), figure.caption()));
-        }
     }
 
     private String introduction() {

@@ -27,16 +27,19 @@ public final class FlownRoute {
     /** The standard deviation of the time that is left, and of the response, as a fraction of the mean: assumed. */
     public static final double SPREAD = 0.3;
 
+    /** A probability that is estimated from random rays is the mean of this many estimates, of 32 traces each. */
+    public static final int ESTIMATES = 16;
+
     private final SceneSettings settings;
     private final ModelCache models;
     private final Stage stage;
     private final LookSchedule schedule;
 
-    private FlownRoute(SceneSettings settings, ModelCache models, Stage stage) {
+    private FlownRoute(SceneSettings settings, ModelCache models, Stage stage, int estimates) {
         this.settings = settings;
         this.models = models;
         this.stage = stage;
-        this.schedule = LookSchedule.of(settings, stage);
+        this.schedule = LookSchedule.of(settings, stage, estimates);
     }
 
     /**
@@ -48,13 +51,23 @@ public final class FlownRoute {
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models) {
+        return of(scene, models, ESTIMATES);
+    }
+
+    /**
+     * The same with more or fewer estimates.
+     *
+     * @param estimates of a look's probability, where it is estimated from random rays, as those of microphones in the
+     *     level model are; at least 1
+     */
+    public static FlownRoute of(SceneSettings scene, ModelCache models, int estimates) {
         int drones = scene.individualDrones().size();
         if (drones != 1) {
             throw new IllegalArgumentException(drones + " drones: must be 1 on a route");
         }
         SceneSettings settings = RouteScene.withoutCues(scene);
         return new FlownRoute(
-                settings, models, new Stage(settings, models, settings.run().seed()));
+                settings, models, new Stage(settings, models, settings.run().seed()), estimates);
     }
 
     /** The probability that a run detects the drone, 0 to 1. */

@@ -28,9 +28,6 @@ import org.dronewatch.sensor.SensorSettings;
  * heading and the speed of the run, and with the pointing of a positioner that only searches. Immutable.
  */
 final class LookSchedule {
-    /** A probability that is estimated from random rays is the mean of this many estimates. */
-    private static final int ESTIMATES = 16;
-
     private final List<SensorSettings<?>> sensors;
     private final List<ScheduledLook> looks;
 
@@ -44,8 +41,9 @@ final class LookSchedule {
      *
      * @param settings of a scene with one drone, {@linkplain RouteScene#withoutCues without cues}
      * @param stage of the same scene
+     * @param estimates of a probability that is estimated from random rays: it is their mean
      */
-    static LookSchedule of(SceneSettings settings, Stage stage) {
+    static LookSchedule of(SceneSettings settings, Stage stage, int estimates) {
         Drone drone = stage.dronesAt(0.0).get(0);
         FlightPath path = stage.flight(drone.id());
         List<String> names = List.copyOf(settings.enabledSensors().keySet());
@@ -68,11 +66,15 @@ final class LookSchedule {
                 }
             }
         }
-        return new LookSchedule(sensors, assessed(taken, names, sensors, stage));
+        return new LookSchedule(sensors, assessed(taken, names, sensors, stage, estimates));
     }
 
     private static List<ScheduledLook> assessed(
-            List<ScheduledLook> taken, List<String> names, List<SensorSettings<?>> sensors, Stage stage) {
+            List<ScheduledLook> taken,
+            List<String> names,
+            List<SensorSettings<?>> sensors,
+            Stage stage,
+            int estimates) {
         ScheduledLook[] assessed = new ScheduledLook[taken.size()];
         Workers.forEach(taken.size(), () -> new Assessor[sensors.size()], (assessors, i) -> {
             ScheduledLook look = taken.get(i);
@@ -80,21 +82,21 @@ final class LookSchedule {
             if (assessors[sensor] == null) {
                 assessors[sensor] = new Assessor(names.get(sensor), sensors.get(sensor), stage.world());
             }
-            assessed[i] = assessed(assessors[sensor], look);
+            assessed[i] = assessed(assessors[sensor], look, estimates);
         });
         return Arrays.stream(assessed)
                 .sorted(Comparator.comparingDouble(ScheduledLook::time))
                 .toList();
     }
 
-    private static ScheduledLook assessed(Assessor assessor, ScheduledLook look) {
+    private static ScheduledLook assessed(Assessor assessor, ScheduledLook look, int estimates) {
         Assessment first = assess(assessor, look, 0);
         boolean isEstimated = first.probabilityError() > 0.0;
         double sum = first.probability();
-        for (int estimate = 1; isEstimated && estimate < ESTIMATES; estimate++) {
+        for (int estimate = 1; isEstimated && estimate < estimates; estimate++) {
             sum += assess(assessor, look, estimate).probability();
         }
-        double mean = isEstimated ? sum / ESTIMATES : sum;
+        double mean = isEstimated ? sum / estimates : sum;
         return new ScheduledLook(look.number(), look.look(), look.drone(), mean, isEstimated);
     }
 

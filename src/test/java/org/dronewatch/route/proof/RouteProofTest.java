@@ -119,7 +119,7 @@ class RouteProofTest {
         SceneSettings scene = RouteScene.withoutCues(randomFlight(new SplittableRandom(8)));
         FlownRoute flown = FlownRoute.of(scene, models);
         LookSchedule looks =
-                LookSchedule.of(scene, new Stage(scene, models, scene.run().seed()));
+                LookSchedule.of(scene, new Stage(scene, models, scene.run().seed()), FlownRoute.ESTIMATES);
         FlownExposure exposure = flown.exposure();
 
         for (double time : new double[] {3.0, 10.0, 17.5, 1000.0}) {
