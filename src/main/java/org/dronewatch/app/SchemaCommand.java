@@ -3,6 +3,7 @@ package org.dronewatch.app;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.dronewatch.placement.site.PlaceSettings;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.PackagedTexts;
 import org.dronewatch.scenario.SceneSchema;
@@ -18,7 +19,7 @@ import picocli.CommandLine.Spec;
         name = "schema",
         mixinStandardHelpOptions = true,
         description = {
-            "Prints the JSON schema of scene files, with the kinds that all jars on the class path add.",
+            "Prints the JSON schema of scene files, or of placement files, with the kinds that all jars on the class path add.",
             "Editors complete and check scene files as you type if their first line is",
             "# yaml-language-server: $schema=scene.schema.json"
         },
@@ -29,6 +30,9 @@ final class SchemaCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE.json", description = "File to write instead of standard output.")
     private String out;
 
+    @Option(names = "--place", description = "The schema of placement files instead of that of scene files.")
+    private boolean place;
+
     @Spec
     private CommandSpec spec;
 
@@ -38,7 +42,8 @@ final class SchemaCommand implements Callable<Integer> {
             throw new InputException("--out " + PlainText.value(out) + ": must end in " + ENDING);
         }
         WholeFile target = out == null ? null : new WholeFile("--out", out);
-        String schema = new SceneSchema(new PackagedTexts()).write();
+        SceneSchema all = new SceneSchema(new PackagedTexts());
+        String schema = place ? all.write("dronewatch placement", PlaceSettings.class) : all.write();
         if (target == null) {
             spec.commandLine().getOut().print(schema);
             spec.commandLine().getOut().flush();

@@ -11,6 +11,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.file.Node;
 import org.dronewatch.world.GroundPoint;
 
 /** Instantiates a settings record with only its required components filled in, to find the defaults of the others. */
@@ -56,6 +57,9 @@ public final class Samples {
         Class<?> plain = (Class<?>) type;
         if (plain == Position.class) {
             return SOMEWHERE;
+        }
+        if (plain == Node.Mapping.class) {
+            return Node.Mapping.ofNodes("sample", Map.of());
         }
         if (plain == double.class || plain == Double.class) {
             return within(limits);

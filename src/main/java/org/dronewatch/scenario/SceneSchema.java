@@ -46,10 +46,20 @@ public final class SceneSchema {
      * @throws InputException when the settings of a kind cannot be described, in one line that names its jar
      */
     public String write() {
+        return write("dronewatch scene", SceneSettings.class);
+    }
+
+    /**
+     * The schema of other files that are read with the kinds of scene files; the same for the same class path.
+     *
+     * @param title what the files are
+     * @param type the record that they describe
+     */
+    public String write(String title, Class<? extends Record> type) {
         ObjectNode root = json.createObjectNode();
         root.put("$schema", "https://json-schema.org/draft/2020-12/schema");
-        root.put("title", "dronewatch scene");
-        root.put("$ref", reference(SceneSettings.class));
+        root.put("title", title);
+        root.put("$ref", reference(type));
         ObjectNode all = root.putObject("$defs");
         definitions.forEach(all::set);
         return json.writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n";

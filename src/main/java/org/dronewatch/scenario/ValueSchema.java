@@ -15,6 +15,7 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.Kinds;
+import org.dronewatch.setting.file.Node;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
@@ -22,7 +23,7 @@ import tools.jackson.databind.node.ObjectNode;
 /** The part of the schema for one value of a setting: a number, a text, a list, or a reference to a record. */
 final class ValueSchema {
     private static final Set<Class<?>> FRACTIONS = Set.of(double.class, Double.class);
-    private static final Set<Class<?>> WHOLE = Set.of(int.class, long.class);
+    private static final Set<Class<?>> WHOLE = Set.of(int.class, Integer.class, long.class);
     private static final Set<Class<?>> SWITCHES = Set.of(boolean.class, Boolean.class);
 
     private final Kinds kinds;
@@ -84,6 +85,9 @@ final class ValueSchema {
             schema.put("type", "boolean");
         } else if (plain.isEnum()) {
             return constants(plain);
+        } else if (plain == Node.Mapping.class) {
+            // A part of another file, which is checked when it is completed.
+            schema.put("type", "object");
         } else if (plain.isRecord() && SettingsForm.of(plain).isNumbers()) {
             return numbers(plain, kinds.otherForms(plain));
         } else if (plain.isRecord() && SettingsForm.of(plain).required().size() == 1) {

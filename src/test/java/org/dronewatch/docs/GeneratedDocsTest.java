@@ -9,6 +9,7 @@ import com.networknt.schema.SpecificationVersion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.placement.site.PlaceSettings;
 import org.dronewatch.scenario.SceneSchema;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class GeneratedDocsTest {
     private static final Path SCHEMA = Path.of("scenes/scene.schema.json");
+    private static final Path PLACE_SCHEMA = Path.of("scenes/place.schema.json");
     private static final Path TEXTS = Path.of("src/main/resources/org/dronewatch/scenario/texts.json");
     private static final Path REFERENCE = Path.of("src/site/markdown/settings.md");
     private static final Path HOUSE = Path.of("src/site/images/packages.svg");
@@ -45,12 +47,29 @@ class GeneratedDocsTest {
     @Test
     void theSchemaIsThatOfTheRecords() throws IOException {
         assertUpToDate(SCHEMA, new SceneSchema(texts).write());
+        assertUpToDate(PLACE_SCHEMA, new SceneSchema(texts).write("dronewatch placement", PlaceSettings.class));
+    }
+
+    @Test
+    void theSchemaOfPlacementsAcceptsTheExampleAndRefusesWhatIsWrong() throws IOException {
+        Schema schema = SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                .getSchema(Files.readString(PLACE_SCHEMA), InputFormat.JSON);
+        String example = Files.readString(Path.of("scenes", "palace.place.yaml"));
+
+        assertThat(schema.validate(example, InputFormat.YAML)).isEmpty();
+        assertThat(schema.validate(example.replace("aims: 4", "atMost: 2"), InputFormat.YAML))
+                .isEmpty();
+        assertThat(schema.validate(example.replace("budget", "bugdet"), InputFormat.YAML))
+                .isNotEmpty();
+        assertThat(schema.validate(example.replace("price: 20000", "price: -1"), InputFormat.YAML))
+                .isNotEmpty();
     }
 
     @Test
     void theTextsInTheJarAreThoseOfTheSources() throws IOException {
         CollectedTexts collected = new CollectedTexts(texts);
         new SceneSchema(collected).write();
+        new SceneSchema(collected).write("dronewatch placement", PlaceSettings.class);
         assertUpToDate(TEXTS, collected.write());
     }
 
