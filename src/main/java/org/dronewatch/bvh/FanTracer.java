@@ -17,7 +17,7 @@ final class FanTracer {
 
     private final KDTree tree;
     private final FanBeam beam;
-    private final FanTest test;
+    private final FanOcclusion test;
     private final double[] origin = new double[3];
 
     // As in the descent of a picture's tile: for each axis, for planes above the origin and then for those below, the
@@ -40,7 +40,7 @@ final class FanTracer {
     FanTracer(KDTree tree, FanBeam beam) {
         this.tree = tree;
         this.beam = beam;
-        this.test = new FanTest(tree.triangles().corners(), beam);
+        this.test = new FanOcclusion(tree.triangles().corners(), beam);
         int size = tree.depth() + 1;
         this.stackNode = new int[size];
         this.stackEntry = new double[size];

@@ -15,7 +15,7 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>All this is in single precision, with bounded errors. So a segment is certainly hidden by a triangle, or certainly
  * not, or it is in doubt. One per thread.
  */
-final class FanTest {
+final class FanOcclusion {
     /** How many triangles are tested at a time. */
     static final int TRIANGLES = 8;
 
@@ -76,7 +76,7 @@ final class FanTest {
     /** Negative if it hides nothing, provided that it is known which side of it is seen. */
     private final int[] missed = new int[TRIANGLES];
 
-    FanTest(float[] corners, FanBeam beam) {
+    FanOcclusion(float[] corners, FanBeam beam) {
         this.corners = corners;
         this.beam = beam;
     }
