@@ -127,7 +127,7 @@ class ClosedFormTest {
      * level. The long form has a grid that is fine enough for the width of the bracket.
      */
     @ParameterizedTest
-    @CsvSource({"1, 1.5707963267948966, 0.015384615384615385", "2, 1.4142135623730951, 0.0125"})
+    @CsvSource({"1, 1.5707963267948966, 0.015384615384615385", "2, 1.4142135623730951, 0.011764705882352941"})
     void aCurveInSpace(int power, double expected, double fine) {
         RouteGrid grid = box(1.25, 0.75, LongForm.IS_ON ? fine : 0.05);
         double width = LongForm.IS_ON ? SPACE : 4.0 * SPACE;
