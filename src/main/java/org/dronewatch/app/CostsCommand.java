@@ -62,7 +62,7 @@ final class CostsCommand implements Callable<Integer> {
                 new ModelLoader(Path.of("")).load(ModelSettings.of(drone)).mesh();
         CostStudy study =
                 new CostStudy(mesh, largest, next -> spec.commandLine().getErr().println("measuring " + next));
-        CostReport.write(Path.of(out), () -> threads.call(study::run));
+        CostReport.write(PathWord.of("--out", out), () -> threads.call(study::run));
         spec.commandLine().getOut().println("tables and plots in " + out);
         return 0;
     }

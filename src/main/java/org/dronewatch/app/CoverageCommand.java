@@ -2,7 +2,6 @@ package org.dronewatch.app;
 
 import java.io.PrintWriter;
 import java.lang.reflect.RecordComponent;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
@@ -178,7 +177,7 @@ final class CoverageCommand implements Callable<Integer> {
                 field.terms(),
                 field.area(),
                 settings.world().origin());
-        try (CoverageDirectory target = out == null ? null : new CoverageDirectory(Path.of(out))) {
+        try (CoverageDirectory target = out == null ? null : new CoverageDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 runner.adviseOnConditions();
                 FieldRequest request = request(settings, runner, id, grid);

@@ -13,9 +13,13 @@ final class PathWord {
      * The path that a word names.
      *
      * @param option what it is for, such as {@code --out}; may be empty
-     * @throws InputException when this system cannot have such a path
+     * @throws InputException when it is empty, or this system cannot have such a path
      */
     static Path of(String option, String word) {
+        if (word.isEmpty()) {
+            // Java takes it for the current directory; a user's variable was not set.
+            throw new InputException((option + " ''").strip() + ": the path is empty");
+        }
         try {
             return Path.of(word);
         } catch (InvalidPathException e) {

@@ -100,12 +100,19 @@ final class RouteOptions {
                 runner.set("alert.response", response);
                 runner.settings();
             } catch (InputException e) {
+                String asked = "--set alert.response=" + response + ": ";
+                String fault = e.getMessage();
                 throw new InputException(
-                        RESPONSE + " " + PlainText.value(response) + ": "
-                                + e.getMessage().replaceFirst("^--set alert.response=\\S+: ", ""),
+                        asked(RESPONSE, response) + ": "
+                                + (fault.startsWith(asked) ? fault.substring(asked.length()) : fault),
                         e);
             }
         }
+    }
+
+    /** An option with its value, for a message; without it if it is blank. */
+    private static String asked(String option, String value) {
+        return (option + " " + PlainText.value(value)).strip();
     }
 
     /** The pointing of sensors on positioners. */
@@ -197,7 +204,7 @@ final class RouteOptions {
             return Optional.of(new AreaZone("launch", runner.area(LAUNCH, launch, settings), 0.0, 0.0));
         }
         return Optional.of(AreaZone.inPlan(launch, settings.alert())
-                .orElseThrow(() -> new InputException(LAUNCH + " " + PlainText.value(launch)
+                .orElseThrow(() -> new InputException(asked(LAUNCH, launch)
                         + ": neither a zone of the scene nor an area such as '{centre: [0, 900], radius: 50 m}'")));
     }
 

@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
 final class SchemaCommand implements Callable<Integer> {
     private static final String ENDING = ".json";
 
-    @Option(names = "--out", paramLabel = "FILE.json", description = "File to write instead of standard output.")
+    @Option(names = "--out", paramLabel = "FILE", description = "File to write instead of standard output.")
     private String out;
 
     @Option(names = "--place", description = "The schema of placement files instead of that of scene files.")

@@ -268,6 +268,8 @@ class RouteCommandTest {
                 "--launch={centre: [0, 65]}|2",
                 "--launch=nowhere|2",
                 "--response=-1|2",
+                "--response=5 kg|2",
+                "--response=|2",
                 "--response=0|0",
                 "--response=100|0",
                 "--heights=600|2",
@@ -295,8 +297,8 @@ class RouteCommandTest {
         assertThat(other.code()).as(other.err()).isEqualTo(code);
         assertThat(other.out().contains("no detection can be in time")).isEqualTo(option.equals("--response=100"));
         if (code == 2) {
-            assertThat(other.err().lines().filter(line -> !line.startsWith("read ")))
-                    .hasSize(1);
+            assertThat(other.complaints()).hasSize(1);
+            assertThat(other.err()).doesNotContain("--set alert");
             assertThat(directory.resolve(name)).doesNotExist();
         }
     }
