@@ -19,6 +19,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.sensor.radar.RadarSettings;
@@ -83,7 +84,7 @@ final class BruteCauses {
         if (isDetected) {
             return EnumSet.of(Cause.DETECTED);
         }
-        return outside(sensor, drone, vector).orElseGet(() -> obstructed(sensor, drone));
+        return outside(sensor, drone, vector).orElseGet(() -> obstructed(sensor, drone, seen));
     }
 
     /** Causes that follow from position, speed and emission alone; empty where none holds. */
@@ -167,7 +168,7 @@ final class BruteCauses {
     }
 
     /** Hidden, if nothing is visible or it would be detected if nothing stood in the way; otherwise too weak. */
-    private Set<Cause> obstructed(SensorSettings<?> sensor, Drone drone) {
+    private Set<Cause> obstructed(SensorSettings<?> sensor, Drone drone, Optional<Observation> seen) {
         boolean isDetectedInTheOpen = isDetected(sensor, drone, open);
         BruteTriangles.Sight sight = triangles.sight(sensor.position(), drone.origin(), drone.radius());
         Set<ModelRole> before = sight.before(drone.origin());
@@ -182,7 +183,10 @@ final class BruteCauses {
         List<Position> points = points(drone);
         int visible = isDetectedInTheOpen ? 0 : sight.visible(points);
         Set<Cause> causes = hidden(before);
-        if (visible > FEW * points.size()) {
+        // Where the drone is smaller than a pixel, what is visible of it may lie between the rays of the pixels.
+        boolean isBetweenRays = sensor instanceof CameraSettings
+                && seen.filter(one -> one.value() > 0.0).isEmpty();
+        if (visible > FEW * points.size() && !isBetweenRays) {
             return EnumSet.of(Cause.TOO_WEAK);
         }
         if (visible > 0) {
