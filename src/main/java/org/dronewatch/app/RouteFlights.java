@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.report.route.RouteInputs;
 import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.report.route.RouteScenes;
@@ -74,11 +73,13 @@ final class RouteFlights {
         }
         FlownRoute flight = FlownRoute.of(scene.get(), runner.load(scene.get()), estimates);
         flown.put(route.sector(), flight);
-        boolean isCued = inputs.pointing() == FieldTerms.Turning.CUED && RouteProof.hasCues(scene.get());
+        if (inputs.isCued()) {
+            // Flights have no cues: where positioners count as cued, the search alone knows what they see.
+            return route;
+        }
         if (survey.response() > 0.0) {
             flight.interruption(survey.response()).ifPresent(p -> timely.put(route.sector(), p));
         }
-        // Flights have no cues: where positioners count as cued, the search alone knows what they see.
-        return isCued ? route : route.with(flight.exposure());
+        return route.with(flight.exposure());
     }
 }

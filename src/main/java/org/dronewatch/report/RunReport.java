@@ -2,7 +2,6 @@ package org.dronewatch.report;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -31,8 +30,6 @@ import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -49,9 +46,6 @@ public final class RunReport implements SceneListener, AutoCloseable {
 
     private static final String OBSERVATION_COLUMNS =
             "run,time_s,sample,sensor,kind,drone,range_m,value,threshold,unit,detected,heard_s,figures";
-
-    /** A file that every coverage writes, but a run never does. */
-    private static final String COVERAGE = "coverage.json";
 
     private final Scene scene;
     private final OutputDirectory directory;
@@ -73,14 +67,11 @@ public final class RunReport implements SceneListener, AutoCloseable {
      * @param scene the scene to be run
      * @param target the directory in which the files will appear
      * @param withObservations whether to write every single observation too
-     * @throws org.dronewatch.setting.InputException when the directory cannot be written, or holds the results of a
-     *     coverage
+     * @throws org.dronewatch.setting.InputException when the directory cannot be written, or holds the results of
+     *     another command
      */
     public RunReport(Scene scene, Path target, boolean withObservations) {
-        if (Files.isRegularFile(target.resolve(COVERAGE))) {
-            throw new InputException("output directory " + PlainText.value(target)
-                    + " holds the results of 'coverage', whose report.html would be replaced: name another directory");
-        }
+        ResultKind.RUN.checkAlone(target);
         this.scene = scene;
         this.directory = new OutputDirectory(target);
         Table opened = null;
@@ -208,7 +199,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
                 started,
                 command,
                 inputs.orElseGet(() -> InputFiles.of(result.runs().get(0).settings())));
-        JsonFile.write(directory.file("result.json"), new ResultFile(result).toJson());
+        JsonFile.write(directory.file(ResultKind.RUN.sign()), new ResultFile(result).toJson());
         JsonFile.write(directory.file("summary.json"), new Summary(result).toJson());
         JsonFile.write(directory.file("provenance.json"), ProvenanceFile.of(provenance, result));
         SweepPlot.of(scene, result)

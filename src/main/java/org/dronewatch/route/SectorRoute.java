@@ -72,6 +72,11 @@ public record SectorRoute(
 
     /** The bearing of the middle of a sector, clockwise from north, rad. */
     public double bearing() {
+        return bearing(sector);
+    }
+
+    /** The same of any sector, by its number. */
+    public static double bearing(int sector) {
         return 2.0 * Math.PI * sector / SiteRoutes.SECTORS;
     }
 

@@ -112,6 +112,16 @@ public record TimelyDetection(List<PathTask> tasks, Sensing sensing, double comm
      * @param neutralisation probability that a response in time stops the intruder, 0 to 1
      */
     public double effectiveness(double neutralisation) {
-        return interruption() * Check.between("neutralisation", neutralisation, 0.0, 1.0, Quantity.RATIO);
+        return effectiveness(interruption(), neutralisation);
+    }
+
+    /**
+     * The same, from a probability of interruption that is known.
+     *
+     * @param interruption probability P_I of a timely detection, 0 to 1
+     * @param neutralisation as above
+     */
+    public static double effectiveness(double interruption, double neutralisation) {
+        return interruption * Check.between("neutralisation", neutralisation, 0.0, 1.0, Quantity.RATIO);
     }
 }

@@ -125,6 +125,8 @@ class TimelyDetectionTest {
         TimelyDetection path = new TimelyDetection(WORKSHEET, Sensing.BEGIN, 0.95, new ResponseTime(200.0, 60.0));
 
         assertThat(path.effectiveness(0.5)).isEqualTo(0.5 * path.interruption());
+        assertThat(TimelyDetection.effectiveness(0.8, 0.5)).isEqualTo(0.4);
+        assertThatThrownBy(() -> path.effectiveness(1.1)).hasMessageContaining("neutralisation");
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.report.ResultKind;
 import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.file.FileHash;
@@ -18,7 +19,7 @@ import tools.jackson.databind.node.ObjectNode;
 /** The contents of {@code plan.json}: what is run, with the hash of all that it depends on. */
 final class CampaignPlanFile {
     /** The name of the file. */
-    static final String NAME = "plan.json";
+    static final String NAME = ResultKind.CAMPAIGN.sign();
 
     private static final int FORMAT = 1;
     private static final String HASH = "hash";

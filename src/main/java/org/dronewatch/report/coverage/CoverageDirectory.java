@@ -9,13 +9,12 @@ import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
-import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
+import org.dronewatch.report.ResultKind;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {
     private static final String CONDITIONS = "conditions.png";
-    private static final String NUMBERS = "coverage.json";
+    private static final String NUMBERS = ResultKind.COVERAGE.sign();
 
     /**
      * All other files that a coverage may write, at any heights: those of an earlier coverage are removed unless they
@@ -24,21 +23,15 @@ public final class CoverageDirectory implements AutoCloseable {
     private static final Pattern FILES = Pattern.compile("cause-[0-9.]+\\.(png|tif|tif\\.aux\\.xml)|count-[0-9.]+\\.tif"
             + "|(min|visible)-height\\.(png|tif)|(warning|conditions)\\.png|coverage\\.(geojson|kml)|report\\.html");
 
-    /** A file that every run writes, but {@code coverage} never does. */
-    private static final String RUN = "result.json";
-
     private final OutputDirectory directory;
 
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws org.dronewatch.setting.InputException when it cannot
+     * @throws org.dronewatch.setting.InputException when it cannot, or holds the results of another command
      */
     public CoverageDirectory(Path target) {
-        if (Files.isRegularFile(target.resolve(RUN))) {
-            throw new InputException("output directory " + PlainText.value(target)
-                    + " holds the results of a run, whose report.html would be replaced: name another directory");
-        }
+        ResultKind.COVERAGE.checkAlone(target);
         this.directory = new OutputDirectory(target);
     }
 

@@ -10,12 +10,14 @@ import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.ResultKind;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.setting.InputException;
 
 /** The directory into which {@code place} writes; its files appear together, or none of them. */
 public final class PlaceDirectory implements AutoCloseable {
+    private static final String NUMBERS = ResultKind.PLACE.sign();
     private static final String SCENE = "layout.yaml";
 
     private final Path target;
@@ -24,9 +26,10 @@ public final class PlaceDirectory implements AutoCloseable {
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws InputException when it cannot
+     * @throws InputException when it cannot, or holds the results of another command
      */
     public PlaceDirectory(Path target) {
+        ResultKind.PLACE.checkAlone(target);
         this.target = target;
         this.directory = new OutputDirectory(target);
     }
@@ -42,7 +45,7 @@ public final class PlaceDirectory implements AutoCloseable {
     public void write(SitePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
         directory.write(() -> {
             PlacePlan plan = placement.plan();
-            JsonFile.write(directory.file("place.json"), PlaceFile.toJson(placement));
+            JsonFile.write(directory.file(NUMBERS), PlaceFile.toJson(placement));
             JsonFile.write(
                     directory.file(ProvenanceFile.NAME),
                     ProvenanceFile.of(provenance, plan.scene().name(), threads));
@@ -55,8 +58,7 @@ public final class PlaceDirectory implements AutoCloseable {
                 notes.accept("the layout is not written as a scene: " + e.getMessage());
             }
             // The scene of an earlier layout must not remain beside these results.
-            directory.publish(
-                    isWritten || !Files.isRegularFile(target.resolve("place.json")) ? List.of() : List.of(SCENE));
+            directory.publish(isWritten || !Files.isRegularFile(target.resolve(NUMBERS)) ? List.of() : List.of(SCENE));
         });
     }
 

@@ -6,7 +6,6 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -14,6 +13,7 @@ import java.util.regex.Pattern;
 import org.dronewatch.report.Charts;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.ResultKind;
 import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.map.RouteMap;
@@ -24,18 +24,14 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 
 /** The directory into which {@code route} writes; its files appear together, or none of them. */
 public final class RouteDirectory implements AutoCloseable {
-    private static final String NUMBERS = "route.json";
+    private static final String NUMBERS = ResultKind.ROUTE.sign();
 
     /** All other files that a search may write: those of an earlier one are removed unless they are replaced. */
     private static final Pattern FILES = Pattern.compile(
             "route-(north|south)?-?(east|west)?\\.yaml|(routes|profile|time-to-go|view)\\.png|routes\\.(geojson|kml)|report\\.html");
-
-    /** Files of other commands, whose {@code report.html} would be replaced. */
-    private static final List<String> OTHERS = List.of("result.json", "coverage.json", "campaign.json");
 
     private final Path target;
     private final OutputDirectory directory;
@@ -43,15 +39,10 @@ public final class RouteDirectory implements AutoCloseable {
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws InputException when it cannot
+     * @throws InputException when it cannot, or holds the results of another command
      */
     public RouteDirectory(Path target) {
-        for (String other : OTHERS) {
-            if (Files.isRegularFile(target.resolve(other))) {
-                throw new InputException("output directory " + PlainText.value(target) + " holds " + other
-                        + " of another command, whose report.html would be replaced: name another directory");
-            }
-        }
+        ResultKind.ROUTE.checkAlone(target);
         this.target = target;
         this.directory = new OutputDirectory(target);
     }

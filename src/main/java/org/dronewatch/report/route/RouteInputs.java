@@ -7,6 +7,7 @@ import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
@@ -40,6 +41,11 @@ public record RouteInputs(
         return settings.enabledSensors().values().stream()
                 .map(sensor -> sensor.position())
                 .toList();
+    }
+
+    /** Whether sensors on positioners count as cued, so that flights, which have no cues, say nothing about them. */
+    public boolean isCued() {
+        return pointing == FieldTerms.Turning.CUED && RouteProof.hasCues(settings);
     }
 
     /** The time that a response takes, 0 if none is required, s. */

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +19,7 @@ import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.SensorTables;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.run.Stage;
 
@@ -105,32 +107,43 @@ final class RouteReport {
         }
         head.addAll(List.of("exposure", "lower bound"));
         List<List<String>> rows = new ArrayList<>();
-        for (SectorRoute route : survey.routes()) {
-            List<String> row = new ArrayList<>(List.of(
-                    RouteWords.sector(route),
-                    number(Math.rint(route.profile().medianHeight())) + " m",
-                    RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
-                    RouteWords.percent(route.detection()),
-                    RouteWords.percent(route.searched().detection()),
-                    RouteWords.seconds(route.left())));
-            if (RouteWords.mayGlide(survey)) {
-                row.add(RouteWords.seconds(RouteWords.gliding(route, survey)));
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            Optional<SectorRoute> route = RouteWords.route(sector, survey);
+            if (route.isPresent()) {
+                rows.add(row(route.get()));
+            } else if (survey.isComplete()) {
+                List<String> row = new ArrayList<>(List.of(RouteWords.sector(sector), "no route"));
+                row.addAll(Collections.nCopies(head.size() - row.size(), "-"));
+                rows.add(row);
             }
-            if (isRequired) {
-                row.add(RouteWords.percent(route.inTime(survey.response())));
-                row.add(RouteWords.margin(route.left(), survey.response()));
-            }
-            if (!results.timely().isEmpty()) {
-                row.add(RouteWords.orDash(results.timely().get(route.sector())));
-            }
-            if (inputs.stopped().isPresent()) {
-                row.add(RouteWords.orDash(results.effectiveness(route, inputs).orElse(null)));
-            }
-            row.add(RouteWords.exposure(route.route().exposure()));
-            row.add(RouteWords.exposure(route.route().lower()));
-            rows.add(row);
         }
         return Html.table(head, rows) + sensors();
+    }
+
+    private List<String> row(SectorRoute route) {
+        List<String> row = new ArrayList<>(List.of(
+                RouteWords.sector(route),
+                number(Math.rint(route.profile().medianHeight())) + " m",
+                RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
+                RouteWords.percent(route.detection()),
+                RouteWords.percent(route.searched().detection()),
+                RouteWords.seconds(route.left())));
+        if (RouteWords.mayGlide(survey)) {
+            row.add(RouteWords.seconds(RouteWords.gliding(route, survey)));
+        }
+        if (survey.response() > 0.0) {
+            row.add(RouteWords.percent(route.inTime(survey.response())));
+            row.add(RouteWords.margin(route.left(), survey.response()));
+        }
+        if (!results.timely().isEmpty()) {
+            row.add(RouteWords.orDash(results.timely().get(route.sector())));
+        }
+        if (inputs.stopped().isPresent()) {
+            row.add(RouteWords.orDash(results.effectiveness(route, inputs).orElse(null)));
+        }
+        row.add(RouteWords.exposure(route.route().exposure()));
+        row.add(RouteWords.exposure(route.route().lower()));
+        return row;
     }
 
     /** A separate table: with the numbers in it, too, it would be too wide for a page. */

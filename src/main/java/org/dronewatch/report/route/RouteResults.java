@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.TimeToGo;
+import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.route.proof.RouteProof;
 
 /**
@@ -16,7 +17,7 @@ import org.dronewatch.route.proof.RouteProof;
  * @param times the least times to the end of a route
  * @param proofs by sector, how often flights of its route are detected; empty if none were asked for
  * @param timely by sector, the probability that an alert on its route is in time, by the scene's rule; only where it
- *     can be computed
+ *     can be computed, which is nowhere if sensors on positioners count as cued
  * @param isComplete whether all that was asked for was completed
  */
 public record RouteResults(
@@ -38,7 +39,7 @@ public record RouteResults(
      * @param inputs the inputs, which state P_N
      */
     Optional<Double> effectiveness(SectorRoute route, RouteInputs inputs) {
-        return Optional.ofNullable(timely.get(route.sector()))
-                .flatMap(interruption -> inputs.stopped().map(neutralisation -> interruption * neutralisation));
+        return Optional.ofNullable(timely.get(route.sector())).flatMap(interruption -> inputs.stopped()
+                .map(neutralisation -> TimelyDetection.effectiveness(interruption, neutralisation)));
     }
 }

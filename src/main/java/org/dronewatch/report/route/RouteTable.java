@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
@@ -40,11 +39,8 @@ public final class RouteTable {
                 + (inputs.stopped().isEmpty() ? "" : text(STOPPED, "stopped"))
                 + "  most exposed to");
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
-            int number = sector;
-            Optional<SectorRoute> route = survey.routes().stream()
-                    .filter(one -> one.sector() == number)
-                    .findFirst();
-            String name = CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS);
+            Optional<SectorRoute> route = RouteWords.route(sector, survey);
+            String name = RouteWords.sector(sector);
             if (route.isPresent()) {
                 lines.add(row(name, route.get(), results, inputs));
             } else if (survey.isComplete()) {
@@ -106,7 +102,7 @@ public final class RouteTable {
         results.proofs()
                 .forEach((sector, proof) -> lines.add(text(
                         PROOF,
-                        CompassPoint.of(2.0 * Math.PI * sector / SiteRoutes.SECTORS),
+                        RouteWords.sector(sector),
                         proof.detections().count() + " of " + proof.detections().of(),
                         RouteWords.percent(proof.interval().low()) + " to "
                                 + RouteWords.percent(proof.interval().high()),

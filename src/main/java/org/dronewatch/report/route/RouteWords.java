@@ -68,9 +68,11 @@ final class RouteWords {
         return inputs.response() > 0.0
                         && results.timely().isEmpty()
                         && !results.survey().routes().isEmpty()
-                ? Optional.of(
-                        "The probability that an alert comes in time cannot be computed for the alert rule of this"
-                                + " scene: only for rules by which any sensor alone raises one, after at most twelve looks.")
+                ? Optional.of("The probability that an alert comes in time cannot be computed "
+                        + (inputs.isCued()
+                                ? "where sensors on positioners count as cued: flights have no cues."
+                                : "for the alert rule of this scene: only for rules by which any sensor alone raises one,"
+                                        + " after at most twelve looks."))
                 : Optional.empty();
     }
 
@@ -138,7 +140,19 @@ final class RouteWords {
 
     /** The sector from which a route comes, such as {@code north-west}. */
     static String sector(SectorRoute route) {
-        return CompassPoint.of(route.bearing());
+        return sector(route.sector());
+    }
+
+    /** The same by the number of the sector. */
+    static String sector(int number) {
+        return CompassPoint.of(SectorRoute.bearing(number));
+    }
+
+    /** The route from a sector, by its number; empty if there is none. */
+    static Optional<SectorRoute> route(int sector, RouteSurvey survey) {
+        return survey.routes().stream()
+                .filter(route -> route.sector() == sector)
+                .findFirst();
     }
 
     /** The time left, compared with the response: {@code 14 s late}; a dash without a detection. */

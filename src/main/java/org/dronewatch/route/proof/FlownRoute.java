@@ -15,8 +15,6 @@ import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.setting.Check;
-import org.dronewatch.setting.Quantity;
 import org.dronewatch.statistics.Proportion;
 
 /**
@@ -120,20 +118,6 @@ public final class FlownRoute {
                                 })
                                 .sum()))
                 .orElse(OptionalDouble.empty());
-    }
-
-    /**
-     * The effectiveness of the whole system, {@code P_E = P_I P_N}: the probability that a timely alert leads to a
-     * response that stops the drone.
-     *
-     * @param response as above, s
-     * @param neutralisation probability P_N that a response in time stops the drone, 0 to 1
-     * @return empty where the probability of a timely detection is
-     */
-    public OptionalDouble effectiveness(double response, double neutralisation) {
-        Check.between("neutralisation", neutralisation, 0.0, 1.0, Quantity.RATIO);
-        OptionalDouble interruption = interruption(response);
-        return interruption.isPresent() ? OptionalDouble.of(interruption.getAsDouble() * neutralisation) : interruption;
     }
 
     /**

@@ -1,7 +1,6 @@
 package org.dronewatch.route.proof;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -205,10 +204,6 @@ class RouteProofTest {
 
         FlownRoute any = FlownRoute.of(observers, models);
         assertThat(any.interruption(5.0)).isPresent();
-        assertThat(any.effectiveness(5.0, 0.7).orElseThrow())
-                .isCloseTo(0.7 * any.interruption(5.0).orElseThrow(), within(1e-12));
-        assertThatThrownBy(() -> any.effectiveness(5.0, 1.1)).hasMessageContaining("neutralisation");
-        assertThat(FlownRoute.of(twice, models).effectiveness(5.0, 0.7)).isEmpty();
         assertThat(FlownRoute.of(twice, models).interruption(5.0)).isEmpty();
         assertThat(FlownRoute.of(two, models).interruption(5.0)).isEmpty();
     }

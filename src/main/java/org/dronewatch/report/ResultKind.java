@@ -1,0 +1,54 @@
+package org.dronewatch.report;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+
+/**
+ * Which command results come from, by the files that mark them in their directory. Commands write files of the same
+ * names, such as {@code provenance.json}: results of two commands in one directory would replace each other in part.
+ */
+public enum ResultKind {
+    /** Of {@code run}. */
+    RUN("a run", "result.json"),
+    /** Of {@code coverage}. */
+    COVERAGE("'coverage'", "coverage.json"),
+    /** Of {@code route}. */
+    ROUTE("'route'", "route.json"),
+    /** Of {@code place}. */
+    PLACE("'place'", "place.json"),
+    /** Of {@code campaign}, {@code compare} or {@code merge}. */
+    CAMPAIGN("a campaign", "plan.json", "campaign.json");
+
+    private final String words;
+    private final List<String> signs;
+
+    ResultKind(String words, String... signs) {
+        this.words = words;
+        this.signs = List.of(signs);
+    }
+
+    /** The file that all such results have, and no others. */
+    public String sign() {
+        return signs.get(0);
+    }
+
+    /**
+     * Makes sure that a directory holds no results of another kind.
+     *
+     * @param target need not exist
+     * @throws InputException when it does
+     */
+    public void checkAlone(Path target) {
+        for (ResultKind other : values()) {
+            for (String sign : other.signs) {
+                if (other != this && Files.isRegularFile(target.resolve(sign))) {
+                    throw new InputException("output directory " + PlainText.value(target) + " holds the results of "
+                            + other.words + " (" + sign + "), some of which would be replaced: name another directory");
+                }
+            }
+        }
+    }
+}
