@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
@@ -86,6 +87,11 @@ public final class MapSheet {
             }
         }
         sensors.forEach(this::drawSensor);
+        frame();
+    }
+
+    /** Draws the scale and the arrow to the north again, over what was drawn across them. */
+    public void frame() {
         MapFrame.draw(g, MAP, side);
     }
 
@@ -133,16 +139,17 @@ public final class MapSheet {
         g.setClip(null);
     }
 
-    /** Writes a short text on a pale background beside a point on the map, moved so that all of it is visible. */
+    /** Writes a short text on a pale background near a point on the map, off its edge, scale and arrow. */
     public void label(Position at, String text) {
         g.setFont(TITLE);
         int wide = g.getFontMetrics().stringWidth(text);
         int u = Math.max(MARGIN / 2, Math.min(MAP - wide - MARGIN / 2, column(at) - wide / 2));
         int v = Math.max(LINE, Math.min(MAP - MARGIN / 2, row(at) - MARGIN / 2));
+        Rectangle box = MapFrame.beside(new Rectangle(u - 5, v - 18, wide + 10, 24), MAP, side);
         g.setColor(new Color(255, 255, 255, 220));
-        g.fillRoundRect(u - 5, v - 18, wide + 10, 24, 8, 8);
+        g.fillRoundRect(box.x, box.y, box.width, box.height, 8, 8);
         g.setColor(Color.BLACK);
-        g.drawString(text, u, v);
+        g.drawString(text, box.x + 5, box.y + 18);
         g.setFont(TEXT);
     }
 

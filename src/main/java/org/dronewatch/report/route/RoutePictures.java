@@ -38,6 +38,7 @@ final class RoutePictures {
         }
         survey.routes().forEach(route -> draw(sheet, route));
         survey.routes().forEach(route -> motorsOff(route, survey).ifPresent(sheet::square));
+        sheet.frame();
         survey.routes().forEach(route -> sheet.label(start(route), abbreviation(route)));
         legend(sheet, survey);
         sheet.credits(stage.credits());
