@@ -19,6 +19,7 @@ import org.dronewatch.report.labels.Labels;
 import org.dronewatch.report.map.SiteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.report.provenance.ResultKind;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
-import org.dronewatch.report.ResultKind;
+import org.dronewatch.report.provenance.ResultKind;
 
 /** The directory into which {@code coverage} writes; its files appear together, or none of them. */
 public final class CoverageDirectory implements AutoCloseable {

@@ -10,9 +10,9 @@ import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
-import org.dronewatch.report.ResultKind;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
+import org.dronewatch.report.provenance.ResultKind;
 import org.dronewatch.setting.InputException;
 
 /** The directory into which {@code place} writes; its files appear together, or none of them. */

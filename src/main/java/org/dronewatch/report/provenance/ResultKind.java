@@ -1,4 +1,4 @@
-package org.dronewatch.report;
+package org.dronewatch.report.provenance;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
