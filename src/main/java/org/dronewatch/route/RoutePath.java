@@ -68,4 +68,25 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
         both.addAll(other.modes);
         return new RoutePath(all, both);
     }
+
+    /** This path up to a fraction of a leg, without the leg if the fraction is 0. */
+    RoutePath until(int leg, double share) {
+        List<Position> some = new ArrayList<>(points.subList(0, leg + 1));
+        if (share > 0.0) {
+            Position from = points.get(leg);
+            Position to = points.get(leg + 1);
+            some.add(share < 1.0 ? from.plus(to.minus(from).times(share)) : to);
+        }
+        return new RoutePath(some, modes.subList(0, some.size() - 1));
+    }
+
+    /** The rest of this path after a first part of it. */
+    RoutePath after(RoutePath part) {
+        int legs = part.modes.size();
+        Position end = part.points.get(legs);
+        boolean isCorner = end.equals(points.get(legs));
+        List<Position> some = new ArrayList<>(List.of(end));
+        some.addAll(points.subList(isCorner ? legs + 1 : legs, points.size()));
+        return new RoutePath(some, modes.subList(isCorner ? legs : legs - 1, modes.size()));
+    }
 }

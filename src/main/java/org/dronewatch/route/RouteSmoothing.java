@@ -2,6 +2,7 @@ package org.dronewatch.route;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
@@ -27,12 +28,14 @@ final class RouteSmoothing {
     private final LegLimits limits;
     private final double spacing;
     private final int dimensions;
+    private final Optional<Position> before;
     private final List<double[]> points = new ArrayList<>();
 
     /** The mode of the leg that leaves each point. */
     private final List<Integer> modes = new ArrayList<>();
 
-    private RouteSmoothing(RouteProblem problem, RoutePath path) {
+    private RouteSmoothing(RouteProblem problem, RoutePath path, Optional<Position> before) {
+        this.before = before;
         this.exposure = new RouteExposure(problem);
         this.limits = new LegLimits(problem);
         this.spacing = problem.grid().spacing();
@@ -43,10 +46,19 @@ final class RouteSmoothing {
 
     /** The smoothed path; its ends stay where they are. */
     static RoutePath of(RouteProblem problem, RoutePath path) {
+        return of(problem, path, Optional.empty());
+    }
+
+    /** The same for a path that continues another one, and turns into it from a point on its last leg. */
+    static RoutePath after(Position before, RouteProblem problem, RoutePath path) {
+        return of(problem, path, Optional.of(before));
+    }
+
+    private static RoutePath of(RouteProblem problem, RoutePath path, Optional<Position> before) {
         if (path.modes().isEmpty()) {
             return path;
         }
-        RouteSmoothing smoothing = new RouteSmoothing(problem, path);
+        RouteSmoothing smoothing = new RouteSmoothing(problem, path, before);
         RoutePath smooth = smoothing.smooth();
         boolean isBetter = smoothing.exposure.along(smooth) <= smoothing.exposure.along(path);
         return isBetter ? smooth : path;
@@ -135,13 +147,15 @@ final class RouteSmoothing {
 
     /** Whether the corner at a point can be flown. */
     private boolean isTurnable(int i) {
-        if (i <= 0 || i >= points.size() - 1) {
+        boolean isFirst = i <= 0;
+        if (i >= points.size() - 1 || isFirst && before.isEmpty()) {
             return true;
         }
-        double[] from = points.get(i - 1);
-        double[] at = points.get(i);
-        double[] to = points.get(i + 1);
-        return limits.isTurnable(at[0] - from[0], at[1] - from[1], to[0] - at[0], to[1] - at[1]);
+        double[] at = points.get(Math.max(0, i));
+        double[] to = points.get(Math.max(0, i) + 1);
+        double fromX = isFirst ? before.get().x() : points.get(i - 1)[0];
+        double fromY = isFirst ? before.get().y() : points.get(i - 1)[1];
+        return limits.isTurnable(at[0] - fromX, at[1] - fromY, to[0] - at[0], to[1] - at[1]);
     }
 
     /** Puts a point into the middle of every leg that is not short. */

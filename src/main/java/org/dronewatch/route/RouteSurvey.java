@@ -62,10 +62,12 @@ public record RouteSurvey(
 
     /**
      * The weakest of all: with the least probability of a detection that counts and, among equals, with the least along
-     * the whole route, the least exposure that counts in the search, and the shortest time; empty without any route.
+     * the whole route, the least exposure that counts in the search, and the shortest time. Routes that end where they
+     * begin do not count; empty without any other.
      */
     public Optional<SectorRoute> weakest() {
         return routes.stream()
+                .filter(one -> one.route().seconds() > 0.0)
                 .min(Comparator.comparingDouble((SectorRoute one) -> one.inTime(response))
                         .thenComparingDouble(SectorRoute::detection)
                         .thenComparingDouble(one -> one.route().exposure())

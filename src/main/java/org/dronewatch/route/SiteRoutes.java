@@ -124,9 +124,10 @@ public final class SiteRoutes {
         BitSet reached = posts.near(protection, middle, reach + posts.diagonal());
         double response = settings.alert().response();
         double price = PRICE_OF_ENDURANCE / limits.endurance();
+        RouteEnd arrival = !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_POST;
         DoubleFunction<WeakestRoutes> search = ofTime -> response > 0.0
-                ? WeakestRoutes.inTime(problem, reached, response, ofTime)
-                : WeakestRoutes.of(problem, reached, ofTime);
+                ? WeakestRoutes.inTime(problem, reached, response, ofTime, arrival)
+                : WeakestRoutes.of(problem, reached, ofTime, arrival);
         EnduranceLimit endurance = new EnduranceLimit(problem.modes(), limits.endurance(), search);
         return new SiteRoutes(field, exposure, problem, search.apply(price), endurance, middle);
     }

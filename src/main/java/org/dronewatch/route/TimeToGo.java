@@ -8,11 +8,13 @@ import java.util.OptionalDouble;
  */
 public final class TimeToGo {
     private final RouteGrid grid;
-    private final RouteTree fastest;
 
-    TimeToGo(RouteGrid grid, RouteTree fastest) {
+    /** By post, s; infinite where no route leads to the end. */
+    private final double[] least;
+
+    TimeToGo(RouteGrid grid, double[] least) {
         this.grid = grid;
-        this.fastest = fastest;
+        this.least = least.clone();
     }
 
     /** The posts; those of a site are in the middle of its cells, with the rows from the south. */
@@ -22,16 +24,16 @@ public final class TimeToGo {
 
     /** The least time from a post, s; empty where no route leads to the end. */
     public OptionalDouble at(int post) {
-        return finite(fastest.cost(post));
+        return finite(least[post]);
     }
 
     /** The least time from any height above a point in plan view, s; empty where no route leads to the end. */
     public OptionalDouble at(int column, int row) {
-        double least = Double.POSITIVE_INFINITY;
+        double soonest = Double.POSITIVE_INFINITY;
         for (int level = 0; level < grid.levels(); level++) {
-            least = Math.min(least, fastest.cost(grid.post(column, row, level)));
+            soonest = Math.min(soonest, least[grid.post(column, row, level)]);
         }
-        return finite(least);
+        return finite(soonest);
     }
 
     private static OptionalDouble finite(double seconds) {

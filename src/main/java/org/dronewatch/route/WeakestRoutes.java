@@ -1,5 +1,6 @@
 package org.dronewatch.route;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
@@ -24,6 +25,7 @@ public final class WeakestRoutes {
     private final RouteProblem priced;
 
     private final RouteTree tree;
+    private final RouteFinish finish;
     private final Optional<RouteTree> onwards;
     private final ExposureBound bound;
 
@@ -36,10 +38,12 @@ public final class WeakestRoutes {
             RouteProblem priced,
             Supplier<RouteTree> search,
             Optional<RouteTree> onwards,
+            RouteFinish finish,
             BitSet ends) {
         this.problem = problem;
         this.priced = priced;
         this.onwards = onwards;
+        this.finish = finish;
         this.ends = (BitSet) ends.clone();
         AtomicReference<RouteTree> found = new AtomicReference<>();
         AtomicReference<ExposureBound> certified = new AtomicReference<>();
@@ -66,8 +70,19 @@ public final class WeakestRoutes {
      * @param price what a second counts for in the search, but not in the exposure that is stated, 0 or more, 1/s
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
+        return of(problem, reached, price, RouteEnd.AT_POST);
+    }
+
+    /** The same, where a route may arrive between posts. */
+    static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
         RouteProblem priced = problem.withField(problem.field().plus(price));
-        return new WeakestRoutes(problem, priced, () -> RouteSearch.toGoals(priced), Optional.empty(), reached);
+        return new WeakestRoutes(
+                problem,
+                priced,
+                () -> RouteSearch.toGoals(priced),
+                Optional.empty(),
+                new RouteFinish(problem.withField(new Clock()), arrival, 0.0),
+                reached);
     }
 
     /**
@@ -89,6 +104,11 @@ public final class WeakestRoutes {
      * @param price as above
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
+        return inTime(problem, reached, response, price, RouteEnd.AT_POST);
+    }
+
+    /** The same, where a route may arrive between posts. */
+    static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price, RouteEnd arrival) {
         RouteProblem fastest = problem.withField(new Clock());
         AtomicReference<RouteTree> times = new AtomicReference<>();
         AtomicReference<BitSet> tooLate = new AtomicReference<>();
@@ -101,6 +121,7 @@ public final class WeakestRoutes {
                 priced,
                 () -> RouteSearch.toStates(priced, times.get(), response),
                 Optional.of(times.get()),
+                new RouteFinish(fastest, arrival, response),
                 tooLate.get());
     }
 
@@ -129,10 +150,12 @@ public final class WeakestRoutes {
         }
         List<Integer> states = weakest.get();
         RouteExposure exposure = new RouteExposure(problem);
-        RoutePath counted = RouteSmoothing.of(priced, tree.path(states));
-        RoutePath whole = onwards.map(times -> counted.then(times.path(times.from(states.get(states.size() - 1)))))
-                .orElse(counted);
-        return Optional.of(new WeakestRoute(whole, exposure.along(counted), bound.from(starts), exposure.time(whole)));
+        RoutePath smooth = RouteSmoothing.of(priced, tree.path(states));
+        RoutePath whole =
+                finish.of(onwards.map(times -> smooth.then(times.path(times.from(states.get(states.size() - 1)))))
+                        .orElse(smooth));
+        double counted = exposure.along(finish.counted(whole));
+        return Optional.of(new WeakestRoute(whole, counted, bound.from(starts), exposure.time(whole)));
     }
 
     /** A certified lower bound of the exposure and the price of all routes from some posts. */
@@ -140,10 +163,12 @@ public final class WeakestRoutes {
         return ExposureBound.of(priced, ends).from(starts);
     }
 
-    /** The least times to the goals, over the posts. */
+    /** The least times to the goals: over the posts or, where no turn needs room, straight. */
     TimeToGo timeToGo() {
-        return new TimeToGo(
-                problem.grid(), onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock()))));
+        RouteTree fastest = onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock())));
+        double[] least = new double[problem.grid().size()];
+        Arrays.setAll(least, post -> finish.least(fastest, post));
+        return new TimeToGo(problem.grid(), least);
     }
 
     /** The least exposure of a route over the posts alone, before it is smoothed; infinite without a route. */

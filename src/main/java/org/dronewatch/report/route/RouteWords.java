@@ -27,7 +27,11 @@ final class RouteWords {
     String weakest(RouteSurvey survey) {
         return survey.weakest()
                 .map(route -> "The weakest route comes " + from(route, survey) + ": " + detected(route) + ".")
-                .orElse("No route leads to " + inputs.targetInWords() + ".");
+                .orElseGet(() -> survey.routes().isEmpty()
+                        ? "No route leads to " + inputs.targetInWords() + "."
+                        : "No route is the weakest, because all begin where they end: the area in which they begin is at "
+                                + inputs.targetInWords() + "; try a larger --side"
+                                + (inputs.launch().isPresent() ? ", or a --launch farther away." : "."));
     }
 
     /** Which routes the search misjudges, and which length of cells to try; empty if none. */
