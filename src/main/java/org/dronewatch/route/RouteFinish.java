@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * The end of a route: it ends as soon as it has arrived, and the last part, on which a detection is too late, is as fast
- * as straight legs allow, not only legs between posts. One thread at a time.
+ * Ends a route as soon as it has arrived, and makes the last part, on which a detection is too late, as fast as
+ * straight legs allow, not only legs between posts. One thread at a time.
  */
 final class RouteFinish {
     /** How far behind the edge of a zone a route ends, so that rounding leaves it inside, m. */

@@ -34,11 +34,12 @@ class RouteGapsTest {
                 "route",
                 directory.resolve("site.yaml").toString(),
                 "--heights=10",
-                "--side=400",
-                "--cell=50m",
                 "--stopped=0.5",
                 "--pointing=" + pointing));
         words.addAll(List.of(more));
+        if (words.stream().noneMatch(word -> word.startsWith("--side"))) {
+            words.addAll(List.of("--side=400", "--cell=50m"));
+        }
         Outcome outcome = Program.run(words.toArray(String[]::new));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         return outcome;
@@ -78,5 +79,20 @@ class RouteGapsTest {
                 .doesNotContain("<th>alert in time")
                 .containsPattern("south-west</td><td[^>]*>no route</td><td[^>]*>-</td>")
                 .doesNotContainPattern("north-east</td><td[^>]*>no route");
+    }
+
+    /** The whole area is in the zone. */
+    @Test
+    void aRouteThatEndsWhereItBeginsIsNotTheWeakest() {
+        Path out = directory.resolve("inside");
+        String text = route("search", "--side=40", "--cell=10", "--out=" + out).out();
+
+        assertThat(text)
+                .doesNotContain("The weakest route")
+                .contains(
+                        "No route is the weakest, because all begin where they end: the area in which they begin is at"
+                                + " the protected zone; try a larger --side.");
+        assertThat(out.resolve("report.html")).content().contains("No route is the weakest");
+        assertThat(out.resolve("profile.png")).doesNotExist();
     }
 }
