@@ -163,17 +163,22 @@ final class DynamicView {
 
     /** Whether tiles are faster than rays. */
     private static boolean isCoarse(Drone drone, PixelRectangle rectangle) {
-        return drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * rectangle.pixels();
+        return isCoarse(drone, rectangle.pixels());
+    }
+
+    private static boolean isCoarse(Drone drone, int pixels) {
+        return drone.tree().mesh().triangleCount() < TRIANGLES_PER_PIXEL * pixels;
     }
 
     /**
      * Prepares for tracing some pixels of a drone; what was drawn before is kept.
      *
-     * @return false if the drone would be drawn by tiles
+     * @param pixels how many may be traced
+     * @return false if drawing the drone by tiles is faster than that
      */
-    boolean beginSingly(Drone drone) {
+    boolean beginSingly(Drone drone, int pixels) {
         significantPixels.find(drone, around);
-        if (isCoarse(drone, around)) {
+        if (isCoarse(drone, Math.min(pixels, around.isEmpty() ? 0 : around.pixels()))) {
             return false;
         }
         singly = around.isEmpty() ? null : aim(drone);

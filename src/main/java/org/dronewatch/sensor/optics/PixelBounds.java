@@ -131,7 +131,7 @@ public final class PixelBounds {
      * @return false where a picture of the drone is drawn faster
      */
     boolean refine(DynamicView drawing, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
-        if (isCutShort || !pixels.isComplete() || !drawing.beginSingly(drone)) {
+        if (isCutShort || !pixels.isComplete() || !drawing.beginSingly(drone, countInDoubt())) {
             return false;
         }
         boolean isExpected = mask == null || enough.test(expected);
@@ -147,11 +147,8 @@ public final class PixelBounds {
             DynamicView drawing, boolean isLikely, BooleanSupplier isDecided, BooleanSupplier isSufficient) {
         int left = 0;
         for (int i = 0; i < pixels.count(); i++) {
-            byte kind = mask == null ? SilhouetteMask.LIKELY : pixels.kind(mask, i);
-            boolean isInDoubt = kind == SilhouetteMask.INSIDE
-                    ? pixels.sight(i) == PixelSample.UNCERTAIN
-                    : kind != SilhouetteMask.OUTSIDE;
-            if (isInDoubt && isLikely == kind > SilhouetteMask.UNLIKELY) {
+            byte kind = kind(i);
+            if (isInDoubt(i, kind) && isLikely == kind > SilhouetteMask.UNLIKELY) {
                 trace(drawing, i, kind == SilhouetteMask.INSIDE);
                 left--;
                 if (left < 0 && isDecided.getAsBoolean()) {
@@ -163,6 +160,24 @@ public final class PixelBounds {
             }
         }
         return false;
+    }
+
+    private byte kind(int pixel) {
+        return mask == null ? SilhouetteMask.LIKELY : pixels.kind(mask, pixel);
+    }
+
+    private boolean isInDoubt(int pixel, byte kind) {
+        return kind == SilhouetteMask.INSIDE
+                ? pixels.sight(pixel) == PixelSample.UNCERTAIN
+                : kind != SilhouetteMask.OUTSIDE;
+    }
+
+    private int countInDoubt() {
+        int inDoubt = 0;
+        for (int i = 0; i < pixels.count(); i++) {
+            inDoubt += isInDoubt(i, kind(i)) ? 1 : 0;
+        }
+        return inDoubt;
     }
 
     private void trace(DynamicView drawing, int pixel, boolean isInside) {

@@ -19,7 +19,7 @@ final class PixelSample {
     private static final int MOST_PIXELS = 1 << 12;
 
     /** The same where the sample has not been sufficient. */
-    private static final int MOST_PIXELS_ON_REQUEST = 1 << 16;
+    private static final int MOST_PIXELS_ON_REQUEST = 1 << 20;
 
     /** Rounding of distances, which are of single precision, and of projections. */
     private static final double ROUNDING = 1e-6;
