@@ -6,7 +6,8 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Finds out which of many segments with a common origin are hidden: the lines of sight from a sensor to many places.
- * The answers are those of {@link RayTracer#isOccluded} for each segment. Segments of similar directions are traced
+ * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends of
+ * a segment that begins or ends on a triangle: rounding decides there, in single rays too. Segments of similar directions are traced
  * together, in whatever order they are given; those for which single precision leaves a doubt are traced again, one by
  * one. For the use of one thread.
  */
@@ -49,7 +50,8 @@ public final class SegmentFan {
      * @param originZ of the origin, m
      * @param vectors of the segments from the origin to their ends: x, y and z of each, m
      * @param count number of segments
-     * @param skipped at both ends of each segment triangles within this distance do not count, m; 0 or more
+     * @param skipped at both ends of each segment triangles within this distance do not count, m; 0 or more, and
+     *     more than 0 for ends on surfaces
      * @param hidden receives for each segment whether any triangle hides it; none hides one without length
      */
     public void trace(

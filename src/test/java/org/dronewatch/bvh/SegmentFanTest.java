@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Random;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -27,8 +28,10 @@ class SegmentFanTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"hill.obj, 0", "house.obj, 1e-5", "cathedral.obj, 1e-5"})
+    @CsvSource({"house.obj, 0", "house.obj, 1e-5", "quadrotor.obj, 1e-5", "hill.obj, 0", "cathedral.obj, 1e-5"})
     void targetsInTheAirAndOnSurfaces(String model, double skipped) {
+        boolean isLarge = model.startsWith("hill") || model.startsWith("cathedral");
+        assumeTrue(!isLarge || LongForm.IS_ON, "large models in the long form only");
         check(Meshes.model(model), skipped, 4, 20261126);
     }
 
@@ -125,7 +128,7 @@ class SegmentFanTest {
             double[] from = skipped == 0.0 || origin % 2 == 0 ? inside(mesh.bounds(), random) : onSurface(mesh, random);
             double[] vectors = new double[3 * TARGETS];
             for (int i = 0; i < TARGETS; i++) {
-                double[] to = target(i, mesh, from, random);
+                double[] to = target(i, mesh, from, skipped == 0.0, random);
                 for (int axis = 0; axis < 3; axis++) {
                     vectors[3 * i + axis] = to[axis] - from[axis];
                 }
@@ -135,9 +138,13 @@ class SegmentFanTest {
         assertThat(some).as("seed %d: hidden segments", seed).isPositive();
     }
 
-    /** In the air, on a surface, close to one, or all in one direction. */
-    private static double[] target(int number, TriangleMesh mesh, double[] from, Random random) {
-        double[] at = number % 4 == 0 ? inside(mesh.bounds(), random) : onSurface(mesh, random);
+    /**
+     * In the air, on a surface, close to one, or all in one direction. On a surface only if some length is skipped:
+     * otherwise rounding decides whether the target's own surface hides it, and single rays then differ from each other.
+     */
+    private static double[] target(int number, TriangleMesh mesh, double[] from, boolean isExact, Random random) {
+        boolean isInTheAir = number % 4 == 0 || isExact && number % 4 == 1;
+        double[] at = isInTheAir ? inside(mesh.bounds(), random) : onSurface(mesh, random);
         if (number % 4 == 2) {
             for (int axis = 0; axis < 3; axis++) {
                 at[axis] += 1e-5 * random.nextGaussian();
