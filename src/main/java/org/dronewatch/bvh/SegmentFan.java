@@ -6,10 +6,10 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Finds out which of many segments with a common origin are hidden: the lines of sight from a sensor to many places.
- * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends of
- * a segment that begins or ends on a triangle: rounding decides there, in single rays too. Segments of similar directions are traced
- * together, in whatever order they are given; those for which single precision leaves a doubt are traced again, one by
- * one. For the use of one thread.
+ * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends
+ * of a segment that begins or ends on a triangle: rounding decides there, in single rays too. Segments of similar
+ * directions are traced together, in whatever order they are given; those for which single precision leaves a doubt are
+ * traced again, one by one. For the use of one thread.
  */
 public final class SegmentFan {
     private final RayTracer single;

@@ -140,7 +140,8 @@ class SegmentFanTest {
 
     /**
      * In the air, on a surface, close to one, or all in one direction. On a surface only if some length is skipped:
-     * otherwise rounding decides whether the target's own surface hides it, and single rays then differ from each other.
+     * otherwise rounding decides whether the target's own surface hides it, and single rays then differ from each
+     * other.
      */
     private static double[] target(int number, TriangleMesh mesh, double[] from, boolean isExact, Random random) {
         boolean isInTheAir = number % 4 == 0 || isExact && number % 4 == 1;
