@@ -63,8 +63,8 @@ final class PlaceCommand implements Callable<Integer> {
                             + " it, 0 to 1; 0.001 by default; 0 proves the best.")
     private double gap = DEFAULT_GAP;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
-    private Long seed;
+    @Mixin
+    private SeedOption seed = new SeedOption();
 
     @Option(
             names = "--set",
@@ -126,9 +126,7 @@ final class PlaceCommand implements Callable<Integer> {
 
     private void configure(SceneRunner runner) {
         SetOption.parsed("--set", overrides).forEach(runner::set);
-        if (seed != null) {
-            runner.seed(seed);
-        }
+        seed.apply(runner);
     }
 
     private SitePlacement search(Path given, PlacePlan plan, SolverLimits limits, Consumer<String> notes) {

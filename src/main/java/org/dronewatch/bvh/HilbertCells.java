@@ -17,7 +17,12 @@ final class HilbertCells {
     private int bits;
     private short[] curve = CURVES[0];
 
-    /** Divides a rectangle into about so many cells; returns the number of those that have a number, used or not. */
+    /**
+     * Divides a rectangle into cells.
+     *
+     * @param about approximate number of cells
+     * @return one more than the highest number that a cell can have; not every number need have a cell
+     */
     int set(float leastX, float mostX, float leastY, float mostY, int about) {
         left = leastX;
         bottom = leastY;

@@ -11,7 +11,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 
-/** Scenes with the sensors of a layout in place of their own. */
+/** Makes scenes whose sensors are replaced by those of a layout. */
 public final class Layout {
     private Layout() {}
 

@@ -54,8 +54,14 @@ abstract class Dual {
     /** The part of the bound that does not depend on the choice; begins the slopes. */
     abstract double begin(double[] multipliers);
 
-    /** What a candidate adds to the bound if it is chosen. */
-    abstract double share(int[] rows, double[] values, double[] multipliers);
+    /** What a candidate adds to the bound if it is chosen; by default, its gains weighted by the multipliers. */
+    double share(int[] rows, double[] values, double[] multipliers) {
+        double sum = 0.0;
+        for (int at = 0; at < rows.length; at++) {
+            sum += values[at] * multipliers[rows[at]];
+        }
+        return sum;
+    }
 
     /** Adds the part of a chosen candidate to the slopes. */
     abstract void choose(int[] rows, double[] values, double[] multipliers);

@@ -28,15 +28,6 @@ final class SaturatedSumDual extends Dual {
     }
 
     @Override
-    double share(int[] rows, double[] values, double[] multipliers) {
-        double sum = 0.0;
-        for (int at = 0; at < rows.length; at++) {
-            sum += values[at] * multipliers[rows[at]];
-        }
-        return sum;
-    }
-
-    @Override
     void choose(int[] rows, double[] values, double[] multipliers) {
         for (int at = 0; at < rows.length; at++) {
             slope[rows[at]] += gains.weight[rows[at]] > 0.0 ? values[at] : 0.0;
