@@ -3,6 +3,7 @@ package org.dronewatch.route.proof;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
@@ -15,6 +16,8 @@ import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.statistics.Proportion;
 
 /**
@@ -137,7 +140,7 @@ public final class FlownRoute {
         boolean[] isDetected = new boolean[runs];
         Workers.forEach(runs, () -> new SeededFlights(schedule, stage.world()), (flights, run) -> {
             long seed = RouteProof.seed(settings, run);
-            OptionalDouble detected = flights.firstDetection(seed);
+            Optional<Observation> detected = flights.firstDetection(seed);
             if (run % RouteProof.PLAIN == 0) {
                 check(detected, seed);
             }
@@ -149,11 +152,24 @@ public final class FlownRoute {
         return new RouteProof(detection(), bySensor(), new Proportion(count, runs), (runs - 1) / RouteProof.PLAIN + 1);
     }
 
-    private void check(OptionalDouble detected, long seed) {
-        OptionalDouble plain = RouteProof.plain(settings, seed, models);
-        if (!plain.equals(detected)) {
-            throw new IllegalStateException("the run with seed " + seed + " first detects the drone at " + plain
-                    + ", but its looks alone at " + detected);
+    private void check(Optional<Observation> replayed, long seed) {
+        Optional<Observation> plain = RouteProof.plain(settings, seed, models);
+        if (!isSame(replayed, plain)) {
+            throw new IllegalStateException("the run with seed " + seed + " first detects the drone " + plain
+                    + ", but its looks alone " + replayed);
         }
+    }
+
+    /**
+     * Whether the same look detects the drone first: with the same values, too, where chance is drawn for each look.
+     * Of the looks of observers, only what the next ones depend on is replayed.
+     */
+    private boolean isSame(Optional<Observation> replayed, Optional<Observation> plain) {
+        return replayed.map(Observation::look).equals(plain.map(Observation::look))
+                && (replayed.filter(this::isDrawnPerLook).isEmpty() || replayed.equals(plain));
+    }
+
+    private boolean isDrawnPerLook(Observation look) {
+        return settings.sensors().get(look.sensor()).chance() == Chance.PER_LOOK;
     }
 }

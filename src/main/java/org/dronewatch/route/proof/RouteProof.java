@@ -3,7 +3,7 @@ package org.dronewatch.route.proof;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.OptionalDouble;
+import java.util.Optional;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
@@ -11,6 +11,7 @@ import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.statistics.Proportion;
 
 /**
@@ -57,7 +58,7 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
     }
 
     /** Runs on this thread alone, as the runs are shared among the threads. */
-    static OptionalDouble plain(SceneSettings settings, long seed, ModelCache models) {
+    static Optional<Observation> plain(SceneSettings settings, long seed, ModelCache models) {
         try (Workers alone = new Workers(1)) {
             return alone.call(() -> SeededFlights.firstDetectionOfRun(settings, seed, models));
         }

@@ -2,8 +2,7 @@ package org.dronewatch.route.proof;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.OptionalDouble;
-import org.dronewatch.run.Frame;
+import java.util.Optional;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
@@ -32,18 +31,17 @@ final class SeededFlights {
         this.encounters = new Encounters[sensors.length];
     }
 
-    /** When a run with this seed first detects the drone, s; empty if it does not. */
-    OptionalDouble firstDetection(long seed) {
+    /** The look with which a run with this seed first detects the drone; empty if none does. */
+    Optional<Observation> firstDetection(long seed) {
         Arrays.fill(encounters, Encounters.NONE);
-        for (ScheduledLook scheduled : schedule.looks()) {
-            if (scheduled.mayDetect() && isDetecting(scheduled, seed)) {
-                return OptionalDouble.of(scheduled.time());
-            }
-        }
-        return OptionalDouble.empty();
+        return schedule.looks().stream()
+                .filter(ScheduledLook::mayDetect)
+                .map(scheduled -> detection(scheduled, seed))
+                .flatMap(Optional::stream)
+                .findFirst();
     }
 
-    private boolean isDetecting(ScheduledLook scheduled, long seed) {
+    private Optional<Observation> detection(ScheduledLook scheduled, long seed) {
         int number = scheduled.number();
         SensorSettings<?> settings = schedule.sensors().get(number);
         Look own = scheduled.look();
@@ -51,28 +49,30 @@ final class SeededFlights {
                 .withPointing(own.pointing())
                 .withEncounters(encounters[number]);
         if (settings.chance() == Chance.PER_LOOK) {
-            return isDetected(sensors[number].observe(world, List.of(scheduled.drone()), look));
+            return detection(sensors[number].observe(world, List.of(scheduled.drone()), look));
         }
         double threshold = look.observerThreshold(scheduled.drone().id(), settings.rate(), scheduled.probability());
         Observation seen = MissedLooks.observation(scheduled, threshold, settings);
         encounters[number] = Encounters.after(look, settings.rate(), List.of(seen));
-        return seen.isDetected();
+        return detection(List.of(seen));
     }
 
-    private static boolean isDetected(List<Observation> observations) {
-        return observations.stream().anyMatch(one -> one.isDetected() && !one.isFalse());
+    private static Optional<Observation> detection(List<Observation> observations) {
+        return observations.stream()
+                .filter(one -> one.isDetected() && !one.isFalse())
+                .findFirst();
     }
 
     /** The same by a plain run. */
-    static OptionalDouble firstDetectionOfRun(SceneSettings settings, long seed, ModelCache models) {
+    static Optional<Observation> firstDetectionOfRun(SceneSettings settings, long seed, ModelCache models) {
         try (RunSession session = new RunSession(settings, seed, models)) {
             while (session.nextTime().isPresent()) {
-                Frame frame = session.advance();
-                if (isDetected(frame.observations())) {
-                    return OptionalDouble.of(frame.time());
+                Optional<Observation> detection = detection(session.advance().observations());
+                if (detection.isPresent()) {
+                    return detection;
                 }
             }
-            return OptionalDouble.empty();
+            return Optional.empty();
         }
     }
 }
