@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignResult;
@@ -88,6 +89,9 @@ final class CampaignCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @Mixin
+    private ProgressOptions display = new ProgressOptions();
+
     @ParentCommand
     private Main main;
 
@@ -99,14 +103,15 @@ final class CampaignCommand implements Callable<Integer> {
         Path given = PathWord.of("campaign file", file);
         Shard part = shard();
         boolean isSingle = single.isAsked();
+        TaskProgress shown = display.on(spec.commandLine().getErr());
         return threads.call(() -> {
-            CampaignPlan plan = plan(spec.commandLine().getErr());
+            CampaignPlan plan = plan(shown.notes());
             if (!part.isAll() && plan.settings().until().isPresent()) {
                 throw new InputException("--shard " + part
                         + ": a campaign that ends by 'until' cannot be divided, because the results of the"
                         + " cases determine how many are run");
             }
-            return isSingle ? runOne(plan) : runAll(plan, part, name(given));
+            return isSingle ? runOne(plan, shown) : runAll(plan, part, name(given), shown);
         });
     }
 
@@ -119,9 +124,9 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     /** Reads the campaign and loads its models. */
-    CampaignPlan plan(PrintWriter err) {
+    CampaignPlan plan(Consumer<String> notes) {
         Path given = PathWord.of("campaign file", file);
-        LoadingNotes loaded = new LoadingNotes(err);
+        LoadingNotes loaded = new LoadingNotes(notes);
         CampaignSettings settings = settings(given);
         try {
             CampaignPlan plan = new CampaignPlan(settings, directory(given), loaded::note);
@@ -169,26 +174,22 @@ final class CampaignCommand implements Callable<Integer> {
         return String.valueOf(given.getFileName()).replaceFirst("(?i)(\\.campaign)?\\.ya?ml$", "");
     }
 
-    private int runOne(CampaignPlan plan) {
-        return single.run(
-                plan,
-                threads.number(),
-                spec.commandLine().getOut(),
-                spec.commandLine().getErr());
+    private int runOne(CampaignPlan plan, TaskProgress shown) {
+        return single.run(plan, threads.number(), spec.commandLine().getOut(), shown);
     }
 
-    private int runAll(CampaignPlan plan, Shard part, String name) {
+    private int runAll(CampaignPlan plan, Shard part, String name, TaskProgress shown) {
         PrintWriter err = spec.commandLine().getErr();
         Path directory = out == null ? Path.of("target", "campaigns", name) : PathWord.of("--out", out);
         WholeFile report = junit == null ? null : new WholeFile("--junit", junit);
         int code;
         Interruption interruption = main.interruption();
-        plan.sensitivity().ifPresent(cases -> err.println(CampaignLines.cost(plan, cases)));
+        plan.sensitivity().ifPresent(cases -> shown.notes().accept(CampaignLines.cost(plan, cases)));
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             files.writeProvenance(
                     provenance(plan, spec.root().commandLine().getParseResult().originalArgs()));
             CaseRuns runner =
-                    new CaseRuns(interruption, err, main.cluster().forCampaign(PathWord.of("campaign file", file)));
+                    new CaseRuns(interruption, shown, main.cluster().forCampaign(PathWord.of("campaign file", file)));
             boolean whole = runner.run(new CampaignRun(plan, plan, part), files.chunks(), name);
             if (whole && plan.sensitivity().isPresent()) {
                 SensitivityCases further = plan.sensitivity().get();
@@ -206,9 +207,9 @@ final class CampaignCommand implements Callable<Integer> {
                 err.println("interrupted: --resume runs the cases that are missing");
             }
             if (!part.isAll()) {
-                err.println("part " + part + " of the campaign: 'merge' joins the parts");
+                shown.notes().accept("part " + part + " of the campaign: 'merge' joins the parts");
             }
-            err.println("results in " + directory);
+            shown.notes().accept("results in " + directory);
         }
         return code;
     }

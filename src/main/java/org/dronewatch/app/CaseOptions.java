@@ -60,7 +60,7 @@ final class CaseOptions {
     }
 
     /** Runs the case; returns the exit code. */
-    int run(CampaignPlan plan, int threads, PrintWriter out, PrintWriter err) {
+    int run(CampaignPlan plan, int threads, PrintWriter out, TaskProgress shown) {
         if (number < 0 || number >= plan.size()) {
             throw new InputException("--case " + number + ": must be 0 to " + (plan.size() - 1));
         }
@@ -69,7 +69,7 @@ final class CaseOptions {
             throw new InputException("--variant " + PlainText.value(variant) + ": no such variant; the campaign has "
                     + String.join(", ", variants));
         }
-        SceneWindow window = new SceneWindow(threads, err);
+        SceneWindow window = new SceneWindow(threads, shown.err());
         if (view && !window.canOpen()) {
             return Main.NO_DISPLAY;
         }
@@ -79,16 +79,16 @@ final class CaseOptions {
             CaseResult result = CaseRun.of(plan, number, one);
             CampaignLines.print(result, out);
         }
-        String shown = variant == null ? variants.get(0) : variant;
+        String pictured = variant == null ? variants.get(0) : variant;
         if (variant == null && variants.size() > 1 && (view || picture != null)) {
-            err.println("showing " + shown + "; --variant shows another");
+            shown.notes().accept("showing " + pictured + "; --variant shows another");
         }
         if (picture != null) {
-            target.write(stream -> new CasePictures(plan).write(number, shown, stream));
-            err.println("written to " + PlainText.value(picture));
+            target.write(stream -> new CasePictures(plan).write(number, pictured, stream));
+            shown.notes().accept("written to " + PlainText.value(picture));
         }
         if (view) {
-            CaseScene one = plan.scene(number, shown);
+            CaseScene one = plan.scene(number, pictured);
             window.show(new Viewer.Subject(one.scene(), one.runner(), Optional.empty()), viewer -> {});
         }
         return 0;

@@ -10,11 +10,11 @@ import org.dronewatch.campaign.CampaignRun;
 final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     private static final double NANO = 1e-9;
     private static final double EVERY_SECONDS = 10.0;
-    private static final int MINUTE = 60;
 
     private final int all;
     private final PrintWriter err;
     private final ProgressBar bar;
+    private final boolean statesEnd;
     private final LongSupplier clock;
     private final long start;
     private double next = EVERY_SECONDS;
@@ -29,21 +29,15 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
      * Nothing is done yet.
      *
      * @param all number of cases, those of earlier runs included
-     */
-    CaseProgress(String name, int all, PrintWriter err) {
-        this(all, err, Progress.barOf(name, all), System::nanoTime);
-    }
-
-    /**
-     * A display of progress with a clock.
-     *
      * @param bar null for lines
+     * @param statesEnd whether a line also states how many cases are done at the end
      * @param clock gives the time, ns
      */
-    CaseProgress(int all, PrintWriter err, ProgressBar bar, LongSupplier clock) {
+    CaseProgress(int all, PrintWriter err, ProgressBar bar, boolean statesEnd, LongSupplier clock) {
         this.all = all;
         this.err = err;
         this.bar = bar;
+        this.statesEnd = statesEnd;
         this.clock = clock;
         this.start = clock.getAsLong();
     }
@@ -71,11 +65,15 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
             bar.stepTo(done);
             return;
         }
-        double seconds = NANO * (clock.getAsLong() - start);
+        double seconds = seconds();
         if (seconds >= next && ran > 0 && done < all) {
             next = seconds + EVERY_SECONDS;
             err.printf(Locale.ROOT, "%,d of %,d cases%s%n", done, all, rate(all - done));
         }
+    }
+
+    private double seconds() {
+        return NANO * (clock.getAsLong() - start);
     }
 
     /** How fast it is, and how long the cases that are left take; empty after the first ones. */
@@ -85,21 +83,16 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
             return "";
         }
         double rate = (ran - first) / seconds;
-        return String.format(Locale.ROOT, ", %.3g per second, %s left", rate, duration(left / rate));
-    }
-
-    private static String duration(double seconds) {
-        if (seconds < MINUTE) {
-            return Math.round(seconds) + " s";
-        }
-        long minutes = Math.round(seconds / MINUTE);
-        return minutes < MINUTE ? minutes + " min" : minutes / MINUTE + " h " + minutes % MINUTE + " min";
+        return String.format(Locale.ROOT, ", %.3g per second, %s left", rate, ProgressLines.duration(left / rate));
     }
 
     @Override
-    public void close() {
+    public synchronized void close() {
         if (bar != null) {
             bar.close();
+        } else if (statesEnd) {
+            String time = ProgressLines.duration(seconds());
+            err.printf(Locale.ROOT, "%,d of %,d cases after %s%n", kept + ran, all, time);
         }
     }
 }

@@ -1,6 +1,5 @@
 package org.dronewatch.app;
 
-import java.io.PrintWriter;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CaseExecution;
@@ -9,10 +8,10 @@ import org.dronewatch.campaign.CaseExecution;
  * Runs cases and shows their progress until all are done or the user wants to stop.
  *
  * @param interruption knows what the user wants
- * @param err receives the progress
+ * @param shown shows their progress
  * @param execution where they are run
  */
-record CaseRuns(Interruption interruption, PrintWriter err, CaseExecution execution) {
+record CaseRuns(Interruption interruption, TaskProgress shown, CaseExecution execution) {
     /**
      * Runs the cases that are missing.
      *
@@ -20,7 +19,7 @@ record CaseRuns(Interruption interruption, PrintWriter err, CaseExecution execut
      * @return whether all were run: if not, complete chunks are kept
      */
     boolean run(CampaignRun run, CampaignRun.Chunks kept, String name) {
-        try (CaseProgress progress = new CaseProgress(name, run.size(), err)) {
+        try (CaseProgress progress = shown.cases(name, run.size())) {
             execution.run(run, kept, progress);
             return true;
         } catch (CancellationException e) {

@@ -60,6 +60,9 @@ final class CompareCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @Mixin
+    private ProgressOptions display = new ProgressOptions();
+
     @ParentCommand
     private Main main;
 
@@ -68,24 +71,25 @@ final class CompareCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        PrintWriter err = spec.commandLine().getErr();
         if (resume && out == null) {
             throw new InputException("--resume: needs --out DIR, the directory to be completed");
         }
         boolean isSingle = single.isAsked();
+        TaskProgress shown = display.on(spec.commandLine().getErr());
         CampaignSettings settings = scenes.settings();
-        settings.vary().forEach((path, variation) -> err.println("varies: " + path));
+        settings.vary().forEach((path, variation) -> shown.notes().accept("varies: " + path));
         if (settings.vary().isEmpty() && settings.table().isEmpty()) {
-            err.println("no attack has a bearing that could vary, so only chance varies; name other settings that"
-                    + " vary with --vary FILE");
+            shown.notes()
+                    .accept("no attack has a bearing that could vary, so only chance varies; name other settings that"
+                            + " vary with --vary FILE");
         }
         return threads.call(() -> {
-            LoadingNotes loading = new LoadingNotes(err);
+            LoadingNotes loading = new LoadingNotes(shown.notes());
             CampaignPlan plan = new CampaignPlan(settings, directory(), SceneChoice::named, loading::note);
             loading.done();
             return isSingle
-                    ? single.run(plan, threads.number(), spec.commandLine().getOut(), err)
-                    : run(plan);
+                    ? single.run(plan, threads.number(), spec.commandLine().getOut(), shown)
+                    : run(plan, shown);
         });
     }
 
@@ -98,17 +102,18 @@ final class CompareCommand implements Callable<Integer> {
                 .getParent();
     }
 
-    private int run(CampaignPlan plan) {
+    private int run(CampaignPlan plan, TaskProgress shown) {
         PrintWriter target = spec.commandLine().getOut();
-        CampaignResult result = out == null ? inMemory(plan) : inDirectory(plan, PathWord.of("--out", out));
+        CampaignResult result =
+                out == null ? inMemory(plan, shown) : inDirectory(plan, PathWord.of("--out", out), shown);
         CampaignLines.print(plan, result, target);
         CampaignLines.printDeciding(plan, result.summary(), target);
         return CampaignLines.warn(result.summary(), spec.commandLine().getErr());
     }
 
-    private CampaignResult inMemory(CampaignPlan plan) {
+    private CampaignResult inMemory(CampaignPlan plan, TaskProgress shown) {
         SummedCases kept = new SummedCases(plan);
-        if (!run(plan, kept)) {
+        if (!run(plan, kept, shown)) {
             spec.commandLine()
                     .getErr()
                     .println("interrupted: these are the results of the cases that were complete; had --out DIR"
@@ -117,29 +122,27 @@ final class CompareCommand implements Callable<Integer> {
         return kept.result();
     }
 
-    private CampaignResult inDirectory(CampaignPlan plan, Path directory) {
-        PrintWriter err = spec.commandLine().getErr();
+    private CampaignResult inDirectory(CampaignPlan plan, Path directory, TaskProgress shown) {
         try (CampaignFiles files = new CampaignFiles(plan, directory, resume)) {
             files.writeProvenance(CampaignOrigin.of(
                     plan,
                     scenes.file(),
                     spec.root().commandLine().getParseResult().originalArgs(),
                     threads.number()));
-            boolean whole = run(plan, files.chunks());
+            boolean whole = run(plan, files.chunks(), shown);
             CampaignResult result = files.finish(Optional.of(scenes.caseCommand()));
             if (!whole) {
-                err.println("interrupted: --resume runs the cases that are missing");
+                spec.commandLine().getErr().println("interrupted: --resume runs the cases that are missing");
             }
-            err.println("results in " + directory);
+            shown.notes().accept("results in " + directory);
             return result;
         }
     }
 
     /** Returns whether all cases were run. */
-    private boolean run(CampaignPlan plan, CampaignRun.Chunks kept) {
+    private boolean run(CampaignPlan plan, CampaignRun.Chunks kept, TaskProgress shown) {
         Interruption interruption = main.interruption();
-        boolean whole = new CaseRuns(interruption, spec.commandLine().getErr(), CaseExecution.HERE)
-                .run(new CampaignRun(plan), kept, NAME);
+        boolean whole = new CaseRuns(interruption, shown, CaseExecution.HERE).run(new CampaignRun(plan), kept, NAME);
         interruption.letFinish();
         return whole;
     }

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.FieldCondition;
@@ -103,6 +102,9 @@ final class CoverageCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @Mixin
+    private ProgressOptions display = new ProgressOptions();
+
     @ParentCommand
     private Main main;
 
@@ -116,7 +118,8 @@ final class CoverageCommand implements Callable<Integer> {
         boolean isPlan = out != null && out.toLowerCase(Locale.ROOT).endsWith(".png");
         checkForm(isPlan);
         threads.number();
-        return isPlan ? drawPlan() : assessField();
+        TaskProgress shown = display.on(spec.commandLine().getErr());
+        return isPlan ? drawPlan(shown) : assessField(shown);
     }
 
     /** The options of the two forms are mutually exclusive. */
@@ -133,11 +136,11 @@ final class CoverageCommand implements Callable<Integer> {
         }
     }
 
-    private int drawPlan() {
+    private int drawPlan(TaskProgress shown) {
         WholeFile target = new WholeFile("--out", out);
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(shown.notes());
         seed.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         CoverageGrid grid = planGrid(settings);
@@ -145,7 +148,7 @@ final class CoverageCommand implements Callable<Integer> {
         return threads.call(() -> {
             runner.adviseOnConditions();
             Stage stage = runner.stage(settings);
-            Coverage coverage = Progress.during(
+            Coverage coverage = shown.during(
                     "coverage",
                     (long) grid.cells()
                             * grid.cells()
@@ -159,10 +162,10 @@ final class CoverageCommand implements Callable<Integer> {
         });
     }
 
-    private int assessField() {
+    private int assessField(TaskProgress shown) {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(shown.notes());
         seed.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
         FieldGrid grid = field.grid(
@@ -185,18 +188,17 @@ final class CoverageCommand implements Callable<Integer> {
                         .map(one -> new FieldCondition(one.name(), () -> request(one.settings(), runner, id, grid)))
                         .toList();
                 long looks = request.looks() + conditions.size() * request.looksOfField();
-                Consumer<String> notes = spec.commandLine().getErr()::println;
-                LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(notes));
-                FieldSurvey survey = Progress.during(
+                LayerStore store =
+                        LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(shown.notes()));
+                FieldSurvey survey = shown.during(
                         "coverage",
                         looks,
                         progress ->
                                 FieldSurvey.of(request, conditions, store, progress, main.interruption()::letFinish));
                 if (target != null) {
                     if (inputs.origin().isEmpty()) {
-                        spec.commandLine()
-                                .getErr()
-                                .println("the scene has no world.origin: no GeoTIFF, GeoJSON or KML files are written");
+                        shown.notes()
+                                .accept("the scene has no world.origin: no GeoTIFF, GeoJSON or KML files are written");
                     }
                     target.write(
                             survey, inputs, new CoverageSite(settings, request.stage()), provenance(runner, settings));

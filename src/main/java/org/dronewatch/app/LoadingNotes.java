@@ -1,19 +1,19 @@
 package org.dronewatch.app;
 
-import java.io.PrintWriter;
+import java.util.function.Consumer;
 
 /** Prints notes while the scenes of a campaign are loaded; later ones concern single cases and are dropped. */
 final class LoadingNotes {
-    private final PrintWriter err;
+    private final Consumer<String> notes;
     private volatile boolean isDone;
 
-    LoadingNotes(PrintWriter err) {
-        this.err = err;
+    LoadingNotes(Consumer<String> notes) {
+        this.notes = notes;
     }
 
     void note(String line) {
         if (!isDone) {
-            err.println(line);
+            notes.accept(line);
         }
     }
 

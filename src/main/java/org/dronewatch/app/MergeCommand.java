@@ -53,7 +53,7 @@ final class MergeCommand implements Callable<Integer> {
         Path first = PathWord.of("", parts.get(0)).resolve(ProvenanceFile.NAME);
         Replay part = new Replay(first, RecordedCommand.read(first));
         return threads.call(
-                () -> merge(part, part.campaign().plan(spec.commandLine().getErr())));
+                () -> merge(part, part.campaign().plan(spec.commandLine().getErr()::println)));
     }
 
     private int merge(Replay part, CampaignPlan plan) {

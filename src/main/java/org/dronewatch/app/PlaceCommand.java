@@ -5,7 +5,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.CoveredCells;
@@ -81,6 +80,9 @@ final class PlaceCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @Mixin
+    private ProgressOptions display = new ProgressOptions();
+
     @ParentCommand
     private Main main;
 
@@ -94,19 +96,19 @@ final class PlaceCommand implements Callable<Integer> {
         threads.number();
         SolverLimits limits = limits();
         Path given = PathWord.of("placement file", file);
-        Consumer<String> notes = spec.commandLine().getErr()::println;
-        PlacePlan read = PlacePlan.read(given, this::configure, notes);
+        TaskProgress shown = display.on(spec.commandLine().getErr());
+        PlacePlan read = PlacePlan.read(given, this::configure, shown.notes());
         PlacePlan plan = budget == null ? read : read.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
-                SitePlacement placement = search(given, plan, limits, notes);
+                SitePlacement placement = search(given, plan, limits, shown);
                 main.interruption().letFinish();
                 if (target != null) {
-                    target.write(placement, provenance(given, plan), threads.number(), notes);
+                    target.write(placement, provenance(given, plan), threads.number(), shown.notes());
                 }
                 PlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
                 if (!placement.complete()) {
-                    notes.accept("interrupted: the best layout so far");
+                    spec.commandLine().getErr().println("interrupted: the best layout so far");
                 }
                 return 0;
             });
@@ -129,14 +131,15 @@ final class PlaceCommand implements Callable<Integer> {
         seed.apply(runner);
     }
 
-    private SitePlacement search(Path given, PlacePlan plan, SolverLimits limits, Consumer<String> notes) {
+    private SitePlacement search(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
         plan.runner().adviseOnConditions();
         Stage stage = plan.runner().stage(plan.present());
-        LayerStore store = LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(notes));
+        LayerStore store =
+                LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
         try {
             CoveredCells cells = new CoveredCells(plan, stage, store);
             PlaceSearch search = new PlaceSearch(plan, cells, new ExactSolver());
-            return Progress.during(
+            return shown.during(
                     "coverage of candidates",
                     cells.looks(),
                     progress -> search.found(limits, progress, main.interruption()::letFinish));

@@ -1,8 +1,5 @@
 package org.dronewatch.app;
 
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.Function;
-import java.util.function.IntConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
@@ -49,28 +46,6 @@ final class Progress implements SceneListener, AutoCloseable {
                         .setStyle(ProgressBarStyle.ASCII)
                         .setUpdateIntervalMillis(200)
                         .build();
-    }
-
-    /**
-     * Does a piece of work that reports how many steps it has done since the last time, from any thread.
-     *
-     * @param steps their approximate number
-     */
-    static <T> T during(String task, long steps, Function<IntConsumer, T> work) {
-        ProgressBar bar = barOf(task, steps);
-        AtomicLong done = new AtomicLong();
-        try {
-            return work.apply(some -> {
-                long now = done.addAndGet(some);
-                if (bar != null) {
-                    bar.stepTo(now);
-                }
-            });
-        } finally {
-            if (bar != null) {
-                bar.close();
-            }
-        }
     }
 
     @Override

@@ -4,7 +4,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.fusion.AreaZone;
@@ -79,6 +78,9 @@ final class RouteCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @Mixin
+    private ProgressOptions display = new ProgressOptions();
+
     @ParentCommand
     private Main main;
 
@@ -93,8 +95,8 @@ final class RouteCommand implements Callable<Integer> {
         int flights = flights();
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        Consumer<String> notes = spec.commandLine().getErr()::println;
-        runner.notes(notes);
+        TaskProgress shown = display.on(spec.commandLine().getErr());
+        runner.notes(shown.notes());
         seed.apply(runner);
         options.apply(runner);
         SceneSettings settings = runner.settingsOfRuns().get(0);
@@ -119,7 +121,7 @@ final class RouteCommand implements Callable<Integer> {
                 Stage stage = runner.stage(settings);
                 RouteInputs inputs = inputs(scene.name(), id, settings, stage);
                 RouteResults results =
-                        new RouteFinder(runner, inputs, stage, main.interruption(), notes).find(modes, launch, flights);
+                        new RouteFinder(runner, inputs, stage, main.interruption(), shown).find(modes, launch, flights);
                 main.interruption().letFinish();
                 RouteScenes scenes = new RouteScenes(inputs, runner::text);
                 if (target != null) {
@@ -134,7 +136,7 @@ final class RouteCommand implements Callable<Integer> {
                                     spec.root().commandLine().getParseResult().originalArgs(),
                                     runner.inputs()),
                             threads.number(),
-                            notes);
+                            shown.notes());
                 }
                 print(results, inputs);
                 return () -> window.show(results.survey(), scenes);

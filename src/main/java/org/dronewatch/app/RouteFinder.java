@@ -3,7 +3,6 @@ package org.dronewatch.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldCoverage;
@@ -30,7 +29,7 @@ final class RouteFinder {
     private final RouteInputs inputs;
     private final Stage stage;
     private final Interruption interruption;
-    private final Consumer<String> notes;
+    private final TaskProgress shown;
 
     /** The result of a search before the routes are flown. */
     private record Found(RouteSurvey survey, TimeToGo times) {}
@@ -38,15 +37,14 @@ final class RouteFinder {
     /**
      * A search.
      *
-     * @param notes receives lines for the user
+     * @param shown shows how far it is
      */
-    RouteFinder(
-            SceneRunner runner, RouteInputs inputs, Stage stage, Interruption interruption, Consumer<String> notes) {
+    RouteFinder(SceneRunner runner, RouteInputs inputs, Stage stage, Interruption interruption, TaskProgress shown) {
         this.runner = runner;
         this.inputs = inputs;
         this.stage = stage;
         this.interruption = interruption;
-        this.notes = notes;
+        this.shown = shown;
     }
 
     /**
@@ -58,7 +56,7 @@ final class RouteFinder {
      */
     RouteResults find(List<FlightMode> modes, Optional<AreaZone> launch, int flights) {
         List<ModeField> fields = fields(modes);
-        Found found = Progress.during("routes", SiteRoutes.SECTORS + 1, progress -> {
+        Found found = shown.during("routes", SiteRoutes.SECTORS + 1, progress -> {
             SiteRoutes routes = routes(fields, launch);
             TimeToGo times = routes.timeToGo();
             progress.accept(1);
@@ -69,13 +67,13 @@ final class RouteFinder {
                     interruption::letFinish);
             return new Found(survey, times);
         });
-        return new RouteFlights(runner, inputs, interruption).of(found.survey(), found.times(), flights);
+        return new RouteFlights(runner, inputs, interruption, shown).of(found.survey(), found.times(), flights);
     }
 
     private List<ModeField> fields(List<FlightMode> modes) {
         SceneSettings settings = inputs.settings();
         Drone drone = DetectionField.droneOf(stage, inputs.drone());
-        LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(notes));
+        LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(shown.notes()));
         List<FieldRequest> requests = modes.stream()
                 .map(mode -> new FieldRequest(
                         settings,
@@ -88,7 +86,7 @@ final class RouteFinder {
                         FieldCoverage.DEFAULT_COVERED))
                 .toList();
         long looks = requests.stream().mapToLong(FieldRequest::looksOfField).sum();
-        return Progress.during("detection field", looks, progress -> {
+        return shown.during("detection field", looks, progress -> {
             List<ModeField> fields = new ArrayList<>();
             for (int mode = 0; mode < modes.size(); mode++) {
                 DetectionField field = FieldAssessment.of(requests.get(mode), store, progress);

@@ -22,14 +22,16 @@ final class RouteFlights {
     private final SceneRunner runner;
     private final RouteInputs inputs;
     private final Interruption interruption;
+    private final TaskProgress shown;
     private final Map<Integer, FlownRoute> flown = new LinkedHashMap<>();
     private final Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
     private final Map<Integer, Double> timely = new LinkedHashMap<>();
 
-    RouteFlights(SceneRunner runner, RouteInputs inputs, Interruption interruption) {
+    RouteFlights(SceneRunner runner, RouteInputs inputs, Interruption interruption, TaskProgress shown) {
         this.runner = runner;
         this.inputs = inputs;
         this.interruption = interruption;
+        this.shown = shown;
     }
 
     /**
@@ -44,14 +46,14 @@ final class RouteFlights {
         List<SectorRoute> assessed = new ArrayList<>();
         int all = survey.routes().size();
         try {
-            Progress.during("looks along the routes", all, progress -> {
+            shown.during("looks along the routes", all, progress -> {
                 for (SectorRoute route : survey.routes()) {
                     assessed.add(assess(route, survey, runs > 0 ? FlownRoute.ESTIMATES : 1));
                     progress.accept(1);
                 }
                 return all;
             });
-            Progress.during("flights", (long) runs * all, progress -> {
+            shown.during("flights", (long) runs * all, progress -> {
                 if (runs > 0) {
                     flown.forEach((sector, route) -> proofs.put(sector, route.prove(runs, progress)));
                 }

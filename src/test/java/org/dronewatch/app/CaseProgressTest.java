@@ -14,7 +14,7 @@ class CaseProgressTest {
     private long now = 5 * SECOND;
 
     private CaseProgress progress(int all) {
-        return new CaseProgress(all, new PrintWriter(said, true), null, () -> now);
+        return new CaseProgress(all, new PrintWriter(said, true), null, false, () -> now);
     }
 
     @Test

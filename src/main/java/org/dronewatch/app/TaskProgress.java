@@ -1,0 +1,84 @@
+package org.dronewatch.app;
+
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
+import java.util.function.LongConsumer;
+import me.tongfei.progressbar.ProgressBar;
+
+/**
+ * Shows how far the tasks of a command are, and what it notes while it works.
+ *
+ * @param amount how much of this is shown
+ * @param err receives it
+ */
+record TaskProgress(Amount amount, PrintWriter err) {
+    private static final String WARNING = "warning: ";
+
+    /** How much is shown. */
+    enum Amount {
+        /** Warnings only. */
+        NOTHING,
+        /** Notes, and bars if there is a terminal. */
+        ON_A_TERMINAL,
+        /** The same, and lines if there is no terminal. */
+        EVERYWHERE
+    }
+
+    /** Whether only warnings are shown. */
+    private boolean isQuiet() {
+        return amount == Amount.NOTHING;
+    }
+
+    /** Receives notes and warnings for the user, a line each. */
+    Consumer<String> notes() {
+        return line -> {
+            if (!isQuiet() || line.startsWith(WARNING)) {
+                err.println(line);
+            }
+        };
+    }
+
+    /**
+     * Does a task that reports how many steps it has done since the last time, from any thread.
+     *
+     * @param steps their approximate number
+     */
+    <T> T during(String task, long steps, Function<IntConsumer, T> work) {
+        try (ProgressBar bar = bar(task, steps)) {
+            if (bar != null) {
+                return work.apply(total(bar::stepTo));
+            }
+            if (amount != Amount.EVERYWHERE) {
+                return work.apply(some -> {});
+            }
+            ProgressLines lines = new ProgressLines(task, steps, err, System::nanoTime);
+            T result = work.apply(total(lines::reached));
+            lines.ended();
+            return result;
+        }
+    }
+
+    private static IntConsumer total(LongConsumer shown) {
+        AtomicLong done = new AtomicLong();
+        return some -> shown.accept(done.addAndGet(some));
+    }
+
+    /** A bar; null where none is shown. */
+    private ProgressBar bar(String task, long steps) {
+        return isQuiet() ? null : Progress.barOf(task, steps);
+    }
+
+    /**
+     * The progress of the cases of a campaign, which is also shown without a terminal unless the command is quiet.
+     *
+     * @param all number of cases, those of earlier runs included
+     */
+    CaseProgress cases(String name, int all) {
+        PrintWriter target = isQuiet() ? new PrintWriter(Writer.nullWriter()) : err;
+        return new CaseProgress(all, target, bar(name, all), amount == Amount.EVERYWHERE, System::nanoTime);
+    }
+}
