@@ -46,6 +46,9 @@ public record InterpolationError(
      * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB
      */
     record Bounds(double scale, double beyond) {
+        /** With these, nothing is certain. */
+        private static final Bounds UNKNOWN = new Bounds(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+
         Bounds atLeast(Bounds other) {
             return new Bounds(Math.max(scale, other.scale), Math.max(beyond, other.beyond));
         }
@@ -69,7 +72,7 @@ public record InterpolationError(
         double largely = errors.isEmpty() ? 0.0 : errors.get((int) Math.ceil(LARGE_PART * errors.size()) - 1);
         Optional<Bounds> seen = bounds(map, heldOut, true);
         Optional<Bounds> unseen = bounds(map, heldOut, false);
-        Bounds all = seen.or(() -> unseen).orElse(new Bounds(1.0, 0.0));
+        Bounds all = seen.or(() -> unseen).orElse(Bounds.UNKNOWN);
         Bounds any = all.atLeast(unseen.orElse(all));
         return new InterpolationError(
                 places, heldOut.size(), largely, ofLooks(heldOut), seen.orElse(any), unseen.orElse(any));

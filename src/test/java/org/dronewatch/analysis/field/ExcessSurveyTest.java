@@ -36,7 +36,7 @@ class ExcessSurveyTest {
     /** Cells whose middles are on no face of a box. */
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 400, 10, List.of(3.0, 20.0, 60.0));
 
-    private static final int PLACES = 160;
+    private static final int PLACES = 400;
 
     /** Of a look whose rays have a standard error of half a decibel. */
     private static final Signal SIGNAL = new Signal(1.0, 50.0, "dB", 40.0, 0.5, 0.0);
