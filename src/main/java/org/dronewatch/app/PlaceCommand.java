@@ -4,15 +4,20 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CoveredCells;
+import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.PlaceSearch;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.PlaceDirectory;
+import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.PlaceTable;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
@@ -62,6 +67,14 @@ final class PlaceCommand implements Callable<Integer> {
                             + " it, 0 to 1; 0.001 by default; 0 proves the best.")
     private double gap = DEFAULT_GAP;
 
+    @Option(
+            names = "--budgets",
+            paramLabel = "N",
+            description =
+                    "Greatest number of budgets for which the best layout is sought, the whole and lower ones, 1 to"
+                            + " 12; 12 by default.")
+    private int budgets = FrontSearch.MOST;
+
     @Mixin
     private SeedOption seed = new SeedOption();
 
@@ -101,13 +114,13 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan plan = budget == null ? read : read.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
-                SitePlacement placement = search(given, plan, limits, shown);
+                PlaceResults results = search(given, plan, limits, shown);
                 main.interruption().letFinish();
                 if (target != null) {
-                    target.write(placement, provenance(given, plan), threads.number(), shown.notes());
+                    target.write(results, provenance(given, plan), threads.number(), shown.notes());
                 }
-                PlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
-                if (!placement.complete()) {
+                PlaceTable.lines(results).forEach(spec.commandLine().getOut()::println);
+                if (!results.complete()) {
                     spec.commandLine().getErr().println("interrupted: the best layout so far");
                 }
                 return 0;
@@ -122,6 +135,9 @@ final class PlaceCommand implements Callable<Integer> {
         if (budget != null && !(budget >= 0.0 && budget <= DEAREST)) {
             throw new InputException("--budget " + budget + ": must be 0 to 1e12");
         }
+        if (budgets < 1 || budgets > FrontSearch.MOST) {
+            throw new InputException("--budgets " + budgets + ": must be 1 to " + FrontSearch.MOST);
+        }
         return new SolverLimits(
                 gap, Double.POSITIVE_INFINITY, () -> main.interruption().happened());
     }
@@ -131,7 +147,7 @@ final class PlaceCommand implements Callable<Integer> {
         seed.apply(runner);
     }
 
-    private SitePlacement search(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
+    private PlaceResults search(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
         plan.runner().adviseOnConditions();
         Stage stage = plan.runner().stage(plan.present());
         LayerStore store =
@@ -139,13 +155,28 @@ final class PlaceCommand implements Callable<Integer> {
         try {
             CoveredCells cells = new CoveredCells(plan, stage, store);
             PlaceSearch search = new PlaceSearch(plan, cells, new ExactSolver());
-            return shown.during(
+            SitePlacement found = shown.during(
                     "coverage of candidates",
                     cells.looks(),
                     progress -> search.found(limits, progress, main.interruption()::letFinish));
+            return about(found, cells, limits, shown);
         } catch (InputException e) {
             throw PlacePlan.placed(given, e);
         }
+    }
+
+    /** What lower budgets buy, and how the layout compares with the scene's own sensors. */
+    private PlaceResults about(SitePlacement found, CoveredCells cells, SolverLimits limits, TaskProgress shown) {
+        BudgetFront front = shown.during(
+                "layouts for lower budgets", budgets - 1L, progress -> new FrontSearch(cells, new ExactSolver())
+                        .found(found, budgets, limits, progress));
+        long looks = cells.looks(front.best().chosen().size()
+                + found.plan().present().enabledSensors().size());
+        Optional<LayoutFields> fields = found.complete()
+                ? shown.during(
+                        "coverage of the layout", looks, progress -> LayoutFields.of(front.best(), cells, progress))
+                : Optional.empty();
+        return new PlaceResults(front, fields);
     }
 
     /** The placement file counts among those that describe the scene. */

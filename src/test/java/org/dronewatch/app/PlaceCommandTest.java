@@ -48,7 +48,7 @@ class PlaceCommandTest {
     }
 
     @Test
-    void theFileStatesTheLayoutAndTheOrderInWhichToBuy() {
+    void theFileStatesTheLayoutAndWhatLessMoneyBuys() {
         assertThat(json.propertyNames())
                 .containsExactly(
                         "objective", "value", "bound", "gap", "cost", "chosen", "present", "front", "complete");
@@ -61,13 +61,19 @@ class PlaceCommandTest {
         assertThat(json.get("present").get("sensors").asInt()).isEqualTo(1);
         assertThat(json.get("chosen").get(0).get("sensor").asString()).isEqualTo("round");
         JsonNode front = json.get("front");
-        assertThat(front.size()).isEqualTo(json.get("chosen").size() - 1);
+        assertThat(front.size()).isBetween(2, 12);
         JsonNode last = front.get(front.size() - 1);
         assertThat(last.get("value").asDouble()).isCloseTo(json.get("value").asDouble(), within(1e-9));
         assertThat(last.get("cost").asDouble()).isEqualTo(json.get("cost").asDouble());
+        for (int step = 0; step < front.size(); step++) {
+            assertThat(front.get(step).propertyNames()).containsExactly("cost", "value", "added");
+            assertThat(front.get(step).get("added").size()).isPositive();
+        }
         for (int step = 1; step < front.size(); step++) {
-            assertThat(front.get(step).get("value").asDouble())
-                    .isGreaterThanOrEqualTo(front.get(step - 1).get("value").asDouble());
+            for (String key : List.of("cost", "value")) {
+                assertThat(front.get(step).get(key).asDouble())
+                        .isGreaterThan(front.get(step - 1).get(key).asDouble());
+            }
         }
     }
 
@@ -94,7 +100,9 @@ class PlaceCommandTest {
                 .contains("best layout of 15 candidates for a budget of 6, in the order in which to buy:")
                 .contains("The layout covers ")
                 .contains("The scene's own 1 sensor covers ")
-                .contains(", whose loss is worst, the layout covers ");
+                .contains(", whose loss is worst, the layout covers ")
+                .contains("best layout for each budget:")
+                .contains("coverage on the heading that is worst in each cell");
     }
 
     @ParameterizedTest
@@ -137,7 +145,7 @@ class PlaceCommandTest {
                 .results()
                 .map(MatchResult::group)
                 .toList();
-        assertThat(shares).hasSize(15).allMatch(page::contains);
+        assertThat(shares).hasSizeGreaterThan(15).allMatch(page::contains);
     }
 
     /** {@code again} finds the file unchanged, and place.json the same. */

@@ -16,6 +16,7 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.fusion.AreaZone;
@@ -122,7 +123,12 @@ public final class CoveredCells {
 
     /** The approximate number of cells at which candidates have to be assessed. */
     public long looks() {
-        return (long) plan.candidates().size() * grid.cells() * grid.heights().size();
+        return looks(plan.candidates().size());
+    }
+
+    /** The same for a number of sensors. */
+    public long looks(int sensors) {
+        return (long) sensors * grid.cells() * grid.heights().size();
     }
 
     /** The number of headings on which each cell counts. */
@@ -176,31 +182,40 @@ public final class CoveredCells {
     }
 
     /**
-     * The fraction of the cells that sensors cover on the heading on which they together are least likely to detect
-     * the drone, as {@code coverage} counts it, or towards the protected zone.
+     * What sensors cover as {@code coverage} finds it: on the heading on which they together are least likely to detect
+     * the drone, or towards the protected zone.
      *
-     * @param fold number of sensors that must cover a cell
+     * @param sensors by their names
+     * @param progress receives the number of cells that were assessed since the last call
+     * @throws CancellationException when this thread is interrupted
      */
-    double worst(Map<String, SensorSettings<?>> sensors, int fold, IntConsumer progress) {
-        FieldHeading heading = isInbound() ? FieldHeading.INBOUND : FieldHeading.WORST;
-        SceneSettings alone = alone(sensors);
-        DetectionField field = field(sensors, heading.courses(alone, stage, plan.drone(), grid), progress);
-        FieldCoverage coverage =
-                new FieldCoverage(field, heading.choice(), plan.settings().air().covered());
-        int covered = 0;
+    public FieldSummary summary(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+        DetectionField field = field(sensors, heading().courses(alone(sensors), stage, plan.drone(), grid), progress);
+        return FieldSummary.of(field, heading().choice(), plan.settings().air().covered());
+    }
+
+    /** The heading that counts when sensors are assessed together. */
+    public FieldHeading heading() {
+        return isInbound() ? FieldHeading.INBOUND : FieldHeading.WORST;
+    }
+
+    /** By row: the number of its cell. */
+    int[] cells() {
+        int[] cells = new int[count];
         for (int cell = 0; cell < first.length; cell++) {
-            boolean counts = first[cell] >= 0;
-            covered += counts && coverage.count(height(cell), column(cell), row(cell)) >= fold ? 1 : 0;
+            for (int course = 0; course < courses.size() && first[cell] >= 0; course++) {
+                cells[first[cell] + course] = cell;
+            }
         }
-        return (double) covered * courses.size() / count;
+        return cells;
     }
 
     private boolean isInbound() {
         return plan.settings().air().heading() == AirSettings.Heading.INBOUND;
     }
 
-    /** All other sensors of the scene are switched off, so that those to which a sensor refers exist. */
-    private SceneSettings alone(Map<String, SensorSettings<?>> sensors) {
+    /** The scene with these sensors; all others are switched off, so that those to which a sensor refers exist. */
+    public SceneSettings alone(Map<String, SensorSettings<?>> sensors) {
         Map<String, SensorSettings<?>> all = new LinkedHashMap<>(plan.present().sensors());
         all.putAll(sensors);
         Set<String> others = new LinkedHashSet<>(all.keySet());
@@ -239,15 +254,15 @@ public final class CoveredCells {
         }
     }
 
-    private int column(int cell) {
+    int column(int cell) {
         return cell % grid.columns();
     }
 
-    private int height(int cell) {
+    int height(int cell) {
         return cell / grid.cells();
     }
 
-    private int row(int cell) {
+    int row(int cell) {
         return cell / grid.columns() % grid.columns();
     }
 }

@@ -3,11 +3,9 @@ package org.dronewatch.placement.site;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
@@ -69,15 +67,7 @@ public final class PlaceSearch {
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
                 air.present().map(columns -> present(columns, problem)),
-                isComplete ? worst(result, progress) : OptionalDouble.empty(),
                 isComplete);
-    }
-
-    private OptionalDouble worst(PlacementResult result, IntConsumer progress) {
-        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
-        result.chosen().stream().map(plan.candidates()::get).forEach(one -> sensors.put(one.name(), one.sensor()));
-        int fold = plan.settings().conditions().fold();
-        return sensors.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(cells.worst(sensors, fold, progress));
     }
 
     private InputException impossible() {

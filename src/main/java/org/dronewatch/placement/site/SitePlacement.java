@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.PlacementProblem;
@@ -22,8 +21,6 @@ import org.dronewatch.placement.PlacementResult;
  * @param problem whose rows have a weight of 1 each
  * @param result of the search, in rows
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before
- * @param worst fraction of the cells that the layout covers on the worst heading in each; empty if its computation was
- *     interrupted
  * @param complete whether every candidate was assessed and the search ended by itself
  */
 public record SitePlacement(
@@ -33,8 +30,18 @@ public record SitePlacement(
         PlacementProblem problem,
         PlacementResult result,
         Optional<PresentLayout> present,
-        OptionalDouble worst,
         boolean complete) {
+    /** The same with another layout. */
+    SitePlacement with(PlacementResult other) {
+        return new SitePlacement(plan, grid, headings, problem, other, present, complete);
+    }
+
+    /** The same with another bound, in rows; none below the value. */
+    SitePlacement within(double bound) {
+        return with(new PlacementResult(
+                result.chosen(), result.value(), Math.max(result.value(), bound), result.cost(), result.complete()));
+    }
+
     /** The sensors of the layout, in the order of the file. */
     public List<SiteCandidate> chosen() {
         return result.chosen().stream().map(plan.candidates()::get).toList();
@@ -80,13 +87,13 @@ public record SitePlacement(
      * The order in which the sensors of the layout are best bought: each time the one that adds most for its price,
      * after those that are kept.
      */
-    public List<PlaceStep> front() {
+    public List<PlaceStep> purchases() {
         List<Integer> bought = new ArrayList<>(result.chosen().stream()
                 .filter(number -> plan.candidates().get(number).candidate().fixed())
                 .toList());
         List<Integer> left = new ArrayList<>(result.chosen());
         left.removeAll(bought);
-        List<PlaceStep> front = new ArrayList<>();
+        List<PlaceStep> steps = new ArrayList<>();
         while (!left.isEmpty()) {
             double before = problem.value(bought);
             Integer next = left.stream()
@@ -95,10 +102,10 @@ public record SitePlacement(
                     .orElseThrow();
             left.remove(next);
             bought.add(next);
-            front.add(new PlaceStep(
+            steps.add(new PlaceStep(
                     plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows()));
         }
-        return front;
+        return steps;
     }
 
     private double gained(int number, List<Integer> bought, double before) {

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dronewatch.placement.site.Layout;
 import org.dronewatch.placement.site.PlacePlan;
-import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.provenance.Provenance;
@@ -42,16 +41,16 @@ public final class PlaceDirectory implements AutoCloseable {
      * @param notes receives a line on what could not be written
      * @throws InputException when writing fails
      */
-    public void write(SitePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
+    public void write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
         directory.write(() -> {
-            PlacePlan plan = placement.plan();
-            JsonFile.write(directory.file(NUMBERS), PlaceFile.toJson(placement));
+            PlacePlan plan = results.best().plan();
+            JsonFile.write(directory.file(NUMBERS), PlaceFile.toJson(results));
             JsonFile.write(
                     directory.file(ProvenanceFile.NAME),
                     ProvenanceFile.of(provenance, plan.scene().name(), threads));
             boolean isWritten = false;
             try {
-                String text = plan.runner().text(Layout.of(plan, placement.chosen()), target.resolve(SCENE));
+                String text = plan.runner().text(Layout.of(plan, results.best().chosen()), target.resolve(SCENE));
                 Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
                 isWritten = true;
             } catch (InputException e) {

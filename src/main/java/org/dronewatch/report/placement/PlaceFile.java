@@ -2,7 +2,7 @@ package org.dronewatch.report.placement;
 
 import java.util.Locale;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;
@@ -14,7 +14,8 @@ import tools.jackson.databind.node.ObjectNode;
 final class PlaceFile {
     private PlaceFile() {}
 
-    static ObjectNode toJson(SitePlacement placement) {
+    static ObjectNode toJson(PlaceResults results) {
+        SitePlacement placement = results.best();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("objective", placement.plan().settings().objective().name().toLowerCase(Locale.ROOT));
         root.put("value", Numbers.rounded(placement.value()));
@@ -30,13 +31,14 @@ final class PlaceFile {
             present.put("value", Numbers.rounded(own.value()));
         });
         ArrayNode front = root.putArray("front");
-        for (PlaceStep step : placement.front()) {
+        for (FrontPoint point : results.front().points()) {
             ObjectNode node = front.addObject();
-            node.put("cost", Numbers.rounded(step.cost()));
-            node.put("value", Numbers.rounded(step.value()));
-            node.put("added", step.added());
+            node.put("cost", Numbers.rounded(point.cost()));
+            node.put("value", Numbers.rounded(point.layout().value()));
+            ArrayNode added = node.putArray("added");
+            point.added().forEach(added::add);
         }
-        root.put("complete", placement.complete());
+        root.put("complete", results.complete());
         return root;
     }
 

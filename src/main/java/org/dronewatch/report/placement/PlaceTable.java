@@ -4,23 +4,45 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Aimed;
 
-/** The best layout as a table, in the order in which its sensors are best bought, and its coverage in words. */
+/** The best layout as tables and in words. */
 public final class PlaceTable {
     private static final String ROW = "%-24s  %-8s  %24s  %7s  %10s  %10s  %7s  %8s";
     private static final double FULL_TURN = 360.0;
 
     private PlaceTable() {}
 
-    /** The lines. */
-    public static List<String> lines(SitePlacement placement) {
+    /**
+     * The sensors in the order in which they are best bought, the coverage in words, what each step of the budget buys,
+     * and the coverage at each height beside that of the scene's own sensors.
+     */
+    public static List<String> lines(PlaceResults results) {
+        SitePlacement best = results.best();
+        List<String> lines = new ArrayList<>(sensors(best));
+        lines.add("");
+        lines.addAll(sentences(results));
+        if (results.front().points().size() > 1) {
+            lines.add("");
+            lines.addAll(FrontWords.lines(results.front()));
+        }
+        results.fields().ifPresent(fields -> {
+            lines.add("");
+            lines.addAll(FieldsTable.lines(fields));
+        });
+        return lines;
+    }
+
+    private static List<String> sensors(SitePlacement placement) {
         List<String> lines = new ArrayList<>();
         lines.add("best layout of " + placement.plan().candidates().size() + " candidates for a budget of "
                 + Numbers.text(placement.plan().settings().budget()) + ", in the order in which to buy:");
@@ -28,50 +50,69 @@ public final class PlaceTable {
         placement.chosen().stream()
                 .filter(sensor -> sensor.candidate().fixed())
                 .forEach(sensor -> lines.add(row(sensor, "kept", "-", placement, "-")));
-        for (PlaceStep step : placement.front()) {
-            SiteCandidate sensor = placement.chosen().stream()
-                    .filter(one -> one.name().equals(step.added()))
-                    .findFirst()
-                    .orElseThrow();
+        for (PlaceStep step : placement.purchases()) {
             lines.add(row(
-                    sensor,
-                    Numbers.text(sensor.candidate().cost()),
+                    added(step, placement),
+                    Numbers.text(added(step, placement).candidate().cost()),
                     Numbers.text(step.cost()),
                     placement,
-                    percent(step.value())));
+                    FrontWords.percent(step.value())));
         }
-        lines.add("");
-        lines.add(worth(placement));
-        placement
-                .worst()
-                .ifPresent(share -> lines.add(
-                        placement.headings() > 1
-                                ? "On the heading that is worst in each cell, the layout covers " + percent(share)
-                                        + " of the cells."
-                                : "All figures are for flight towards the protected zone."));
+        return lines;
+    }
+
+    /** The sensor that is bought in a step. */
+    static SiteCandidate added(PlaceStep step, SitePlacement placement) {
+        return placement.chosen().stream()
+                .filter(one -> one.name().equals(step.added()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** What the layout covers, compared with the best possible, with today's sensors, and after a loss. */
+    static List<String> sentences(PlaceResults results) {
+        SitePlacement placement = results.best();
+        List<String> lines = new ArrayList<>(List.of(worth(placement)));
+        results.fields().ifPresent(fields -> lines.add(together(fields, placement)));
         placement
                 .present()
                 .ifPresent(own -> lines.add("The scene's own " + own.sensors()
-                        + (own.sensors() == 1 ? " sensor covers " : " sensors cover ") + percent(own.value()) + "."));
-        placement.withoutEach().entrySet().stream()
-                .min(Map.Entry.comparingByValue())
-                .ifPresent(worst -> lines.add("Without " + worst.getKey() + ", whose loss is worst, the layout covers "
-                        + percent(worst.getValue()) + "."));
+                        + (own.sensors() == 1 ? " sensor covers " : " sensors cover ") + FrontWords.percent(own.value())
+                        + "."));
+        worstLoss(placement).ifPresent(lines::add);
         return lines;
+    }
+
+    private static String together(LayoutFields fields, SitePlacement placement) {
+        if (fields.heading() == FieldHeading.INBOUND) {
+            return "All figures are for flight towards the protected zone.";
+        }
+        int fold = placement.plan().settings().conditions().fold();
+        return "On the heading that is worst in each cell, the layout covers "
+                + FrontWords.percent(LayoutFields.share(fields.layout(), fold)) + " of the known cells.";
+    }
+
+    /** What remains without the sensor whose loss is worst; empty without a sensor. */
+    static Optional<String> worstLoss(SitePlacement placement) {
+        return placement.withoutEach().entrySet().stream()
+                .min(Map.Entry.comparingByValue())
+                .map(worst -> "Without " + worst.getKey() + ", whose loss is worst, the layout covers "
+                        + FrontWords.percent(worst.getValue()) + ".");
     }
 
     private static String worth(SitePlacement placement) {
         int fold = placement.plan().settings().conditions().fold();
-        String covered =
-                "The layout covers " + percent(placement.value()) + " of the air (" + placement.cells() + " cells"
-                        + (placement.headings() > 1 ? ", " + placement.headings() + " headings)" : ")")
-                        + (fold > 1 ? ", each covered by " + fold + " sensors or more," : "") + " for "
-                        + Numbers.text(placement.result().cost());
+        String covered = "The layout covers " + FrontWords.percent(placement.value()) + " of the air ("
+                + placement.cells() + " cells"
+                + (placement.headings() > 1 ? ", " + placement.headings() + " headings)" : ")")
+                + (fold > 1 ? ", each covered by " + fold + " sensors or more," : "") + " for "
+                + Numbers.text(placement.result().cost());
         boolean isBest = placement.value() == placement.bound();
         return covered
                 + (isBest
                         ? "; no layout within the budget covers more."
-                        : "; no layout within the budget covers more than " + percent(placement.bound()) + ".");
+                        : "; no layout within the budget covers more than " + FrontWords.percent(placement.bound())
+                                + ".");
     }
 
     private static String row(SiteCandidate sensor, String cost, String sum, SitePlacement placement, String value) {
@@ -80,11 +121,11 @@ public final class PlaceTable {
                 ROW,
                 sensor.name(),
                 sensor.sensor().kind(),
-                position(sensor.sensor().position()),
+                position(sensor),
                 azimuth.isPresent() ? text("%.0f°", azimuth.getAsDouble()) : "-",
                 cost,
                 sum,
-                percent(placement.alone(sensor)),
+                FrontWords.percent(placement.alone(sensor)),
                 value);
     }
 
@@ -98,15 +139,13 @@ public final class PlaceTable {
                 .orElse(OptionalDouble.empty());
     }
 
-    private static String position(Position position) {
+    /** Where a sensor is, m. */
+    static String position(SiteCandidate sensor) {
+        Position position = sensor.sensor().position();
         return text("%.1f, %.1f, %.1f", position.x(), position.y(), position.z());
     }
 
-    private static String percent(double fraction) {
-        return text("%.1f %%", 100.0 * fraction);
-    }
-
-    private static String text(String pattern, Object... values) {
+    static String text(String pattern, Object... values) {
         return String.format(Locale.ROOT, pattern, values);
     }
 }

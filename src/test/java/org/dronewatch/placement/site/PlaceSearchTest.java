@@ -6,11 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -18,6 +19,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
+import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.geometry.Position;
@@ -80,6 +82,97 @@ class PlaceSearchTest {
         assertThat(placement.value()).isBetween(0.05, 0.99);
         assertThat(placement.withoutEach().values().stream().min(Double::compare))
                 .hasValueSatisfying(least -> assertThat(least).isGreaterThanOrEqualTo(remaining));
+    }
+
+    /** The best of all choices for each sum of prices: those that a cheaper one equals are left out. */
+    @ParameterizedTest
+    @CsvSource({"6, 12", "4, 12", "9, 3"})
+    void theFrontHasTheBestOfAllChoicesForEachBudget(double budget, int budgets) throws IOException {
+        PlacePlan plan = plan("budget: " + budget + "\n");
+        CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
+        SitePlacement whole =
+                new PlaceSearch(plan, cells, new ExactSolver()).found(SolverLimits.NONE, some -> {}, () -> {});
+        BudgetFront front =
+                new FrontSearch(cells, new ExactSolver()).found(whole, budgets, SolverLimits.NONE, some -> {});
+        countAll(plan, whole);
+        List<Double> asked = BudgetSteps.below(
+                whole.result().cost(), budgets - 1, whole.problem().table().candidates());
+        List<Double> bests = new ArrayList<>();
+        for (double limit : asked) {
+            double best = bestOfAll(plan, limit);
+            if (best > 0.0 && (bests.isEmpty() || best > bests.get(bests.size() - 1) + 1e-12)) {
+                bests.add(best);
+            }
+        }
+        bests.add(whole.value());
+
+        assertThat(front.complete()).isTrue();
+        assertThat(front.best().value()).isEqualTo(whole.value());
+        assertThat(front.points()).hasSameSizeAs(bests).hasSizeGreaterThan(2);
+        for (int at = 0; at < bests.size(); at++) {
+            FrontPoint point = front.points().get(at);
+            assertThat(point.layout().value()).isCloseTo(bests.get(at), within(1e-12));
+            assertThat(point.layout().bound()).isEqualTo(point.layout().value());
+            assertThat(point.cost()).isLessThanOrEqualTo(point.budget());
+            assertGain(
+                    point,
+                    at == 0 ? List.of() : front.points().get(at - 1).layout().chosen(),
+                    cells);
+        }
+    }
+
+    private double bestOfAll(PlacePlan plan, double limit) {
+        double best = 0.0;
+        for (int choice = 0; choice < 1 << plan.candidates().size(); choice++) {
+            best = cost(plan, choice) <= limit + 1e-9 ? Math.max(best, value(choice, 1)) : best;
+        }
+        return best;
+    }
+
+    /** What a step adds and removes turns the layout before into this one; the part that gains is counted anew. */
+    private static void assertGain(FrontPoint point, List<SiteCandidate> before, CoveredCells cells) {
+        List<String> names =
+                new ArrayList<>(before.stream().map(SiteCandidate::name).toList());
+        names.removeAll(point.removed());
+        names.addAll(point.added());
+        assertThat(names)
+                .containsExactlyInAnyOrderElementsOf(point.layout().chosen().stream()
+                        .map(SiteCandidate::name)
+                        .toList());
+        SectorGain gain = point.gain().orElseThrow();
+        assertThat(share(gain, point.layout().chosen(), point.layout(), cells)).isCloseTo(gain.after(), within(1e-12));
+        assertThat(share(gain, before, point.layout(), cells)).isCloseTo(gain.before(), within(1e-12));
+        assertThat(gain.after()).isGreaterThan(gain.before());
+    }
+
+    /** The fraction of the rows in an eighth of the compass at some heights that a layout covers. */
+    private static double share(
+            SectorGain gain, List<SiteCandidate> layout, SitePlacement placement, CoveredCells cells) {
+        Set<Integer> covered = new HashSet<>();
+        for (SiteCandidate one : layout) {
+            var column = placement
+                    .problem()
+                    .table()
+                    .column(placement.plan().candidates().indexOf(one));
+            for (int at = 0; at < column.size(); at++) {
+                covered.add(column.row(at));
+            }
+        }
+        FieldGrid grid = cells.grid();
+        int[] rows = cells.cells();
+        int all = 0;
+        int in = 0;
+        for (int row = 0; row < rows.length; row++) {
+            double height = grid.heights().get(rows[row] / grid.cells());
+            double x = grid.x(rows[row] % grid.columns()) - grid.east();
+            double y = grid.y(rows[row] / grid.columns() % grid.columns()) - grid.north();
+            double off = Math.IEEEremainder(Math.atan2(x, y) - gain.bearing(), 2.0 * Math.PI);
+            if (off >= -Math.PI / 8.0 && off < Math.PI / 8.0 && height >= gain.lowest() && height <= gain.highest()) {
+                all++;
+                in += covered.contains(row) ? 1 : 0;
+            }
+        }
+        return (double) in / all;
     }
 
     /** All candidates are sensors of one scene, whose field says which of them cover each cell on each heading. */
@@ -198,7 +291,6 @@ class PlaceSearchTest {
         assertThat(placement.value()).isPositive();
         assertThat(placement.bound()).isEqualTo(1.0);
         assertThat(placement.chosen()).isNotEmpty().allMatch(one -> placement.alone(one) > 0.0);
-        assertThat(placement.worst()).isEqualTo(OptionalDouble.empty());
     }
 
     @Test

@@ -1,0 +1,28 @@
+package org.dronewatch.placement.site;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The best layout that was found for a budget, and how it differs from the one for the next lower budget.
+ *
+ * @param budget for which it was sought: the bound of the layout holds for all budgets up to this one
+ * @param layout that was found; it may cost less
+ * @param added names of the sensors that the layout before does not have, in the order of the file; without a layout
+ *     before, all but those that are kept
+ * @param removed names of the sensors that only the layout before has
+ * @param gain where the layout covers more than the one before; empty if it covers nothing more
+ */
+public record FrontPoint(
+        double budget, SitePlacement layout, List<String> added, List<String> removed, Optional<SectorGain> gain) {
+    /** Copies the lists. */
+    public FrontPoint {
+        added = List.copyOf(added);
+        removed = List.copyOf(removed);
+    }
+
+    /** What the layout costs. */
+    public double cost() {
+        return layout.result().cost();
+    }
+}

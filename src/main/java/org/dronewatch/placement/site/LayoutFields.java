@@ -1,0 +1,69 @@
+package org.dronewatch.placement.site;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.field.FieldHeading;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * The coverage of the best layout and that of the scene's own sensors on the same cells, each as {@code coverage} finds
+ * it.
+ *
+ * @param heading that counts in a cell
+ * @param layout coverage of the layout
+ * @param settings the scene with the layout's sensors alone
+ * @param present coverage of the scene's own sensors; empty if it has none
+ */
+public record LayoutFields(
+        FieldHeading heading, FieldSummary layout, SceneSettings settings, Optional<FieldSummary> present) {
+    /**
+     * Assesses both layouts on the {@link org.dronewatch.parallel.Workers} of the calling thread.
+     *
+     * @param progress receives the number of cells that were assessed since the last call
+     * @return empty if the layout has no sensor, or this thread is interrupted; it then stays interrupted
+     */
+    public static Optional<LayoutFields> of(SitePlacement placement, CoveredCells cells, IntConsumer progress) {
+        Map<String, SensorSettings<?>> chosen = chosen(placement.chosen());
+        Map<String, SensorSettings<?>> own = placement.plan().present().enabledSensors();
+        if (chosen.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            FieldSummary layout = cells.summary(chosen, progress);
+            Optional<FieldSummary> present =
+                    own.isEmpty() ? Optional.empty() : Optional.of(cells.summary(own, progress));
+            return Optional.of(new LayoutFields(cells.heading(), layout, cells.alone(chosen), present));
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static Map<String, SensorSettings<?>> chosen(List<SiteCandidate> sensors) {
+        Map<String, SensorSettings<?>> chosen = new LinkedHashMap<>();
+        sensors.forEach(one -> chosen.put(one.name(), one.sensor()));
+        return chosen;
+    }
+
+    /**
+     * The fraction of the known cells at all heights that a layout covers.
+     *
+     * @param fold number of sensors that must cover a cell, 1 or more
+     */
+    public static double share(FieldSummary summary, int fold) {
+        long known = 0;
+        long covered = 0;
+        for (var height : summary.heights()) {
+            known += height.known();
+            for (int sensors = fold; sensors < height.counts().length; sensors++) {
+                covered += height.counts()[sensors];
+            }
+        }
+        return known == 0 ? 0.0 : (double) covered / known;
+    }
+}

@@ -1,0 +1,85 @@
+package org.dronewatch.report.placement;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldHeading;
+import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.field.Gap;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.report.coverage.CoverageTable;
+import org.dronewatch.sensor.Cause;
+
+/** The coverage of the layout and of the scene's own sensors, height by height. */
+final class FieldsTable {
+    private static final String ROW = "%10s  %8s  %8s  %11s  %11s  %10s  %10s";
+    private static final double HECTARE = 1e4;
+
+    private FieldsTable() {}
+
+    /** A table, and the largest gap of the layout in a sentence. */
+    static List<String> lines(LayoutFields fields) {
+        List<String> lines = new ArrayList<>();
+        lines.add("coverage" + heading(fields) + ", in % of the known cells, and the largest gap in ha:");
+        lines.add(PlaceTable.text(ROW, "", "covered", "", "worst loss", "", "gap", ""));
+        lines.add(PlaceTable.text(ROW, "height", "today", "layout", "today", "layout", "today", "layout"));
+        for (int height = 0; height < fields.layout().heights().size(); height++) {
+            lines.add(row(fields, height));
+        }
+        lines.add(worstPlace(fields.layout()));
+        return lines;
+    }
+
+    private static String row(LayoutFields fields, int height) {
+        HeightFigures layout = new HeightFigures(fields.layout().heights().get(height));
+        Optional<HeightFigures> today =
+                fields.present().map(its -> new HeightFigures(its.heights().get(height)));
+        return PlaceTable.text(
+                ROW,
+                Numbers.text(fields.layout().heights().get(height).height()) + " m",
+                today.map(HeightFigures::covered).orElse(HeightFigures.NONE),
+                layout.covered(),
+                today.map(HeightFigures::afterWorstLoss).orElse(HeightFigures.NONE),
+                layout.afterWorstLoss(),
+                today.map(HeightFigures::largestGap).orElse(HeightFigures.NONE),
+                layout.largestGap());
+    }
+
+    /** {@code on the heading that is worst in each cell}, with a space before it. */
+    static String heading(LayoutFields fields) {
+        return fields.heading() == FieldHeading.INBOUND
+                ? " of a drone that flies inbound"
+                : " on the heading that is worst in each cell";
+    }
+
+    /** The largest gap that a layout leaves: where it is, and why. */
+    static String worstPlace(FieldSummary summary) {
+        Optional<HeightSummary> worst = summary.heights().stream()
+                .filter(height -> height.gap().isPresent())
+                .max(Comparator.comparingDouble(
+                        height -> height.gap().orElseThrow().area()));
+        if (worst.isEmpty()) {
+            return "The layout leaves no gap at these heights.";
+        }
+        Gap gap = worst.get().gap().orElseThrow();
+        FieldGrid grid = summary.coverage().field().grid();
+        double east = gap.x() - grid.east();
+        double north = gap.y() - grid.north();
+        double distance = Math.hypot(east, north);
+        String where = distance < grid.cell()
+                ? "in the middle of the air"
+                : PlaceTable.text(
+                        "%.0f m %s of the middle of the air", distance, CompassPoint.of(StrictMath.atan2(east, north)));
+        return "The layout's largest gap is " + PlaceTable.text("%.1f ha", gap.area() / HECTARE) + " at "
+                + Numbers.text(worst.get().height()) + " m above the ground, " + where + ", mainly "
+                + (gap.cause() == Cause.DETECTED
+                        ? "where a detection is too unlikely"
+                        : CoverageTable.name(gap.cause()))
+                + ".";
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronewatch.report.placement;
+
+import java.util.Comparator;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.analysis.field.Gap;
+import org.dronewatch.analysis.field.HeightSummary;
+
+/** Figures of a layout at one height, as text; a dash where there is none. */
+final class HeightFigures {
+    static final String NONE = "-";
+
+    private final HeightSummary height;
+
+    HeightFigures(HeightSummary height) {
+        this.height = height;
+    }
+
+    /** The percentage of the known cells that is covered. */
+    String covered() {
+        return share(height.covered());
+    }
+
+    /** The percentage that remains covered without the sensor whose loss is worst. */
+    String afterWorstLoss() {
+        return worstLoss()
+                .map(worst -> share(height.covered() - worst.getValue()))
+                .orElse(NONE);
+    }
+
+    /** The sensor whose loss is worst. */
+    String worstLost() {
+        return worstLoss().map(Map.Entry::getKey).orElse(NONE);
+    }
+
+    private Optional<Map.Entry<String, Integer>> worstLoss() {
+        return height.lost().entrySet().stream().max(Map.Entry.comparingByValue(Comparator.naturalOrder()));
+    }
+
+    /** The area of the largest gap, ha. */
+    String largestGap() {
+        return PlaceTable.text("%.1f", 1e-4 * height.gap().map(Gap::area).orElse(0.0));
+    }
+
+    private String share(int cells) {
+        return height.known() == 0 ? NONE : PlaceTable.text("%.1f", 100.0 * cells / height.known());
+    }
+}
