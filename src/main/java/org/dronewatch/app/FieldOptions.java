@@ -36,6 +36,7 @@ import picocli.CommandLine.Option;
 final class FieldOptions {
     private static final String HEIGHTS = "--heights";
     private static final String CELL = "--cell";
+    private static final String CENTRE = "--centre";
     private static final String HEADING = "--heading";
     private static final String COVERED = "--covered";
     private static final String WITHIN = "--within";
@@ -54,6 +55,12 @@ final class FieldOptions {
             paramLabel = "L",
             description = "Length of a cell's side; a hundredth of the area's side by default.")
     private String cell;
+
+    @Option(
+            names = CENTRE,
+            paramLabel = "EAST,NORTH",
+            description = "Middle of the area in the scene's frame; the middle of the sensors by default.")
+    private String centre;
 
     @Option(
             names = HEADING,
@@ -102,6 +109,7 @@ final class FieldOptions {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put(HEIGHTS, heights);
         values.put(CELL, cell);
+        values.put(CENTRE, centre);
         values.put(HEADING, heading);
         values.put(COVERED, covered);
         values.put(WITHIN, within);
@@ -121,10 +129,11 @@ final class FieldOptions {
      * @param side length of the side around the sensors, m; empty if none was given
      */
     FieldGrid grid(SceneSettings settings, OptionalDouble side) {
-        Position middle = InboundTarget.sensors(settings);
-        if (area != null && side.isPresent()) {
-            throw new InputException(AREA + " " + PlainText.value(area) + ": cannot be combined with --side");
+        if (area != null && (side.isPresent() || centre != null)) {
+            throw new InputException(AREA + " " + PlainText.value(area) + ": cannot be combined with "
+                    + (side.isPresent() ? "--side" : CENTRE));
         }
+        Position middle = centre == null ? InboundTarget.sensors(settings) : centre();
         try {
             return area == null
                     ? square(middle, side.orElse(FieldGrid.DEFAULT_SIDE))
@@ -132,6 +141,18 @@ final class FieldOptions {
         } catch (IllegalArgumentException e) {
             throw new InputException((heights == null ? CELL : HEIGHTS) + ": " + e.getMessage(), e);
         }
+    }
+
+    private Position centre() {
+        String[] parts = centre.split(",", -1);
+        if (parts.length != 2) {
+            throw new InputException(
+                    CENTRE + " " + PlainText.value(centre) + ": must be EAST,NORTH, such as 100m,-50m");
+        }
+        return new Position(
+                (double) value("centre", parts[0].strip(), FieldGrid.class, "east"),
+                (double) value("centre", parts[1].strip(), FieldGrid.class, "north"),
+                0.0);
     }
 
     private FieldGrid square(Position middle, double side) {

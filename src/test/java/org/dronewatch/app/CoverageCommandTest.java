@@ -235,6 +235,8 @@ class CoverageCommandTest {
     @CsvSource(
             delimiter = '|',
             value = {
+                "--centre=7 | --centre 7: must be EAST,NORTH, such as 100m,-50m",
+                "--centre=7,1e9 | --centre 1e9: north 1e9 m must be -100000 to 100000",
                 "--within=0 | --within 0: within 0 s must be above 0 and at most 86400",
                 "--within=soon | --within soon: 'soon'",
                 "--area=yard | --area yard: no such zone; the scene protects hook, protected",

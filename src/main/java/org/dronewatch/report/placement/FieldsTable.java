@@ -10,6 +10,7 @@ import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.Gap;
 import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.CoverageTable;
@@ -22,8 +23,8 @@ final class FieldsTable {
 
     private FieldsTable() {}
 
-    /** A table, and the largest gap of the layout in a sentence. */
-    static List<String> lines(LayoutFields fields) {
+    /** A table, the largest gap of the layout in a sentence, and how to assess it again. */
+    static List<String> lines(LayoutFields fields, SitePlacement placement) {
         List<String> lines = new ArrayList<>();
         lines.add("coverage" + heading(fields) + ", in % of the known cells, and the largest gap in ha:");
         lines.add(PlaceTable.text(ROW, "", "covered", "", "worst loss", "", "gap", ""));
@@ -32,6 +33,7 @@ final class FieldsTable {
             lines.add(row(fields, height));
         }
         lines.add(worstPlace(fields.layout()));
+        lines.add("'coverage layout.yaml " + SameCoverage.options(placement) + "' gives the figures of the layout.");
         return lines;
     }
 
@@ -53,7 +55,7 @@ final class FieldsTable {
     /** {@code on the heading that is worst in each cell}, with a space before it. */
     static String heading(LayoutFields fields) {
         return fields.heading() == FieldHeading.INBOUND
-                ? " of a drone that flies inbound"
+                ? " of inbound flight"
                 : " on the heading that is worst in each cell";
     }
 

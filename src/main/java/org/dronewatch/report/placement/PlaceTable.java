@@ -37,7 +37,7 @@ public final class PlaceTable {
         }
         results.fields().ifPresent(fields -> {
             lines.add("");
-            lines.addAll(FieldsTable.lines(fields));
+            lines.addAll(FieldsTable.lines(fields, best));
         });
         return lines;
     }
