@@ -44,7 +44,7 @@ public final class BuiltInKinds implements KindGroup {
                 sensor("acoustic", AcousticSettings.class, "hears drones: a microphone or an array of microphones"),
                 sensor("radar", RadarSettings.class, "detects the radar echoes of drones"),
                 sensor("rf", RfSettings.class, "receives the radio signals of drones and their pilots"),
-                sensor("thermal", ThermalSettings.class, "sees the heat of drones, by day and night"));
+                sensor("thermal", ThermalSettings.class, "detects the heat of drones, by day and night"));
     }
 
     private static List<Kind<?>> detectionFunctions() {

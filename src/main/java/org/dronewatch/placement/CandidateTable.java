@@ -28,8 +28,9 @@ public final class CandidateTable {
     public CandidateTable(
             List<Candidate> candidates, List<CandidateColumn> columns, double[] weights, double[] undetected) {
         if (columns.size() != candidates.size() || undetected.length != weights.length) {
-            throw new IllegalArgumentException(candidates.size() + " candidates, but " + columns.size() + " columns; "
-                    + weights.length + " weights, but " + undetected.length + " impacts where nothing detects");
+            throw new IllegalArgumentException(
+                    candidates.size() + " candidates, but " + columns.size() + " columns; " + weights.length
+                            + " weights, but " + undetected.length + " impacts where no candidate detects anything");
         }
         Set<String> names = new HashSet<>();
         for (int number = 0; number < candidates.size(); number++) {
@@ -46,7 +47,7 @@ public final class CandidateTable {
             throw new IllegalArgumentException("weights must be 0 or more");
         }
         if (Arrays.stream(undetected).anyMatch(impact -> impact < 0.0 || Double.isInfinite(impact))) {
-            throw new IllegalArgumentException("impacts where nothing detects must be 0 or more");
+            throw new IllegalArgumentException("impacts where no candidate detects anything must be 0 or more");
         }
         this.candidates = List.copyOf(candidates);
         this.columns = List.copyOf(columns);
@@ -90,7 +91,7 @@ public final class CandidateTable {
         return weights[row];
     }
 
-    /** The impact in a row where nothing detects; not a number where it is not stated. */
+    /** The impact in a row where no candidate detects anything; not a number where it is not stated. */
     public double undetected(int row) {
         return undetected[row];
     }

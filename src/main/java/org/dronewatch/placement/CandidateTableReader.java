@@ -14,7 +14,8 @@ import org.dronewatch.setting.PlainText;
  * Reads a table of candidates from two CSV files. The first has the columns {@code name} and, unless they do not
  * matter, {@code cost} (1), {@code kind}, {@code exclusive} and {@code fixed} ({@code true} or {@code false}). The
  * second has the columns {@code row}, {@code candidate}, {@code value} and, if rows differ in it, {@code weight}
- * (1), with a line for each value that is not 0. A line without a candidate gives the impact where nothing detects.
+ * (1), with a line for each value that is not 0. A line without a candidate gives the impact where no candidate
+ * detects anything.
  */
 public final class CandidateTableReader {
     private static final String NAME = "name";
@@ -70,7 +71,7 @@ public final class CandidateTableReader {
         Integer number = numbers.get(candidate);
         if (candidate.isEmpty()) {
             if (!Double.isNaN(undetected[row])) {
-                throw line.fault(ROW, "has two impacts where nothing detects");
+                throw line.fault(ROW, "has two impacts where no candidate detects anything");
             }
             undetected[row] = value;
         } else if (number == null) {

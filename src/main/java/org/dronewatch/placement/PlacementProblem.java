@@ -12,7 +12,7 @@ public final class PlacementProblem {
     /** The greatest probability that counts. */
     public static final double CERTAIN = 1.0 - 1e-6;
 
-    /** Sums of costs may exceed the budget by this fraction, which rounding explains. */
+    /** Sums of costs may exceed the budget by this fraction, to allow for rounding. */
     public static final double ROUNDING = 1e-12;
 
     private final CandidateTable table;
@@ -24,7 +24,7 @@ public final class PlacementProblem {
      * A problem.
      *
      * @throws IllegalArgumentException when a k-fold condition makes no sense for the objective, a probability is
-     *     above 1, or a row lists neither an impact for every candidate nor one where nothing detects
+     *     above 1, or a row lists neither an impact for every candidate nor one where no candidate detects anything
      */
     public PlacementProblem(CandidateTable table, PlacementObjective objective, PlacementConditions conditions) {
         if (conditions.fold() > 1 && !objective.takesBest()) {
@@ -54,7 +54,7 @@ public final class PlacementProblem {
                 worst[row] = table.undetected(row);
             } else if (counts[row] < table.size()) {
                 throw new IllegalArgumentException("row " + row + ": " + counts[row] + " of " + table.size()
-                        + " candidates have an impact: the impact where nothing detects is missing");
+                        + " candidates have an impact: the impact where no candidate detects anything is missing");
             }
         }
         return worst;

@@ -9,7 +9,7 @@ import java.util.List;
  * @param value of the objective
  * @param bound no layout has a better value
  * @param cost sum of the costs
- * @param complete whether the search ended by itself: no layout is better by more than the gap that was asked for
+ * @param complete whether the search ran to completion: no layout is better by more than the gap that was asked for
  */
 public record PlacementResult(List<Integer> chosen, double value, double bound, double cost, boolean complete) {
     /** Copies the list. */

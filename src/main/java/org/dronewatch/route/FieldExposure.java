@@ -15,7 +15,7 @@ import org.dronewatch.sensor.Cause;
  * field is not open, rates are 0: no route leads there.
  */
 public final class FieldExposure implements ExposureField {
-    /** The most that the probability of a look counts as, so that all exposures are finite. */
+    /** The value at which the probability of a look is capped, so that all exposures are finite. */
     public static final double HIGHEST = 1.0 - 1e-6;
 
     private final DetectionField field;

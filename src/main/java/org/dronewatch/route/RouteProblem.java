@@ -4,7 +4,7 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * What is asked of a route search.
+ * The input of a route search.
  *
  * @param grid the posts between which routes lead
  * @param field how exposed the drone is

@@ -128,8 +128,8 @@ final class SitePosts {
 
     /**
      * The open posts at which a route ends: those {@linkplain #near near} enough to the protected zone. Without one, in
-     * each column only the one whose height is nearest to that of the sensors: who passes high over them has not
-     * reached them.
+     * each column only the one whose height is nearest to that of the sensors: a drone that passes high over them has
+     * not reached them.
      */
     BitSet goals(Protection protection, Position middle, double reach) {
         BitSet goals = near(protection, middle, reach);

@@ -34,7 +34,7 @@ final class Texts {
                 there.latitude() < 0.0 ? "S" : "N",
                 Math.abs(there.longitude()),
                 there.longitude() < 0.0 ? "W" : "E",
-                aboveTheSea ? String.format(Locale.ROOT, ", %.1f m above the sea", there.height()) : "");
+                aboveTheSea ? String.format(Locale.ROOT, ", %.1f m above sea level", there.height()) : "");
     }
 
     /** What went wrong, in a line. */

@@ -35,7 +35,7 @@ public final class DetectionField {
      * A field of which no height has been assessed yet.
      *
      * @param store of assessments that were made before
-     * @param progress receives the number of cells that what was traced stands for since the last call
+     * @param progress receives the number of cells represented by what has been traced since the last call
      */
     static DetectionField unassessed(FieldRequest asked, LayerStore store, IntConsumer progress) {
         FieldColumns columns = FieldColumns.of(asked.stage().world(), asked.grid());

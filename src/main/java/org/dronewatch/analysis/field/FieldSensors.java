@@ -39,7 +39,7 @@ final class FieldSensors {
      * The enabled sensors of a scene; nothing has been assessed yet but what is interpolated between cells.
      *
      * @param store of what was assessed before
-     * @param progress receives the number of cells that what was traced stands for since the last call
+     * @param progress receives the number of cells represented by what has been traced since the last call
      */
     static FieldSensors unassessed(FieldRequest asked, FieldColumns columns, LayerStore store, IntConsumer progress) {
         Drone sample = DetectionField.droneOf(asked.stage(), asked.drone());

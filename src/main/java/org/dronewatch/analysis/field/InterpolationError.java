@@ -10,14 +10,14 @@ import java.util.Optional;
  *
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error
- * @param largely what the error does not exceed at 95 % of these, dB
+ * @param percentile95 the 95th percentile of the error at these, dB
  * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB; looks have it,
  *     too, so that interpolation between more positions would not be more accurate
  * @param inSight where nothing is in the way
  * @param hidden where something is
  */
 public record InterpolationError(
-        int places, int heldOut, double largely, double ofLooks, Bounds inSight, Bounds hidden) {
+        int places, int heldOut, double percentile95, double ofLooks, Bounds inSight, Bounds hidden) {
     /** A field is not accurate if its error exceeds this at more than 5 % of the positions, dB. */
     public static final double ACCURATE = 0.5;
 
@@ -69,13 +69,13 @@ public record InterpolationError(
         heldOut.forEach(place ->
                 map.at(place.at(), place.isInSight(), place.exact()).ifPresent(its -> errors.add(error(its, place))));
         Collections.sort(errors);
-        double largely = errors.isEmpty() ? 0.0 : errors.get((int) Math.ceil(LARGE_PART * errors.size()) - 1);
+        double percentile95 = errors.isEmpty() ? 0.0 : errors.get((int) Math.ceil(LARGE_PART * errors.size()) - 1);
         Optional<Bounds> seen = bounds(map, heldOut, true);
         Optional<Bounds> unseen = bounds(map, heldOut, false);
         Bounds all = seen.or(() -> unseen).orElse(Bounds.UNKNOWN);
         Bounds any = all.atLeast(unseen.orElse(all));
         return new InterpolationError(
-                places, heldOut.size(), largely, ofLooks(heldOut), seen.orElse(any), unseen.orElse(any));
+                places, heldOut.size(), percentile95, ofLooks(heldOut), seen.orElse(any), unseen.orElse(any));
     }
 
     private static double ofLooks(List<TracedPlace> heldOut) {
@@ -88,7 +88,7 @@ public record InterpolationError(
     }
 
     /** The part of the error that looks alone cause: 95 % of normally distributed errors do not exceed it, dB. */
-    public double largelyOfLooks() {
+    public double percentile95OfLooks() {
         return TWO_SIDED * ofLooks;
     }
 

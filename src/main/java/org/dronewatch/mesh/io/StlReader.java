@@ -36,7 +36,7 @@ public final class StlReader implements MeshReader {
 
     @Override
     public String summary() {
-        return "STL, binary or text; without unit and materials";
+        return "STL, binary or text; without units or materials";
     }
 
     @Override

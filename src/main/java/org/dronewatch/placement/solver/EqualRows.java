@@ -16,7 +16,7 @@ final class EqualRows {
     private final int[] first;
     private final double[] weights;
 
-    /** The rows of a table; those with different impacts where nothing detects differ. */
+    /** The rows of a table; those with different impacts where no candidate detects anything differ. */
     EqualRows(CandidateTable table, IntToDoubleFunction undetected) {
         int[] counts = counts(table);
         Map<Contents, Integer> known = new HashMap<>();

@@ -61,7 +61,7 @@ final class PairWords {
     private String verdict(VariantComparison pair, String first, String second) {
         PairedDifference difference = pair.difference();
         if (difference.onlyA() + difference.onlyB() == 0) {
-            return "Between " + first + " and " + second + " no case decides: they are equally good in all of them.";
+            return "Between " + first + " and " + second + " no case decides: they are equally good in every case.";
         }
         String of = " difference between " + first + " and " + second + ", "
                 + ShareWords.difference(difference, !pair.a().equals(first)) + ", is ";

@@ -102,8 +102,8 @@ final class FieldFile {
     private static void add(ObjectNode node, InterpolationError error) {
         node.put("places", error.places());
         node.put("held_out", error.heldOut());
-        node.put("error_95_db", Numbers.rounded(error.largely()));
-        node.put("look_error_95_db", Numbers.rounded(error.largelyOfLooks()));
+        node.put("error_95_db", Numbers.rounded(error.percentile95()));
+        node.put("look_error_95_db", Numbers.rounded(error.percentile95OfLooks()));
     }
 
     private static void add(ObjectNode node, DetectableHeights detectable) {

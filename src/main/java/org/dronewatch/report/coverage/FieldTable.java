@@ -145,7 +145,7 @@ public final class FieldTable {
     public static List<String> interpolated(FieldSummary summary) {
         List<String> lines = new ArrayList<>();
         summary.coverage().field().interpolated().forEach((sensor, error) -> {
-            boolean isAccurate = error.largely() <= InterpolationError.ACCURATE;
+            boolean isAccurate = error.percentile95() <= InterpolationError.ACCURATE;
             lines.add(text(
                     "%s'%s': levels traced at %,d positions, interpolated elsewhere; at 95 %% of %,d other positions the error is at"
                             + " most %.2f dB%s",
@@ -153,7 +153,7 @@ public final class FieldTable {
                     sensor,
                     error.places(),
                     error.heldOut(),
-                    error.largely(),
+                    error.percentile95(),
                     isAccurate
                             ? ""
                             : text(
@@ -165,12 +165,12 @@ public final class FieldTable {
 
     /** The remedy that makes levels more accurate: more rays, if the errors of looks alone are too large. */
     private static String remedy(String sensor, InterpolationError error) {
-        return error.largelyOfLooks() <= InterpolationError.ACCURATE
+        return error.percentile95OfLooks() <= InterpolationError.ACCURATE
                 ? "larger cells or fewer heights help"
                 : text(
                         "the random rays of a look alone cause up to %.2f dB, so only a larger"
                                 + " sensors.%s.propagation.rays helps",
-                        error.largelyOfLooks(), sensor);
+                        error.percentile95OfLooks(), sensor);
     }
 
     private static String words(Gap gap) {

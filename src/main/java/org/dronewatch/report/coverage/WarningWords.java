@@ -50,7 +50,7 @@ final class WarningWords {
                                         + " or larger cells (--cell)."
                                 : "")
                         + (warnings.all().stream().anyMatch(Warning::isFromStart)
-                                ? " Where the drone is detected as soon as its flight or the known ground begins, the"
+                                ? " Where the drone is detected where its flight or the known ground begins, the"
                                         + " warning is at least as long as stated."
                                 : ""));
     }
@@ -134,6 +134,6 @@ final class WarningWords {
         return undecided == 0
                 ? isLate
                 : isLate + " In " + share(undecided, warnings.all()) + " cases, it is unknown whether it is given:"
-                        + " the drone is detected as soon as its flight or the known ground begins.";
+                        + " the drone is detected where its flight or the known ground begins.";
     }
 }

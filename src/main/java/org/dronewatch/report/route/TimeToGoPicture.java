@@ -79,7 +79,7 @@ final class TimeToGoPicture {
         }
         sheet.title(inputs.scene());
         sheet.line("least time that the drone '" + inputs.drone() + "'");
-        sheet.line("needs to " + inputs.targetInWords() + ",");
+        sheet.line("needs to reach " + inputs.targetInWords() + ",");
         sheet.line("from any height:");
         sheet.space();
         for (int number = classes - 1; number >= 0; number--) {
@@ -100,10 +100,10 @@ final class TimeToGoPicture {
             sheet.sample(ZONE, 0, "protected zone");
         }
         sheet.credits(stage.credits());
-        sheet.caption("The time that the drone needs to " + inputs.targetInWords() + " by the fastest route"
+        sheet.caption("The time that the drone needs to reach " + inputs.targetInWords() + " by the fastest route"
                 + (inputs.response() > 0.0
                         ? "; once it is inside the red line, an alert comes too late for the response."
-                        : ": an alert must come earlier by the time of a response."));
+                        : ": an alert must come earlier than that by the time of the response."));
         return sheet;
     }
 

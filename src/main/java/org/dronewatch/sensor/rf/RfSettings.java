@@ -46,7 +46,7 @@ import org.dronewatch.world.World;
  *     greater of the two losses counts, otherwise their sum
  * @param environment man-made noise of the surroundings; omit it for thermal noise alone
  * @param occupied bands in which others transmit intermittently, by name; they must not overlap
- * @param attributes types of emission that it can recognise as a drone's
+ * @param recognised types of emission that it can recognise as a drone's
  * @param dwell time for which it listens when a transmission comes in bursts; omit it for a receiver that receives
  *     every burst
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
@@ -69,7 +69,7 @@ public record RfSettings(
         @Minor boolean clutterIncludesEdges,
         @Minor Optional<ManMadeNoise> environment,
         @Minor Map<String, OccupiedBand> occupied,
-        @Minor List<RadioLink.Emission> attributes,
+        @Minor @Formerly("attributes") List<RadioLink.Emission> recognised,
         @Minor Optional<Dwell> dwell,
         @Minor Optional<FalseAlarms> falseAlarms,
         @Minor Optional<AntennaPattern> beam,
@@ -100,7 +100,7 @@ public record RfSettings(
                 clutterIncludesEdges,
                 environment,
                 occupied,
-                attributes,
+                recognised,
                 dwell,
                 falseAlarms,
                 beam,
@@ -108,7 +108,7 @@ public record RfSettings(
         aim.from(position);
         falseAlarms.ifPresent(known -> known.rate(rate));
         occupied = Collections.unmodifiableMap(new LinkedHashMap<>(occupied));
-        attributes = List.copyOf(attributes);
+        recognised = List.copyOf(recognised);
         checkApart(occupied);
         if (minFrequency >= maxFrequency) {
             throw new IllegalArgumentException(
@@ -210,8 +210,8 @@ public record RfSettings(
     }
 
     /** These settings with other types of emission that it can recognise as a drone's. */
-    public RfSettings withAttributes(List<RadioLink.Emission> kinds) {
-        return SettingsForm.with(this, "attributes", kinds);
+    public RfSettings withRecognised(List<RadioLink.Emission> kinds) {
+        return SettingsForm.with(this, "recognised", kinds);
     }
 
     /** These settings with dwells. */
@@ -233,7 +233,7 @@ public record RfSettings(
     /** Whether a link transmits what this receiver can recognise as a drone's, on a frequency that it receives. */
     boolean hears(RadioLink link) {
         return link.emits()
-                && attributes.contains(link.emission())
+                && recognised.contains(link.emission())
                 && link.frequency() >= minFrequency
                 && link.frequency() <= maxFrequency;
     }

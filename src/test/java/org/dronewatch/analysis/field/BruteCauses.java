@@ -101,7 +101,7 @@ final class BruteCauses {
         if (sensor instanceof RfSettings radio) {
             RadioLink link = drone.settings().radio();
             boolean isHeard = link.control() == RadioLink.Control.RADIO
-                    && radio.attributes().contains(link.emission())
+                    && radio.recognised().contains(link.emission())
                     && link.frequency() >= radio.minFrequency()
                     && link.frequency() <= radio.maxFrequency();
             return isHeard ? Optional.empty() : Optional.of(EnumSet.of(Cause.SILENT));

@@ -222,9 +222,9 @@ class ExcessSurveyTest {
         InterpolationError error = new ExcessMap(places, heldOut).error();
         assertThat(error.places()).isEqualTo(400);
         assertThat(error.heldOut()).isEqualTo(100);
-        assertThat(error.largely()).isCloseTo(0.95, within(1e-9));
+        assertThat(error.percentile95()).isCloseTo(0.95, within(1e-9));
         assertThat(error.ofLooks()).isCloseTo(0.5, within(1e-9));
-        assertThat(error.largelyOfLooks()).isCloseTo(0.98, within(1e-9));
+        assertThat(error.percentile95OfLooks()).isCloseTo(0.98, within(1e-9));
         assertThat(3.0 * error.deviation(0.0, true)).isBetween(1.0, 1.3);
         assertThat(error.bounds(true).beyond()).isBetween(0.99, 1.3);
         assertThat(error.bounds(false)).as("too few are hidden").isEqualTo(error.bounds(true));

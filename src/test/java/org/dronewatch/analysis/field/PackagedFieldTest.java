@@ -93,7 +93,7 @@ class PackagedFieldTest {
         }
         site.field()
                 .interpolated()
-                .forEach((id, error) -> System.out.println(id + ": error of " + error.largely() + " dB"));
+                .forEach((id, error) -> System.out.println(id + ": error of " + error.percentile95() + " dB"));
         System.out.println(name + ": " + all + " assessments, " + certain + " certain, cause undecided by brute force "
                 + undecided + ", " + met);
         assertThat(certain).isGreaterThan(all / 2);

@@ -202,7 +202,7 @@ class RadioFloorTest {
         Drone drone = emitting(200, phone);
         assertThat(assess(RECEIVER, open(), drone).cause()).isEqualTo(Cause.SILENT);
         assertThat(assess(RECEIVER, open(), drone).quantity()).isEqualTo(Double.NEGATIVE_INFINITY);
-        RfSettings told = RECEIVER.withAttributes(List.of(RadioLink.Emission.CELLULAR));
+        RfSettings told = RECEIVER.withRecognised(List.of(RadioLink.Emission.CELLULAR));
         assertThat(assess(told, open(), drone).cause()).isEqualTo(Cause.DETECTED);
         assertThat(assess(told, open(), emitting(200, RadioLink.DEFAULT)).cause())
                 .isEqualTo(Cause.SILENT);
