@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
  * looks.
  *
  * @param hits number of looks that must detect the drone, 1 to 100
- * @param looks number of last looks considered, not fewer than hits, 1 to 100
+ * @param looks number of most recent looks considered, not fewer than hits, 1 to 100
  */
 public record Confirmation(
         @In(value = Quantity.NUMBER, from = 1, to = 100) int hits,

@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 
 /**
  * The least time that a drone needs from each post of a grid to the end of a route: where this is less than the time of
- * a response, an alert must have come before. Immutable and thread-safe.
+ * a response, an alert must already have come. Immutable and thread-safe.
  */
 public final class TimeToGo {
     private final RouteGrid grid;

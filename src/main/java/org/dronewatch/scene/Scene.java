@@ -131,7 +131,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         return ModelSettings.packaged(name);
     }
 
-    /** Adds a model to the world, such as a hill, then a house on it. */
+    /** Adds a model, such as a hill, to the world. May be called again, as for a house on that hill. */
     protected final void loadWorld(ModelSettings model) {
         building().addToWorld(model);
     }

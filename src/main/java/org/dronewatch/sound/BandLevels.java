@@ -34,7 +34,7 @@ public record BandLevels(
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz4000,
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz8000) {
 
-    /** The largest level of a band in a scene's settings, dB, and the least one when negative. */
+    /** The largest level of a band in a scene's settings, dB, and, negated, the least one. */
     public static final double MOST = 200.0;
 
     /**

@@ -56,8 +56,8 @@ public final class Barrier {
     }
 
     /**
-     * Attenuation after ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and Kmet =
-     * 1 (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. At most
+     * Attenuation according to ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and
+     * Kmet = 1 (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. At most
      * {@value #ISO_SINGLE_EDGE_LIMIT} dB by one edge, and {@value #LIMIT} dB by several.
      *
      * @param pathDifference m
