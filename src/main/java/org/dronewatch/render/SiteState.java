@@ -44,4 +44,9 @@ public record SiteState(
     public SiteState withStretches(List<FlightStretch> others) {
         return new SiteState(title, time, sensors, drones, selected, rays, others);
     }
+
+    /** This state with sensors elsewhere, and a title that says so. */
+    public SiteState withSensors(List<SensorMark> others, String otherTitle) {
+        return new SiteState(otherTitle, time, others, drones, selected, rays, stretches);
+    }
 }

@@ -40,10 +40,15 @@ final class CoverageComputing implements AutoCloseable {
     /**
      * Computes a coverage.
      *
+     * @param settings of the run, perhaps with its sensors elsewhere
      * @param target receives it on the event thread: after a cancellation the heights that are complete; empty without
      *     one, or after a failure
      */
-    void compute(ViewedRun run, CoverageForm.Inputs inputs, Consumer<Optional<ViewedCoverage>> target) {
+    void compute(
+            ViewedRun run,
+            SceneSettings settings,
+            CoverageForm.Inputs inputs,
+            Consumer<Optional<ViewedCoverage>> target) {
         looks.set(0);
         expected = 1;
         AtomicBoolean its = new AtomicBoolean();
@@ -51,7 +56,7 @@ final class CoverageComputing implements AutoCloseable {
         thread.ask(outdated -> {
             Optional<ViewedCoverage> result = Optional.empty();
             try {
-                result = compute(run, inputs, () -> its.get() || outdated.getAsBoolean());
+                result = compute(run, settings, inputs, () -> its.get() || outdated.getAsBoolean());
             } finally {
                 Optional<ViewedCoverage> shown = result;
                 SwingUtilities.invokeLater(() -> target.accept(shown));
@@ -59,13 +64,14 @@ final class CoverageComputing implements AutoCloseable {
         });
     }
 
-    private Optional<ViewedCoverage> compute(ViewedRun run, CoverageForm.Inputs inputs, BooleanSupplier ended) {
+    private Optional<ViewedCoverage> compute(
+            ViewedRun run, SceneSettings settings, CoverageForm.Inputs inputs, BooleanSupplier ended) {
         FieldRequest request = new FieldRequest(
-                run.settings(),
+                settings,
                 run.stage(),
                 inputs.drone(),
                 inputs.grid(),
-                inputs.heading().courses(run.settings(), run.stage(), inputs.drone(), inputs.grid()),
+                inputs.heading().courses(settings, run.stage(), inputs.drone(), inputs.grid()),
                 inputs.heading().choice(),
                 FieldTerms.ONE_LOOK,
                 FieldCoverage.DEFAULT_COVERED);

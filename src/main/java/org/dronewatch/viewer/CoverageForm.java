@@ -76,20 +76,20 @@ final class CoverageForm extends JPanel {
         List.of(heights, side, cell).forEach(field -> field.addActionListener(e -> entered.run()));
     }
 
-    private static JLabel named(String name, JComponent part, String explanation) {
+    static JLabel named(String name, JComponent part, String explanation) {
         JLabel label = new JLabel(name);
         label.setLabelFor(part);
         part.setToolTipText(explanation);
         return label;
     }
 
-    private static JPanel row(JComponent... parts) {
+    static JPanel row(JComponent... parts) {
         JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, Scaled.px(5), Scaled.px(2)));
         List.of(parts).forEach(row::add);
         return row;
     }
 
-    private static JTextField field(String text, int columns) {
+    static JTextField field(String text, int columns) {
         JTextField field = new JTextField(text, columns);
         // Keys without modifiers belong to the menus, except while one is typing.
         field.addKeyListener(new KeyAdapter() {

@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
@@ -12,13 +11,9 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
-import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteSkin;
-import org.dronewatch.report.coverage.CellWords;
-import org.dronewatch.report.coverage.LossWords;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
@@ -39,32 +34,38 @@ final class CoveragePanel extends JPanel {
     private final CoverageSwitches switches = new CoverageSwitches(this::update);
     private final WrappedText cell = new WrappedText("the cell under the pointer");
     private final transient CoverageComputing computing;
-    private final transient CoverageSkinning skinning;
+    private final transient CoveragePictures pictures;
+    private final transient SensorLayout layout;
     private final transient PointedCell pointed;
     private final transient Consumer<Optional<SiteSkin>> skinChosen;
     private transient ViewedRun run;
     private transient ViewedCoverage coverage;
     private transient Optional<CoverageSkinning.Shown> shown = Optional.empty();
     private transient CoverageForm.Inputs awaited;
+    private transient Runnable told = () -> {};
     private boolean isWanted;
 
     /**
      * An empty panel.
      *
      * @param threads how many compute
+     * @param layout where the user has put the sensors
      * @param stores gives the store of what was computed before
      * @param skinChosen receives the skin that is to be drawn
      * @param failed receives what went wrong
      */
     CoveragePanel(
             int threads,
+            SensorLayout layout,
             Function<SceneSettings, LayerStore> stores,
             Consumer<Optional<SiteSkin>> skinChosen,
             Consumer<Throwable> failed) {
         super(new BorderLayout(Scaled.px(8), 0));
         this.skinChosen = skinChosen;
         this.computing = new CoverageComputing(threads, stores, failed);
-        this.skinning = new CoverageSkinning(threads, failed);
+        this.layout = layout;
+        this.pictures = new CoveragePictures(threads, failed);
+        layout.listen(this::update);
         this.pointed = new PointedCell(this::describe, failed);
         button.setToolTipText("Computes where the sensors detect the drone, and why not elsewhere");
         button.addActionListener(e -> {
@@ -115,6 +116,7 @@ final class CoveragePanel extends JPanel {
 
     private void clear(String words) {
         coverage = null;
+        pictures.stop();
         shown = Optional.empty();
         message.setText(words);
         cell.setText("");
@@ -153,7 +155,7 @@ final class CoveragePanel extends JPanel {
             awaited = inputs;
             message.setText("");
             setComputing(true);
-            computing.compute(run, inputs, found -> {
+            computing.compute(run, layout.settings(), inputs, found -> {
                 if (awaited == inputs) {
                     awaited = null;
                     take(found);
@@ -183,23 +185,27 @@ final class CoveragePanel extends JPanel {
         update();
     }
 
-    /** Shows another height, or the coverage of other sensors. */
+    /** Shows another height, the coverage of other sensors, or of sensors that were moved. */
     private void update() {
-        if (coverage == null) {
-            return;
+        if (coverage != null) {
+            pictures.show(coverage, heights.chosen(), switches.off(), layout.settings(), this::take);
         }
-        Set<String> off = switches.off();
-        skinning.lay(coverage, heights.chosen(), off, next -> {
-            if (next.coverage() == coverage) {
-                shown = Optional.of(next);
-                legend.show(next.legend());
-                // A scroll pane keeps its width until the panel around it is laid out anew.
-                revalidate();
-                message.setText(LossWords.sentence(next.remaining(), off) + coverage.missing());
-                pointed.show(shown);
-                choose();
-            }
-        });
+    }
+
+    private void take(CoverageSkinning.Shown next) {
+        shown = Optional.of(next);
+        legend.show(next.legend());
+        // A scroll pane keeps its width until the panel around it is laid out anew.
+        revalidate();
+        message.setText(next.words());
+        pointed.show(shown);
+        choose();
+        told.run();
+    }
+
+    /** Called when another coverage is shown. */
+    void onShown(Runnable target) {
+        told = target;
     }
 
     private void choose() {
@@ -217,21 +223,10 @@ final class CoveragePanel extends JPanel {
     }
 
     private void describe() {
-        Optional<PointedCell.Cell> there = pointed.cell();
-        if (there.isEmpty()) {
-            cell.setText(shown.isEmpty() ? "" : "Point at a cell of the site to see what decides there.");
+        String nothing = shown.isEmpty() ? "" : "Point at a cell of the site to see what decides there.";
+        cell.setText(pointed.cell().map(switches::describe).orElse(nothing));
+        if (pointed.cell().isEmpty()) {
             switches.clearCell();
-            return;
-        }
-        CellWords words = there.get().words();
-        FieldCoverage rest = there.get().coverage();
-        if (there.get().evidence().isEmpty()) {
-            cell.setText("At " + words.deciding());
-            switches.describe(words, rest);
-        } else {
-            CellEvidence evidence = there.get().evidence().get();
-            cell.setText("At " + words.deciding(evidence));
-            switches.describe(words, rest, evidence);
         }
     }
 
@@ -278,13 +273,13 @@ final class CoveragePanel extends JPanel {
 
     /** Whether nothing is computed. */
     boolean isIdle() {
-        return awaited == null && computing.isIdle() && skinning.isIdle() && pointed.isIdle();
+        return awaited == null && computing.isIdle() && pictures.isIdle() && pointed.isIdle();
     }
 
     /** Ends all threads. */
     void close() {
         computing.close();
-        skinning.close();
+        pictures.close();
         pointed.close();
     }
 }

@@ -1,6 +1,7 @@
 package org.dronewatch.viewer;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
@@ -8,18 +9,38 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.RemainingCoverage;
 import org.dronewatch.report.coverage.CoverageSkin;
 import org.dronewatch.report.coverage.CoverageSkin.LegendEntry;
+import org.dronewatch.report.coverage.LossWords;
+import org.dronewatch.report.coverage.MoveWords;
 
 /** Makes skins of a coverage on a thread: at a height, without the sensors that are switched off. */
 final class CoverageSkinning implements AutoCloseable {
     private final Latest thread;
 
-    /** What is shown of a coverage. */
+    /**
+     * What is shown of a coverage.
+     *
+     * @param off the sensors that are switched off
+     * @param words about what is covered
+     * @param fineness of what is shown while sensors are moved; empty if none was moved
+     */
     record Shown(
             ViewedCoverage coverage,
             Set<String> off,
             RemainingCoverage remaining,
             CoverageSkin skin,
-            List<LegendEntry> legend) {
+            List<LegendEntry> legend,
+            String words,
+            Optional<MoveWords.Fineness> fineness) {
+        static Shown of(
+                ViewedCoverage coverage,
+                Set<String> off,
+                RemainingCoverage remaining,
+                String words,
+                Optional<MoveWords.Fineness> fineness) {
+            CoverageSkin skin = new CoverageSkin(remaining);
+            return new Shown(coverage, off, remaining, skin, skin.legend(), words, fineness);
+        }
+
         /** The coverage of the sensors that are switched on. */
         FieldCoverage rest() {
             return remaining.rest();
@@ -40,8 +61,8 @@ final class CoverageSkinning implements AutoCloseable {
     void lay(ViewedCoverage coverage, int height, Set<String> off, Consumer<Shown> target) {
         thread.ask(outdated -> {
             RemainingCoverage remaining = RemainingCoverage.of(coverage.all(), coverage.without(off), height);
-            CoverageSkin skin = new CoverageSkin(remaining);
-            Shown shown = new Shown(coverage, off, remaining, skin, skin.legend());
+            String words = LossWords.sentence(remaining, off) + coverage.missing();
+            Shown shown = Shown.of(coverage, off, remaining, words, Optional.empty());
             SwingUtilities.invokeLater(() -> {
                 if (!outdated.getAsBoolean()) {
                     target.accept(shown);

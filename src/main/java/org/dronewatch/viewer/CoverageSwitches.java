@@ -119,8 +119,19 @@ final class CoverageSwitches extends JPanel {
         return sensors.stream().map(row -> row.reason().getText()).toList();
     }
 
+    /** States what is known about a cell; returns what decides there. */
+    String describe(PointedCell.Cell there) {
+        CellWords words = there.words();
+        if (there.evidence().isEmpty()) {
+            describe(words, there.coverage());
+            return "At " + words.deciding();
+        }
+        describe(words, there.coverage(), there.evidence().get());
+        return "At " + words.deciding(there.evidence().get());
+    }
+
     /** States at once what the field keeps about a cell; margins are bounds in most cells, in dB. */
-    void describe(CellWords words, FieldCoverage coverage) {
+    private void describe(CellWords words, FieldCoverage coverage) {
         for (Row row : sensors) {
             int sensor = coverage.field().sensors().indexOf(row.box().getText());
             if (sensor < 0) {
@@ -132,7 +143,7 @@ final class CoverageSwitches extends JPanel {
     }
 
     /** Adds exact margins, and what hides the drone. */
-    void describe(CellWords words, FieldCoverage coverage, CellEvidence evidence) {
+    private void describe(CellWords words, FieldCoverage coverage, CellEvidence evidence) {
         for (Row row : sensors) {
             int sensor = coverage.field().sensors().indexOf(row.box().getText());
             if (sensor >= 0) {

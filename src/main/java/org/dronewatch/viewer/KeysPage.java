@@ -22,6 +22,7 @@ final class KeysPage {
         {"Control-drag", "looks around from the same point"},
         {"Wheel", "zooms towards the pointer"},
         {"Click", "selects a sensor or drone"},
+        {"Drag the selected sensor", "moves it over ground and roofs"},
         {"Double-click", "centres on a point and zooms in"},
         {"Click on a camera", "enlarges it; another click shows all cameras"},
         {"Click or drag on the timeline", "jumps to a time"},

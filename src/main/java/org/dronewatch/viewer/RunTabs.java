@@ -7,7 +7,7 @@ import javax.swing.JTabbedPane;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.scenario.SceneSettings;
 
-/** The tabs beside the site: tables, sound rays, coverage and log. */
+/** The tabs beside the site: tables, sound rays, coverage, placing and log. */
 final class RunTabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
 
@@ -17,6 +17,7 @@ final class RunTabs extends JTabbedPane {
     private final transient RunTablesPanel tables;
     private final RayPanel rayPanel;
     private final CoveragePanel coverage;
+    private final PlacingPanel placing;
     private final LogPanel log = new LogPanel();
 
     /**
@@ -25,6 +26,7 @@ final class RunTabs extends JTabbedPane {
      * @param threads how many trace
      * @param world draws rays and coverage
      * @param stores gives the store of coverages that were computed before, for the settings of a run
+     * @param layout where the user has put the sensors
      * @param selection receives the sensor or drone that was clicked on
      * @param failed receives what went wrong
      */
@@ -33,24 +35,29 @@ final class RunTabs extends JTabbedPane {
             Playback playback,
             WorldPanel world,
             Function<SceneSettings, LayerStore> stores,
+            SensorLayout layout,
             Consumer<String> selection,
             Consumer<Throwable> failed) {
         this.tables = new RunTablesPanel(selection);
         this.rayPanel = new RayPanel(
                 threads, playback, filter -> world.setStyle(world.style().withFilter(filter)), failed);
         this.coverage = new CoveragePanel(
-                threads, stores, skin -> world.setStyle(world.style().withSkin(skin)), failed);
+                threads, layout, stores, skin -> world.setStyle(world.style().withSkin(skin)), failed);
+        this.placing = new PlacingPanel(layout, coverage, selection);
         world.onPointed(coverage::point);
+        world.setGrip(new SensorGrip(world, placing.mover()));
         addTab("Sensors", tables.sensors());
         addTab("Drones", tables.drones());
         addTab("Sound rays", rayPanel);
         addTab("Coverage", coverage);
+        addTab("Placing", placing);
         addTab("Log", log);
     }
 
     /** Takes the sensors and drones of another run. */
     void show(ViewedRun next) {
         rayPanel.show(next.settings(), next.stage());
+        placing.show(next);
         coverage.show(next);
     }
 
@@ -77,6 +84,10 @@ final class RunTabs extends JTabbedPane {
 
     RayPanel rayPanel() {
         return rayPanel;
+    }
+
+    PlacingPanel placing() {
+        return placing;
     }
 
     CoveragePanel coverage() {

@@ -3,7 +3,6 @@ package org.dronewatch.viewer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.BiFunction;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -11,7 +10,7 @@ import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
 
-/** Writes the settings of the run that is shown as a scene file. All methods are for the event thread. */
+/** Writes the settings of the run that is shown, with its sensors as the user has put them, as a scene file. All methods are for the event thread. */
 final class SceneSaving {
     private static final String ENDING = ".yaml";
 
@@ -46,13 +45,12 @@ final class SceneSaving {
 
     /** Writes the scene of the displayed run; errors are shown in the pane. */
     void write(String file) {
-        Optional<ViewedRun> viewed = pane.viewed();
-        if (viewed.isEmpty()) {
+        if (pane.viewed().isEmpty()) {
             return;
         }
         try {
             WholeFile target = new WholeFile("scene", file).replacingOnly(SceneWriter.FIRST_LINE, "'save'");
-            byte[] bytes = text.apply(viewed.get().settings(), target.path()).getBytes(StandardCharsets.UTF_8);
+            byte[] bytes = text.apply(pane.placing().settings(), target.path()).getBytes(StandardCharsets.UTF_8);
             target.write(stream -> stream.write(bytes));
             pane.note("scene written to " + file);
         } catch (RuntimeException e) {

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import javax.swing.Action;
 import javax.swing.JPanel;
 import org.dronewatch.geometry.AABB;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.Orbit;
 
@@ -81,13 +82,10 @@ final class SiteSection extends JPanel {
         world.show(next.picture(), from, cut);
     }
 
-    /** Looks at a sensor or drone from near. */
-    void focusOn(String id, double time) {
-        if (viewed != null && id != null) {
-            double high = Math.max(NEAREST, NEAR * viewed.picture().interest().diagonal());
-            viewed.positionOf(id, time)
-                    .ifPresent(at -> world.move(world.orbit().at(at).showing(high)));
-        }
+    /** Looks at a place, m, from near; there must be a run. */
+    void focusOn(Position at) {
+        double high = Math.max(NEAREST, NEAR * viewed.picture().interest().diagonal());
+        world.move(world.orbit().at(at).showing(high));
     }
 
     WorldPanel world() {

@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.Set;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldDraft;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.scenario.SceneSettings;
 
 /** A coverage that is shown, with what remains of it without some of its sensors. Thread-safe. */
 final class ViewedCoverage {
@@ -45,6 +47,12 @@ final class ViewedCoverage {
     /** Whether all heights that were requested are there. */
     boolean isWhole() {
         return grid().heights().size() == request.grid().heights().size();
+    }
+
+    /** Whether sensors are elsewhere in other settings of the same scene. */
+    boolean isMoved(SceneSettings other) {
+        return other != request.settings()
+                && !FieldDraft.movedSensors(all.field(), other).isEmpty();
     }
 
     /** A sentence about the heights that are missing, with a space before it; empty if none is. */

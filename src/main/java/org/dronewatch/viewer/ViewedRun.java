@@ -67,10 +67,14 @@ final class ViewedRun {
         return last;
     }
 
-    /** Where a sensor or a drone of a name is at a time, m. */
-    Optional<Position> positionOf(String id, double time) {
-        if (settings().sensors().containsKey(id)) {
-            return Optional.of(settings().sensors().get(id).position());
+    /**
+     * Where a sensor or a drone of a name is at a time, m.
+     *
+     * @param layout the settings with the sensors where they are now
+     */
+    Optional<Position> positionOf(String id, SceneSettings layout, double time) {
+        if (layout.sensors().containsKey(id)) {
+            return Optional.of(layout.sensors().get(id).position());
         }
         return stage().dronesAt(time).stream()
                 .filter(drone -> drone.id().equals(id))

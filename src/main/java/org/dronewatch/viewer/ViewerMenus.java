@@ -57,12 +57,13 @@ final class ViewerMenus {
         bar.add(file());
         bar.add(run());
         bar.add(view());
+        bar.add(PlaceMenu.of(pane.placing()));
         bar.add(window(dark));
         bar.add(help());
         return bar;
     }
 
-    private static JMenuItem item(String name, String explanation, KeyStroke key, Runnable work) {
+    static JMenuItem item(String name, String explanation, KeyStroke key, Runnable work) {
         return new QuickItem(ViewerActions.action(name, explanation, key, work));
     }
 
@@ -71,7 +72,10 @@ final class ViewerMenus {
         menu.setMnemonic('F');
         opening.ifPresent(scenes -> addOpening(menu, scenes));
         menu.add(item(
-                "Save scene as ...", "Writes the settings of the displayed run as a scene file", null, saving::ask));
+                "Save scene as ...",
+                "Writes the settings of the displayed run, with the sensors as you placed them, as a scene file",
+                null,
+                saving::ask));
         menu.add(item(
                 "Save site view ...",
                 "Writes the 3D view as a PNG image",
@@ -281,19 +285,5 @@ final class ViewerMenus {
                     () -> pane.tabs().setSelectedIndex(tab)));
         }
         return menu;
-    }
-
-    /** An entry with a tick whose key works at once, as that of {@link QuickItem}. */
-    private static final class QuickToggle extends JCheckBoxMenuItem {
-        private static final long serialVersionUID = 1L;
-
-        QuickToggle(String name, boolean on) {
-            super(name, on);
-        }
-
-        @Override
-        public void doClick(int pressTime) {
-            super.doClick(0);
-        }
     }
 }

@@ -29,6 +29,7 @@ final class ViewerPane extends JPanel {
     private final String title;
     private final transient Recording recording;
     private final transient Playback playback = new Playback();
+    private final transient SensorLayout layout = new SensorLayout();
     private final transient ViewerActions actions = new ViewerActions(playback);
     private final transient Latest staging;
     private final SiteSection site;
@@ -63,7 +64,7 @@ final class ViewerPane extends JPanel {
         this.staging = new Latest("dronewatch-stage", threads, this::report);
         this.site = new SiteSection(threads, this::report);
         this.cameras = new CameraPanel(threads, status::write, this::select, this::report);
-        this.tabs = new RunTabs(threads, playback, world(), stores, this::select, this::report);
+        this.tabs = new RunTabs(threads, playback, world(), stores, layout, this::select, this::report);
         this.controls = new ControlBar(
                 playback, actions, number -> show(recording.runs().get(number)));
         world().onSelection(this::select);
@@ -72,28 +73,23 @@ final class ViewerPane extends JPanel {
         site.onFocus(() -> {
             if (selected == null) {
                 status.write("Click on a sensor or a drone first: Focus zooms in on the selection");
+            } else if (viewed != null) {
+                viewed.positionOf(selected, layout.settings(), playback.time()).ifPresent(site::focusOn);
             }
-            site.focusOn(selected, playback.time());
         });
         rayPanel().onTraced(traced -> {
             rays = traced.orElse(null);
             changed = true;
         });
         playback.listen(() -> changed = true);
+        layout.listen(() -> changed = true);
+        placing().onTold(status::write);
 
-        down = new JSplitPane(JSplitPane.VERTICAL_SPLIT, cameras, tabs);
-        down.setResizeWeight(0.6);
-        across = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, site, down);
-        across.setResizeWeight(0.62);
-        JPanel top = new JPanel(new BorderLayout());
-        top.add(controls, BorderLayout.NORTH);
-        top.add(notice, BorderLayout.SOUTH);
-        JPanel bottom = new JPanel(new BorderLayout());
-        bottom.add(timeLine.scrolling(), BorderLayout.CENTER);
-        bottom.add(status, BorderLayout.SOUTH);
-        add(top, BorderLayout.NORTH);
+        down = Divided.split(JSplitPane.VERTICAL_SPLIT, cameras, tabs, 0.6);
+        across = Divided.split(JSplitPane.HORIZONTAL_SPLIT, site, down, 0.62);
+        add(Divided.below(controls, notice), BorderLayout.NORTH);
         add(across, BorderLayout.CENTER);
-        add(bottom, BorderLayout.SOUTH);
+        add(Divided.below(timeLine.scrolling(), status), BorderLayout.SOUTH);
     }
 
     /** The views, for a menu. */
@@ -104,6 +100,7 @@ final class ViewerPane extends JPanel {
     /** Selects a sensor or drone; null for none. */
     void select(String id) {
         selected = id;
+        placing().select(id);
         changed = true;
         sinceTables = TABLES;
     }
@@ -132,16 +129,13 @@ final class ViewerPane extends JPanel {
 
     private void showTime() {
         double time = playback.time();
-        world().show(state(time));
+        SiteState recorded = viewed.state(time, selected(), rays());
+        world().show(layout.in(recorded, placing().note()));
         if (time != shownTime) {
             shownTime = time;
             cameras.show(time);
         }
         timeLine.repaint();
-    }
-
-    private SiteState state(double time) {
-        return viewed.state(time, Optional.ofNullable(selected), Optional.ofNullable(rays));
     }
 
     private void showTables(List<RecordedRun> runs) {
@@ -249,6 +243,10 @@ final class ViewerPane extends JPanel {
 
     CoveragePanel coverage() {
         return tabs.coverage();
+    }
+
+    PlacingPanel placing() {
+        return tabs.placing();
     }
 
     TimeLine timeLine() {

@@ -80,6 +80,7 @@ final class ViewerWindow {
         Exports exports = new Exports(pane, pane::report);
         films = new FilmExport(pane, exports, pane::report);
         SceneSaving saving = new SceneSaving(pane, title, text);
+        pane.placing().onSave(saving::ask);
         ViewerMenus menus = new ViewerMenus(
                 pane, exports, films, saving, opening, this::setDark, () -> KeysPage.open(frame), this::close);
         frame.setJMenuBar(menus.bar(layout.isDark()));

@@ -8,7 +8,7 @@ import javax.swing.SwingUtilities;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 
-/** Mouse control of the site view. */
+/** Mouse control of the site view, and of what is gripped in it. */
 final class WorldMouse extends MouseAdapter {
     /** Dragging over the whole width turns by this angle, rad. */
     private static final double TURN = Math.toRadians(240.0);
@@ -19,6 +19,7 @@ final class WorldMouse extends MouseAdapter {
     private final WorldPanel panel;
     private int lastX;
     private int lastY;
+    private boolean isGripping;
 
     WorldMouse(WorldPanel panel) {
         this.panel = panel;
@@ -29,6 +30,16 @@ final class WorldMouse extends MouseAdapter {
         lastX = e.getX();
         lastY = e.getY();
         panel.requestFocusInWindow();
+        boolean isPlain = SwingUtilities.isLeftMouseButton(e) && !e.isShiftDown() && !e.isControlDown();
+        isGripping = isPlain && panel.grip().isAt(e.getX(), e.getY());
+        if (isGripping) {
+            panel.grip().take(e.getX(), e.getY());
+        }
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent e) {
+        isGripping = false;
     }
 
     @Override
@@ -47,7 +58,10 @@ final class WorldMouse extends MouseAdapter {
     @Override
     public void mouseDragged(MouseEvent e) {
         Orbit orbit = panel.orbit();
-        if (orbit == null) {
+        if (isGripping) {
+            panel.grip().drag(e.getX(), e.getY());
+        }
+        if (orbit == null || isGripping) {
             return;
         }
         int dx = e.getX() - lastX;

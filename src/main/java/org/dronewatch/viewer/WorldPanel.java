@@ -47,6 +47,33 @@ final class WorldPanel extends JPanel {
     private transient Consumer<String> selection = id -> {};
     private transient Consumer<String> hint = text -> {};
     private transient Consumer<Optional<Position>> pointed = place -> {};
+    private transient Grip grip = Grip.NONE;
+
+    /** What is moved by the mouse in place of the view. */
+    interface Grip {
+        /** Nothing. */
+        Grip NONE = new Grip() {
+            @Override
+            public boolean isAt(int x, int y) {
+                return false;
+            }
+
+            @Override
+            public void take(int x, int y) {}
+
+            @Override
+            public void drag(int x, int y) {}
+        };
+
+        /** Whether there is something to be taken at a pixel of this panel. */
+        boolean isAt(int x, int y);
+
+        /** Takes it. */
+        void take(int x, int y);
+
+        /** Drags it to another pixel. */
+        void drag(int x, int y);
+    }
 
     /**
      * An empty view.
@@ -93,6 +120,15 @@ final class WorldPanel extends JPanel {
     /** Receives the point of the site under the pointer; empty for the sky. */
     void onPointed(Consumer<Optional<Position>> target) {
         pointed = target;
+    }
+
+    /** Takes what is moved by the mouse in place of the view. */
+    void setGrip(Grip other) {
+        grip = other;
+    }
+
+    Grip grip() {
+        return grip;
     }
 
     /** Shows another run's site. */
@@ -177,16 +213,29 @@ final class WorldPanel extends JPanel {
         double nearest = NEAR * Scaled.factor();
         String found = null;
         for (int i = 0; i < ids.size(); i++) {
-            Point2d at = orbit.camera(getWidth(), getHeight())
-                    .pixelOf(positions.get(i).toPoint3d())
-                    .orElse(new Point2d(1e9, 1e9));
-            double distance = at.distance(new Point2d(x, y));
+            double distance = distance(positions.get(i), x, y);
             if (distance < nearest) {
                 nearest = distance;
                 found = ids.get(i);
             }
         }
         selection.accept(found);
+    }
+
+    private double distance(Position place, int x, int y) {
+        return pixelOf(place).map(at -> at.distance(new Point2d(x, y))).orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /** Whether the symbol of something at a place, m, is at a pixel of this panel. */
+    boolean isSymbolAt(Position place, int x, int y) {
+        return distance(place, x, y) < NEAR * Scaled.factor();
+    }
+
+    /** The pixel of this panel at which a place, m, is drawn; empty where it is out of the picture. */
+    Optional<Point2d> pixelOf(Position place) {
+        return orbit == null
+                ? Optional.empty()
+                : orbit.camera(getWidth(), getHeight()).pixelOf(place.toPoint3d());
     }
 
     /** The point of the world at a pixel of this panel. */
@@ -199,6 +248,7 @@ final class WorldPanel extends JPanel {
     /** Describes the object under the pointer. */
     void describe(int x, int y) {
         Optional<Position> place = placeAt(x, y);
+        setCursor(Cursor.getPredefinedCursor(grip.isAt(x, y) ? Cursor.MOVE_CURSOR : Cursor.CROSSHAIR_CURSOR));
         pointed.accept(place);
         hint.accept(place.map(point -> site == null ? Texts.place(point) : Texts.place(point, site))
                 .orElse("sky"));

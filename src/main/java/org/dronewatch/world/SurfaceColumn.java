@@ -59,6 +59,28 @@ public record SurfaceColumn(List<Surface> surfaces) {
         return surfaces.stream().findFirst();
     }
 
+    /** The highest surface that faces up at a height, m, or below it; empty where there is none. */
+    public Optional<Surface> standing(double z) {
+        return surfaces.stream()
+                .filter(surface -> surface.facesUp() && surface.z() <= z)
+                .findFirst();
+    }
+
+    /**
+     * Whether a height, m, is inside something solid: the nearest surface above it faces up, so that it is seen from
+     * behind.
+     */
+    public boolean isInside(double z) {
+        boolean inside = false;
+        for (Surface surface : surfaces) {
+            if (surface.z() <= z) {
+                return inside;
+            }
+            inside = surface.facesUp();
+        }
+        return inside;
+    }
+
     /** The highest surface of terrain; without any, the lowest that faces up; empty if there is neither. */
     public Optional<Surface> ground() {
         return surfaces.stream()

@@ -45,7 +45,9 @@ class CoveragePanelTest {
     @BeforeEach
     void open() throws Exception {
         site = FieldSite.in(directory, SENSORS);
-        panel = onEventThread(() -> new CoveragePanel(2, settings -> LayerStore.NONE, skin::set, failure::set));
+        SensorLayout layout = new SensorLayout();
+        layout.show(site.settings());
+        panel = onEventThread(() -> new CoveragePanel(2, layout, settings -> LayerStore.NONE, skin::set, failure::set));
         RecordedRun run = new RecordedRun(new RunInfo(0, 1, site.settings()), site.stage());
         onEventThread(() -> {
             panel.show(new ViewedRun("boxes", run));

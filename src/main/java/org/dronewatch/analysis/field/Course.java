@@ -81,6 +81,11 @@ public record Course(
                 .toList();
     }
 
+    /** The same course with another place from or to which its heading is measured, m. */
+    Course about(Position other) {
+        return new Course(kind, angle, other, sensor, glide);
+    }
+
     /** The course towards a place, m. */
     public static Course inbound(Position target) {
         return new Course(Kind.INBOUND, 0.0, target, Optional.empty());

@@ -87,6 +87,33 @@ public final class DetectionField {
         return new DetectionField(grid.lowest(1), other, there, store);
     }
 
+    /** The field at one height alone, given by its number. */
+    DetectionField atHeight(int height) {
+        FieldGrid alone = new FieldGrid(
+                grid.east(),
+                grid.north(),
+                grid.side(),
+                grid.cell(),
+                List.of(grid.heights().get(height)),
+                grid.area());
+        return new DetectionField(alone, columns.at(height), all.at(height), LayerStore.NONE);
+    }
+
+    /** A field of the same cells with other assessments. */
+    DetectionField with(FieldSensors others) {
+        return new DetectionField(grid, columns, others, store);
+    }
+
+    /** The sensors with their assessments. */
+    FieldSensors all() {
+        return all;
+    }
+
+    /** The cells. */
+    FieldColumns columns() {
+        return columns;
+    }
+
     /** The number of columns with ground below them. */
     public int columnsWithGround() {
         return columns.groundCount();

@@ -1,7 +1,6 @@
 package org.dronewatch.analysis.field;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
@@ -103,6 +102,35 @@ final class FieldColumns {
         });
     }
 
+    private FieldColumns(FieldColumns all, int level) {
+        this.columns = all.columns;
+        this.rows = all.rows;
+        this.levels = 1;
+        this.ground = all.ground;
+        this.kinds = Arrays.copyOfRange(all.kinds, level * ground.length, (level + 1) * ground.length);
+        this.plan = new Plan() {
+            @Override
+            public double x(int column, int row) {
+                return all.plan.x(column, row);
+            }
+
+            @Override
+            public double y(int column, int row) {
+                return all.plan.y(column, row);
+            }
+
+            @Override
+            public double above(int other, int column, int row) {
+                return all.plan.above(level, column, row);
+            }
+        };
+    }
+
+    /** The same columns with one of their levels alone. */
+    FieldColumns at(int level) {
+        return new FieldColumns(this, level);
+    }
+
     private void leaveOut(int column, int row) {
         ground[row * columns + column] = Double.NaN;
         for (int level = 0; level < levels; level++) {
@@ -116,8 +144,7 @@ final class FieldColumns {
         ground[cell] = lowest.map(SurfaceColumn.Surface::z).orElse(Double.NaN);
         for (int level = 0; level < levels; level++) {
             double z = ground[cell] + plan.above(level, column, row);
-            kinds[index(level, column, row)] =
-                    Double.isNaN(z) ? NOTHING : isInside(surfaces.surfaces(), z) ? INSIDE : OPEN;
+            kinds[index(level, column, row)] = Double.isNaN(z) ? NOTHING : surfaces.isInside(z) ? INSIDE : OPEN;
         }
     }
 
@@ -138,18 +165,6 @@ final class FieldColumns {
     /** The number of cells in a column. */
     int levels() {
         return levels;
-    }
-
-    /** Surfaces are given from the highest to the lowest. */
-    private static boolean isInside(List<SurfaceColumn.Surface> surfaces, double z) {
-        boolean inside = false;
-        for (SurfaceColumn.Surface surface : surfaces) {
-            if (surface.z() <= z) {
-                return inside;
-            }
-            inside = surface.facesUp();
-        }
-        return inside;
     }
 
     /** Whether there is ground below a column. */

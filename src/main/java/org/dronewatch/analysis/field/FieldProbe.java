@@ -15,6 +15,7 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
 
 /**
@@ -30,6 +31,8 @@ import org.dronewatch.world.World;
  * @param search where the sensor points while it searches; empty if it does not matter
  * @param assessor of the sensor; threads use its siblings
  * @param excess what is interpolated between cells; empty where each is assessed
+ * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts: much
+ *     faster, and never too much
  */
 record FieldProbe(
         World world,
@@ -41,7 +44,8 @@ record FieldProbe(
         FieldTerms terms,
         Optional<SearchPeriod> search,
         Assessor assessor,
-        Optional<ExcessMap> excess) {
+        Optional<ExcessMap> excess,
+        boolean isExactAlone) {
     private static final double EVEN_CHANCE = 0.5;
 
     /** A probe that assesses each cell, of a sensor that searches if the terms say so. */
@@ -63,12 +67,25 @@ record FieldProbe(
                 terms,
                 terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings) : Optional.empty(),
                 new Assessor(sensor, settings, world),
-                Optional.empty());
+                Optional.empty(),
+                false);
     }
 
     /** This probe with what is interpolated between cells. */
     FieldProbe with(Optional<ExcessMap> map) {
-        return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, map);
+        return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, map, false);
+    }
+
+    /** This probe with other courses, as many. */
+    FieldProbe on(List<Course> others) {
+        return new FieldProbe(
+                world, drone, sensor, settings, seed, others, terms, search, assessor, excess, isExactAlone);
+    }
+
+    /** This probe of a signal that could be interpolated, by what arrives along exact paths alone. */
+    FieldProbe onExactPaths() {
+        return new FieldProbe(
+                world, drone, sensor, settings, seed, courses, terms, search, assessor, Optional.empty(), true);
     }
 
     /** An assessor for one thread. */
@@ -109,6 +126,10 @@ record FieldProbe(
      * interpolated, if this sensor's signals are.
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        if (isExactAlone) {
+            Signal heard = assessor.interpolable().orElseThrow().signalOnExactPaths(world, there);
+            return assessor.assess(heard, there, pointing);
+        }
         return excess.isPresent()
                 ? new InterpolatedCells(this, excess.get(), assessor).assess(there, pointing)
                 : assessCoarsely(assessor, there, pointing);

@@ -70,6 +70,26 @@ final class FieldSensors {
         return moved;
     }
 
+    /** The same sensors at one height alone, given by its number: as many courses as in their layers. */
+    FieldSensors at(int height) {
+        List<SensorLayer> there = layers.stream().map(layer -> layer.at(height)).toList();
+        return new FieldSensors(courses, inLayers, probes, there);
+    }
+
+    /**
+     * Other layers of sensors with the same names.
+     *
+     * @param others on other courses, as many as before
+     */
+    FieldSensors with(List<Course> on, Map<String, FieldProbe> others, List<SensorLayer> layers) {
+        return new FieldSensors(on, inLayers, new LinkedHashMap<>(others), layers);
+    }
+
+    /** The assessments of a sensor, given by its number. */
+    SensorLayer layer(int sensor) {
+        return layers.get(sensor);
+    }
+
     /** Assesses all cells of one height; parameters as above. */
     void assess(int height, FieldColumns columns, LayerStore store, String plan, String name, IntConsumer progress) {
         for (int sensor = 0; sensor < layers.size(); sensor++) {

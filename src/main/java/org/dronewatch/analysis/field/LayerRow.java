@@ -38,15 +38,63 @@ final class LayerRow {
 
     /** Assesses the drone in a cell, with its middle at a place, m. */
     void set(int column, Position at) {
+        entries[column] = assess(at) ? codes[0] : -1 - keep();
+    }
+
+    /** The codes of the drone at a place, m: one if all courses are alike, otherwise one for each. */
+    int[] codesAt(Position at) {
+        return assess(at) ? new int[] {codes[0]} : codes.clone();
+    }
+
+    /**
+     * The same from former codes, of which those of some courses no longer hold.
+     *
+     * @param former as {@link #codesAt} gives them
+     * @param changed the numbers of the courses that are others now
+     */
+    int[] codesAt(Position at, int[] former, int[] changed) {
+        Optional<Pointing> pointing = probe.pointing(at);
+        boolean isSame = probe.search().isEmpty()
+                && former.length == 1
+                && (code(assessor.boundAtAllHeadings(probe.drone(), at, pointing))
+                                .isPresent()
+                        || assessor.isSameAtAllHeadings(probe.drone(at, 0), pointing));
+        if (isSame) {
+            return former;
+        }
         if (probe.search().isPresent()) {
-            search(column, at, probe.search().get());
+            return codesAt(at);
+        }
+        for (int course = 0; course < courses; course++) {
+            codes[course] = former[former.length == 1 ? 0 : course];
+        }
+        for (int course : changed) {
+            codes[course] = code(at, course, pointing);
+        }
+        boolean alike = IntStream.of(codes).allMatch(code -> code == codes[0]);
+        return alike ? new int[] {codes[0]} : codes.clone();
+    }
+
+    /** Takes over codes, as {@link #codesAt} gives them. */
+    void set(int column, int[] known) {
+        if (known.length == 1) {
+            entries[column] = known[0];
             return;
+        }
+        System.arraycopy(known, 0, codes, 0, courses);
+        entries[column] = -1 - keep();
+    }
+
+    /** Finds the codes; whether that of the first course holds for all of them. */
+    private boolean assess(Position at) {
+        if (probe.search().isPresent()) {
+            return search(at, probe.search().get());
         }
         Optional<Pointing> pointing = probe.pointing(at);
         OptionalInt certain = code(assessor.boundAtAllHeadings(probe.drone(), at, pointing));
         if (certain.isPresent()) {
-            entries[column] = certain.getAsInt();
-            return;
+            codes[0] = certain.getAsInt();
+            return true;
         }
         codes[0] = code(at, 0, pointing);
         boolean alike = true;
@@ -56,11 +104,11 @@ final class LayerRow {
                 alike &= codes[course] == codes[0];
             }
         }
-        entries[column] = alike ? codes[0] : -1 - keep();
+        return alike;
     }
 
     /** Over one period of the sensor's search. */
-    private void search(int column, Position at, SearchPeriod period) {
+    private boolean search(Position at, SearchPeriod period) {
         CellPointings pointings = period.at(at, probe.drone().radius());
         boolean alike = true;
         for (int course = 0; course < courses; course++) {
@@ -71,7 +119,7 @@ final class LayerRow {
                 break;
             }
         }
-        entries[column] = alike ? codes[0] : -1 - keep();
+        return alike;
     }
 
     private int code(CellLook look) {

@@ -40,6 +40,47 @@ final class SensorLayer {
         return layer;
     }
 
+    /**
+     * A layer with one height, on the {@link Workers} of the calling thread.
+     *
+     * @param codes by row and column, as {@link LayerRow#codesAt} gives them; null in cells in which the drone cannot be
+     */
+    static SensorLayer of(FieldProbe probe, FieldColumns columns, int[][] codes) {
+        SensorLayer layer = new SensorLayer(columns.rows(), 1);
+        Workers.forEach(columns.rows(), number -> {
+            LayerRow row = new LayerRow(columns.columns(), probe, null);
+            for (int column = 0; column < columns.columns(); column++) {
+                int[] known = codes[number * columns.columns() + column];
+                if (known != null) {
+                    row.set(column, known);
+                }
+            }
+            layer.entries[number] = row.entries();
+            layer.byCourse[number] = row.byCourse();
+        });
+        return layer;
+    }
+
+    /** The layer of one height alone. */
+    SensorLayer at(int height) {
+        SensorLayer alone = new SensorLayer(rows, 1);
+        System.arraycopy(entries, height * rows, alone.entries, 0, rows);
+        System.arraycopy(byCourse, height * rows, alone.byCourse, 0, rows);
+        return alone;
+    }
+
+    /** What {@link LayerRow#codesAt} gave for a cell of the lowest height. */
+    int[] codes(int column, int row, int courses) {
+        if (entries[row][column] >= 0) {
+            return new int[] {entries[row][column]};
+        }
+        int[] codes = new int[courses];
+        for (int course = 0; course < courses; course++) {
+            codes[course] = at(0, column, row, course);
+        }
+        return codes;
+    }
+
     /** A layer in which nothing has been assessed yet. */
     static SensorLayer empty(FieldColumns columns) {
         return new SensorLayer(columns.rows(), columns.levels());

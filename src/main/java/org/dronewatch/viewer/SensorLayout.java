@@ -1,0 +1,118 @@
+package org.dronewatch.viewer;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronewatch.render.SensorMark;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.SensorSettings;
+
+/** Where the user has put the sensors of a run, with the last moves, which can be undone. For the event thread. */
+final class SensorLayout {
+    /** The number of moves that can be undone. */
+    private static final int MOST_KEPT = 100;
+
+    private final List<Runnable> listeners = new ArrayList<>();
+    private final Deque<SceneSettings> before = new ArrayDeque<>();
+    private SceneSettings original;
+    private SceneSettings settings;
+
+    /** Takes another run; nothing has been moved. */
+    void show(SceneSettings next) {
+        original = next;
+        settings = next;
+        before.clear();
+    }
+
+    /** Called whenever a sensor was moved or turned. */
+    void listen(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    /** Whether there is a run. */
+    boolean isThere() {
+        return settings != null;
+    }
+
+    /** The settings of the run with the sensors as they are now; null before there is a run. */
+    SceneSettings settings() {
+        return settings;
+    }
+
+    /** Remembers the layout: one undo leads back to it. */
+    void remember() {
+        if (before.isEmpty() || before.peek() != settings) {
+            before.push(settings);
+            if (before.size() > MOST_KEPT) {
+                before.removeLast();
+            }
+        }
+    }
+
+    /** Replaces a sensor. */
+    void set(String id, SensorSettings<?> sensor) {
+        settings = settings.withSensor(id, sensor);
+        listeners.forEach(Runnable::run);
+    }
+
+    /** Whether there is a move that can be taken back. */
+    boolean isUndoable() {
+        return before.stream().anyMatch(last -> !last.sensors().equals(settings.sensors()));
+    }
+
+    /** Takes the last move back; whether there was one. */
+    boolean undo() {
+        while (!before.isEmpty()) {
+            SceneSettings last = before.pop();
+            if (!last.sensors().equals(settings.sensors())) {
+                settings = last;
+                listeners.forEach(Runnable::run);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Puts all sensors back to where the scene has them, which can be undone. */
+    void reset() {
+        if (isThere() && !moved().isEmpty()) {
+            remember();
+            settings = original;
+            listeners.forEach(Runnable::run);
+        }
+    }
+
+    /** The sensors that are not where the scene has them, or turned elsewhere. */
+    Set<String> moved() {
+        Set<String> moved = new LinkedHashSet<>();
+        settings.sensors().forEach((id, sensor) -> {
+            if (!sensor.equals(original.sensors().get(id))) {
+                moved.add(id);
+            }
+        });
+        return moved;
+    }
+
+    /** A state of the site with the sensors as they are now: of those that were moved, no detection is known. */
+    SiteState in(SiteState recorded, String note) {
+        Set<String> moved = moved();
+        if (moved.isEmpty()) {
+            return recorded;
+        }
+        List<SensorMark> marks = recorded.sensors().stream()
+                .map(mark -> moved.contains(mark.id())
+                        ? mark(mark, settings.sensors().get(mark.id()))
+                        : mark)
+                .toList();
+        return recorded.withSensors(marks, recorded.title() + note);
+    }
+
+    private static SensorMark mark(SensorMark before, SensorSettings<?> sensor) {
+        return new SensorMark(before.id(), before.kind(), sensor.position(), Outlined.outline(sensor), false);
+    }
+}
