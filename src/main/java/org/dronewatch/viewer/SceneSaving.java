@@ -10,7 +10,10 @@ import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
 
-/** Writes the settings of the run that is shown, with its sensors as the user has put them, as a scene file. All methods are for the event thread. */
+/**
+ * Writes the settings of the run that is shown, with its sensors as the user has put them, as a scene file. All methods
+ * are for the event thread.
+ */
 final class SceneSaving {
     private static final String ENDING = ".yaml";
 

@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * nothing. For the event thread.
  */
 final class SensorMover {
-    /** Positions are rounded to centimetres, directions to tenths of a degree: nobody installs anything more exactly. */
+    /** Positions are rounded to centimetres, directions to tenths of a degree: nothing is installed more exactly. */
     private static final double IN_A_METRE = 100.0;
 
     private static final double IN_A_DEGREE = 10.0;

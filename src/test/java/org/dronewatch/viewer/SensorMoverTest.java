@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Moves on a plain with a building 30 m high north of the sensors: which are possible, and what is said of the others. */
+/** Moves on a plain with a building 30 m high north of the sensors: which are possible, and why others are not. */
 class SensorMoverTest {
     private static final Offset<Double> EXACT = within(1e-6);
     private static final String MORE =

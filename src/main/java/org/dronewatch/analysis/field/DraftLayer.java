@@ -7,9 +7,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 
 /**
- * One sensor's assessments at one height while it is moved: at first of one cell in each of a few large blocks, then of
- * one in each smaller block, then, in ever smaller ones, wherever neighbours differ, in the end of all cells. Cells that
- * are not assessed have the assessment of their block. For one thread, which may have {@link Workers}.
+ * One sensor's assessments at one height while it is moved: at first of one cell in each of a few large blocks, then
+ * of one in each smaller block, then, in ever smaller ones, wherever neighbours differ, in the end of all cells. Cells
+ * that are not assessed have the assessment of their block. For one thread, which may have {@link Workers}.
  */
 final class DraftLayer {
     private static final int NONE = -1;
@@ -195,8 +195,8 @@ final class DraftLayer {
     }
 
     /**
-     * What a block looks like: on which courses it is covered, and the causes on the others; {@link #NONE} where nothing
-     * is known. Blocks with the same look need not have the same probability.
+     * What a block looks like: on which courses it is covered, and the causes on the others; {@link #NONE} where
+     * nothing is known. Blocks with the same look need not have the same probability.
      */
     private int look(int west, int north) {
         for (int row = north; row < Math.min(height, north + step); row++) {

@@ -43,7 +43,8 @@ final class SensorLayer {
     /**
      * A layer with one height, on the {@link Workers} of the calling thread.
      *
-     * @param codes by row and column, as {@link LayerRow#codesAt} gives them; null in cells in which the drone cannot be
+     * @param codes by row and column, as {@link LayerRow#codesAt} gives them; null in cells in which the drone cannot
+     *     be
      */
     static SensorLayer of(FieldProbe probe, FieldColumns columns, int[][] codes) {
         SensorLayer layer = new SensorLayer(columns.rows(), 1);
