@@ -52,12 +52,23 @@ public final class FieldExposure implements ExposureField {
         return new FieldExposure(field, flown.mode(), sensors);
     }
 
-    /** The exposure to one sensor alone, given by its number in the field. */
-    public FieldExposure ofSensor(int sensor) {
+    /** The exposure to one sensor alone, given by its name. */
+    FieldExposure ofSensor(String name) {
         return new FieldExposure(
                 field,
                 mode,
-                sensors.stream().filter(one -> one.sensor() == sensor).toList());
+                sensors.stream().filter(one -> one.name().equals(name)).toList());
+    }
+
+    /** The exposure to the sensors of several fields, all of the same grid and in the same mode as this one. */
+    FieldExposure toAll(List<FieldExposure> others) {
+        return new FieldExposure(
+                field,
+                mode,
+                others.stream()
+                        .flatMap(one -> one.sensors.stream())
+                        .sorted(Comparator.comparing(SensorRates::name))
+                        .toList());
     }
 
     /** {@inheritDoc} On a level course at the speed of the mode or, gliding, on the best glide. */
@@ -97,8 +108,8 @@ public final class FieldExposure implements ExposureField {
         int most = -1;
         for (SensorRates sensor : sensors) {
             int course = sensor.course(level, column, row, at.x(), at.y(), at.z(), motion);
-            int steps = field.steps(sensor.sensor(), level, column, row, course);
-            Cause cause = field.cause(sensor.sensor(), level, column, row, course);
+            int steps = sensor.field().steps(sensor.sensor(), level, column, row, course);
+            Cause cause = sensor.field().cause(sensor.sensor(), level, column, row, course);
             if (steps > most || steps == most && cause.compareTo(dominant) > 0) {
                 dominant = cause;
                 most = steps;
@@ -124,7 +135,7 @@ public final class FieldExposure implements ExposureField {
 
     /** The least exposure on any compass heading, at any speed. */
     private double least(int level, int column, int row) {
-        if (!field.isOpen(level, column, row)) {
+        if (sensors.isEmpty() || !field.isOpen(level, column, row)) {
             return 0.0;
         }
         double least = Double.POSITIVE_INFINITY;

@@ -101,9 +101,19 @@ final class SensorRates {
         return sensor.chance() == Chance.PER_LOOK ? hazard : capped * hazard;
     }
 
+    /** The field. */
+    DetectionField field() {
+        return field;
+    }
+
     /** The number of the sensor in the field. */
     int sensor() {
         return sensor;
+    }
+
+    /** The name of the sensor. */
+    String name() {
+        return field.sensors().get(sensor);
     }
 
     /** The number of compass headings. */

@@ -37,10 +37,17 @@ record SiteExposure(List<FieldExposure> modes) implements ExposureField {
         return modes.get(mode).cause(from, to);
     }
 
-    /** The exposure to one sensor alone, given by its number in the fields. */
-    SiteExposure ofSensor(int sensor) {
+    /** The exposure to one sensor alone, given by its name. */
+    SiteExposure ofSensor(String name) {
+        return new SiteExposure(
+                modes.stream().map(mode -> mode.ofSensor(name)).toList());
+    }
+
+    /** The exposure to the sensors of several fields, all of the same grid and in the same modes as this one. */
+    SiteExposure toAll(List<SiteExposure> others) {
         return new SiteExposure(IntStream.range(0, modes.size())
-                .mapToObj(mode -> modes.get(mode).ofSensor(sensor))
+                .mapToObj(mode -> modes.get(mode)
+                        .toAll(others.stream().map(one -> one.modes.get(mode)).toList()))
                 .toList());
     }
 }

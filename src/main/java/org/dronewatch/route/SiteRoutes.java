@@ -6,15 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.DoubleFunction;
-import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.fusion.AreaZone;
-import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -32,28 +28,26 @@ public final class SiteRoutes {
     /** The sectors from which routes come: the first centred on north, then clockwise. */
     public static final int SECTORS = 8;
 
-    /** What a flight of the whole endurance counts for, so that of equally exposed routes the fastest is found. */
-    private static final double PRICE_OF_ENDURANCE = 1e-3;
-
-    private static final String NO_CELL =
-            "no cell there has its middle above known ground and outside everything solid,"
-                    + " at any of the heights; smaller cells or other heights may have one";
-
-    private final DetectionField field;
+    private final List<String> sensors;
     private final SiteExposure exposure;
     private final RouteProblem problem;
     private final WeakestRoutes routes;
     private final EnduranceLimit endurance;
     private final Position middle;
 
-    private SiteRoutes(
-            DetectionField field,
+    /**
+     * Routes that were searched for.
+     *
+     * @param sensors their names, in the order of the scene
+     */
+    SiteRoutes(
+            List<String> sensors,
             SiteExposure exposure,
             RouteProblem problem,
             WeakestRoutes routes,
             EnduranceLimit endurance,
             Position middle) {
-        this.field = field;
+        this.sensors = List.copyOf(sensors);
         this.exposure = exposure;
         this.problem = problem;
         this.routes = routes;
@@ -101,47 +95,10 @@ public final class SiteRoutes {
         if (modes.isEmpty()) {
             throw new IllegalArgumentException("0 modes: must be at least one");
         }
+        Position middle = InboundTarget.of(settings, stage.protection());
         DetectionField field = modes.get(0).field();
-        FlightLimits limits = DetectionField.droneOf(stage, drone).settings().flightLimits();
-        double cruise = DetectionField.droneOf(stage, drone).settings().speed();
-        SitePosts posts = new SitePosts(field, limits.ceiling());
-        Protection protection = stage.protection();
-        Position middle = InboundTarget.of(settings, protection);
-        double reach = posts.reach(protection, middle);
-        BitSet starts = launch.map(posts::over).orElseGet(posts::rim);
-        BitSet goals = posts.goals(protection, middle, reach);
-        checkPosts(starts, goals, launch.isPresent(), !protection.isEmpty());
-        SiteExposure exposure = SiteExposure.of(modes, settings);
-        RouteProblem problem = new RouteProblem(
-                posts.grid(),
-                exposure,
-                modes.stream().map(ModeField::mode).toList(),
-                limits.hover() ? 0.0 : cruise / limits.turnRate(),
-                PlanDirections.of(limits.hover() ? 48 : 16),
-                starts,
-                goals,
-                Passage.through(stage.world()));
-        BitSet reached = posts.near(protection, middle, reach + posts.diagonal());
-        double response = settings.alert().response();
-        double price = PRICE_OF_ENDURANCE / limits.endurance();
-        RouteEnd arrival = !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_POST;
-        DoubleFunction<WeakestRoutes> search = ofTime -> response > 0.0
-                ? WeakestRoutes.inTime(problem, reached, response, ofTime, arrival)
-                : WeakestRoutes.of(problem, reached, ofTime, arrival);
-        EnduranceLimit endurance = new EnduranceLimit(problem.modes(), limits.endurance(), search);
-        return new SiteRoutes(field, exposure, problem, search.apply(price), endurance, middle);
-    }
-
-    private static void checkPosts(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
-        if (starts.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "no route begins " + (isLaunch ? "in the launch area" : "on the edge") + ": " + NO_CELL);
-        }
-        if (goals.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "no route ends " + (isZone ? "in the protected zone or beside it" : "at the middle of the sensors")
-                            + ": " + NO_CELL);
-        }
+        return RouteSite.of(modes, settings, stage, drone, launch, middle)
+                .past(SiteExposure.of(modes, settings), field.sensors());
     }
 
     /** The weakest route from the starts in a sector; empty if none leads from there within the endurance. */
@@ -219,10 +176,13 @@ public final class SiteRoutes {
     /** By sensor, the exposure along the whole of a route, even where a detection comes too late. */
     public Map<String, Double> bySensor(WeakestRoute route) {
         Map<String, Double> bySensor = new LinkedHashMap<>();
-        IntStream.range(0, field.sensors().size())
-                .forEach(sensor -> bySensor.put(
-                        field.sensors().get(sensor),
-                        new RouteExposure(problem.withField(exposure.ofSensor(sensor))).along(route.path())));
+        sensors.forEach(sensor -> bySensor.put(
+                sensor, new RouteExposure(problem.withField(exposure.ofSensor(sensor))).along(route.path())));
         return bySensor;
+    }
+
+    /** The exposure to other sensors along a route, as far as a detection counts. */
+    double counted(WeakestRoute route, SiteExposure to) {
+        return new RouteExposure(problem.withField(to)).along(routes.counted(route.path()));
     }
 }

@@ -158,6 +158,11 @@ public final class WeakestRoutes {
         return Optional.of(new WeakestRoute(whole, counted, bound.from(starts), exposure.time(whole)));
     }
 
+    /** The part of a route on which a detection counts. */
+    RoutePath counted(RoutePath route) {
+        return finish.counted(route);
+    }
+
     /** A certified lower bound of the exposure and the price of all routes from some posts. */
     double priced(BitSet starts) {
         return ExposureBound.of(priced, ends).from(starts);

@@ -1,0 +1,148 @@
+package org.dronewatch.placement.solver;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.RowOracle;
+import org.dronewatch.placement.SolverLimits;
+
+/**
+ * The greatest sum of values in the weakest row, where there are too many rows to list them: the best layout against
+ * the rows found so far is given to an oracle, whose answer is added, until that layout has no weaker row: E. Israeli
+ * and R. K. Wood, Networks 40 (2002). Fewer rows are never harder to serve, so that each round gives a bound. One
+ * thread at a time.
+ */
+public final class CuttingPlanes {
+    /** The gap to which early rounds are solved: their layouts will change anyway. */
+    private static final double EARLY_GAP = 0.1;
+
+    private final List<Candidate> candidates;
+    private final PlacementConditions conditions;
+    private final RowOracle oracle;
+    private final PlacementSolver solver;
+    private final double enough;
+
+    /**
+     * A search.
+     *
+     * @param conditions what a layout must comply with; after a loss, too, in all rows
+     * @param solver of the problems with the rows found so far
+     * @param enough values above this count as equal to it, above 0
+     */
+    public CuttingPlanes(
+            List<Candidate> candidates,
+            PlacementConditions conditions,
+            RowOracle oracle,
+            PlacementSolver solver,
+            double enough) {
+        this.candidates = List.copyOf(candidates);
+        this.conditions = conditions;
+        this.oracle = oracle;
+        this.solver = solver;
+        this.enough = enough;
+    }
+
+    /**
+     * The best layout that is found within some limits; an interruption of this thread ends the search, too, and its
+     * interrupt status is kept. Empty if no layout complies, or none was found in time.
+     *
+     * @param round receives the number of each round
+     * @throws CancellationException when this thread is interrupted before the first row is found
+     */
+    public Optional<CutResult> solve(SolverLimits limits, IntConsumer round) {
+        Search search = new Search(limits);
+        search.cut(fixed());
+        search.run(round);
+        return search.result();
+    }
+
+    private List<Integer> fixed() {
+        return IntStream.range(0, candidates.size())
+                .filter(number -> candidates.get(number).fixed())
+                .boxed()
+                .toList();
+    }
+
+    /** One search: the rows and layouts so far. */
+    private final class Search {
+        private final SolverLimits limits;
+        private final CutRows rows = new CutRows(candidates, conditions);
+        private final Set<List<Integer>> tried = new HashSet<>();
+        private final List<List<Integer>> layouts = new ArrayList<>();
+        private double bound = enough;
+        private boolean isInterrupted;
+        private boolean isProven;
+
+        Search(SolverLimits limits) {
+            this.limits = limits;
+        }
+
+        void cut(List<Integer> layout) {
+            rows.addAll(oracle.weakest(layout));
+            if (conditions.anyoneLost().isPresent()) {
+                for (Integer lost : layout) {
+                    rows.addAll(oracle.weakest(layout.stream()
+                            .filter(other -> !other.equals(lost))
+                            .toList()));
+                }
+            }
+        }
+
+        void run(IntConsumer round) {
+            double gap = Math.max(EARLY_GAP, limits.gap());
+            while (!isProven && !isInterrupted && !limits.isStopped().getAsBoolean()) {
+                Optional<PlacementResult> best = solver.solve(rows.problem(bound), limits.withGap(gap));
+                if (best.isEmpty()) {
+                    // No layout complies even with the rows known so far, unless the search was stopped.
+                    isProven = !limits.isStopped().getAsBoolean();
+                    return;
+                }
+                bound = Math.min(bound, best.get().bound());
+                List<Integer> layout = best.get().chosen();
+                boolean isNew = tried.add(layout);
+                if (isNew) {
+                    layouts.add(layout);
+                    round.accept(layouts.size());
+                    cutUnlessInterrupted(layout);
+                }
+                double value = rows.best(layouts).map(this::value).orElse(Double.NEGATIVE_INFINITY);
+                // What the oracle cannot cut in an accurately solved round is the best.
+                isProven = bound <= value * (1.0 + limits.gap()) || !isNew && gap <= limits.gap();
+                gap = isNew ? gap : limits.gap();
+            }
+        }
+
+        private void cutUnlessInterrupted(List<Integer> layout) {
+            try {
+                cut(layout);
+            } catch (CancellationException e) {
+                isInterrupted = true;
+            }
+        }
+
+        private double value(List<Integer> layout) {
+            return Math.min(enough, rows.value(layout));
+        }
+
+        Optional<CutResult> result() {
+            PlacementProblem problem = rows.problem(enough);
+            return rows.best(layouts).map(layout -> {
+                double value = value(layout);
+                boolean isComplete = isProven && !isInterrupted;
+                PlacementResult result = new PlacementResult(
+                        layout, value, Math.max(bound, value), problem.cost(layout), isComplete);
+                return new CutResult(problem, result, layouts.size());
+            });
+        }
+    }
+}

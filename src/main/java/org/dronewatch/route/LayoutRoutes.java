@@ -1,0 +1,64 @@
+package org.dronewatch.route;
+
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.run.Stage;
+
+/**
+ * The weakest routes past any layout of sensors, each of which has been assessed by itself: rates of independent
+ * sensors add. Routes lead to the protected zone, as those of {@link SiteRoutes}. One thread at a time.
+ */
+public final class LayoutRoutes {
+    private final RouteSite site;
+    private final Map<String, SiteExposure> exposures = new LinkedHashMap<>();
+
+    /**
+     * The routes of a site.
+     *
+     * @param sensors at least one, with distinct names
+     * @param stage of their scene, which has a protected zone; the time of the response is that of its alerts
+     * @param drone name of the drone
+     * @throws IllegalArgumentException if there is no sensor, the drone cannot be anywhere on the edge, or it cannot
+     *     be anywhere in the zone
+     */
+    public LayoutRoutes(Collection<SensorFields> sensors, Stage stage, String drone) {
+        SensorFields first = sensors.stream()
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("0 sensors: must be at least one"));
+        this.site = RouteSite.of(
+                first.modes(),
+                first.settings(),
+                stage,
+                drone,
+                Optional.empty(),
+                InboundTarget.of(first.settings(), stage.protection()));
+        sensors.forEach(
+                sensor -> exposures.put(sensor.name(), SiteExposure.of(sensor.modes(), sensor.settings())));
+    }
+
+    /**
+     * Searches for the weakest routes past some of the sensors.
+     *
+     * @param names of these sensors, in the order of the layout; none if the drone meets no sensor at all
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public SiteRoutes past(List<String> names) {
+        SiteExposure any = exposures.values().iterator().next();
+        return site.past(any.toAll(names.stream().map(exposures::get).toList()), names);
+    }
+
+    /**
+     * The exposure to a sensor, whether it is in the layout or not, along a route: as far as a detection counts.
+     *
+     * @param routes of which it is one
+     * @param sensor its name
+     */
+    public double exposure(SiteRoutes routes, WeakestRoute route, String sensor) {
+        return routes.counted(route, exposures.get(sensor));
+    }
+}

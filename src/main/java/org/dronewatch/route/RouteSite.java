@@ -1,0 +1,125 @@
+package org.dronewatch.route;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.drone.FlightLimits;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.fusion.Protection;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * Where a drone may fly at a site, and where its routes begin and end: whatever does not depend on the sensors.
+ *
+ * @param posts that it may pass
+ * @param modes in which it may fly
+ * @param turnRadius smallest radius of its turns at cruise speed, 0 for none, m
+ * @param endurance longest flight under power, s
+ * @param starts posts at which routes may begin
+ * @param goals posts at which they may end
+ * @param reached the posts of all cubes in which a route may end
+ * @param passage between which points it can fly straight
+ * @param arrival where a route arrives between posts
+ * @param response time from a detection until the drone is stopped, s
+ * @param middle of the protected zone or of the sensors, m
+ */
+record RouteSite(
+        SitePosts posts,
+        List<RouteMode> modes,
+        double turnRadius,
+        double endurance,
+        BitSet starts,
+        BitSet goals,
+        BitSet reached,
+        Passage passage,
+        RouteEnd arrival,
+        double response,
+        Position middle) {
+    /** What a flight of the whole endurance counts for, so that of equally exposed routes the fastest is found. */
+    private static final double PRICE_OF_ENDURANCE = 1e-3;
+
+    private static final String NO_CELL =
+            "no cell there has its middle above known ground and outside everything solid,"
+                    + " at any of the heights; smaller cells or other heights may have one";
+
+    RouteSite {
+        modes = List.copyOf(modes);
+    }
+
+    /**
+     * A site.
+     *
+     * @param modes at least one, with fields over the same grid, whose sensors do not matter
+     * @param launch the area from which routes come; the edge if it is empty
+     * @param middle of the protected zone or of the sensors, m
+     * @throws IllegalArgumentException if the drone cannot be where routes begin, or not where they end
+     */
+    static RouteSite of(
+            List<ModeField> modes,
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            Optional<AreaZone> launch,
+            Position middle) {
+        FlightLimits limits = DetectionField.droneOf(stage, drone).settings().flightLimits();
+        double cruise = DetectionField.droneOf(stage, drone).settings().speed();
+        SitePosts posts = new SitePosts(modes.get(0).field(), limits.ceiling());
+        Protection protection = stage.protection();
+        double reach = posts.reach(protection, middle);
+        BitSet starts = launch.map(posts::over).orElseGet(posts::rim);
+        BitSet goals = posts.goals(protection, middle, reach);
+        checkPosts(starts, goals, launch.isPresent(), !protection.isEmpty());
+        return new RouteSite(
+                posts,
+                modes.stream().map(ModeField::mode).toList(),
+                limits.hover() ? 0.0 : cruise / limits.turnRate(),
+                limits.endurance(),
+                starts,
+                goals,
+                posts.near(protection, middle, reach + posts.diagonal()),
+                Passage.through(stage.world()),
+                !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_POST,
+                settings.alert().response(),
+                middle);
+    }
+
+    private static void checkPosts(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
+        if (starts.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "no route begins " + (isLaunch ? "in the launch area" : "on the edge") + ": " + NO_CELL);
+        }
+        if (goals.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "no route ends " + (isZone ? "in the protected zone or beside it" : "at the middle of the sensors")
+                            + ": " + NO_CELL);
+        }
+    }
+
+    /**
+     * Searches for the weakest routes past some sensors.
+     *
+     * @param exposure to them
+     * @param sensors their names, in the order of the scene
+     */
+    SiteRoutes past(SiteExposure exposure, List<String> sensors) {
+        RouteProblem problem = new RouteProblem(
+                posts.grid(),
+                exposure,
+                modes,
+                turnRadius,
+                PlanDirections.of(turnRadius > 0.0 ? 16 : 48),
+                starts,
+                goals,
+                passage);
+        double price = PRICE_OF_ENDURANCE / endurance;
+        DoubleFunction<WeakestRoutes> search = ofTime -> response > 0.0
+                ? WeakestRoutes.inTime(problem, reached, response, ofTime, arrival)
+                : WeakestRoutes.of(problem, reached, ofTime, arrival);
+        EnduranceLimit limit = new EnduranceLimit(modes, endurance, search);
+        return new SiteRoutes(sensors, exposure, problem, search.apply(price), limit, middle);
+    }
+}

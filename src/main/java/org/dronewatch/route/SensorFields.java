@@ -1,0 +1,29 @@
+package org.dronewatch.route;
+
+import java.util.List;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * One sensor by itself, and how it detects a drone in each mode of flight.
+ *
+ * @param settings of a scene in which it is the only enabled sensor
+ * @param modes at least one; in the same order and over the same grid for all sensors that are compared
+ */
+public record SensorFields(SceneSettings settings, List<ModeField> modes) {
+    /**
+     * Copies the list.
+     *
+     * @throws IllegalArgumentException unless there are modes, each with a field of one sensor
+     */
+    public SensorFields {
+        modes = List.copyOf(modes);
+        if (modes.isEmpty() || modes.stream().anyMatch(mode -> mode.field().sensors().size() != 1)) {
+            throw new IllegalArgumentException(modes.size() + " modes: must be at least one, with one sensor in each");
+        }
+    }
+
+    /** The name of the sensor. */
+    public String name() {
+        return modes.get(0).field().sensors().get(0);
+    }
+}
