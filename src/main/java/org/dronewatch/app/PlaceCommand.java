@@ -12,13 +12,17 @@ import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CoveredCells;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.PlaceObjective;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.PlaceSearch;
+import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.placement.site.WeakestRouteSearch;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.PlaceDirectory;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.PlaceTable;
+import org.dronewatch.report.placement.RoutePlaceTable;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.InputFiles;
@@ -38,8 +42,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, among sensors that may be bought and the places where they may stand, those that cover the most"
-                        + " air within a budget; prints the layout, the most that any other could cover, and the order in"
-                        + " which to buy its sensors.",
+                        + " air within a budget, or leave no weak route to the protected zone; prints the layout, a bound"
+                        + " on what any other could reach, and the order in which to buy its sensors.",
         footer = {
             "",
             "Examples:",
@@ -114,18 +118,37 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan plan = budget == null ? read : read.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
-                PlaceResults results = search(given, plan, limits, shown);
-                main.interruption().letFinish();
-                if (target != null) {
-                    target.write(results, provenance(given, plan), threads.number(), shown.notes());
-                }
-                PlaceTable.lines(results).forEach(spec.commandLine().getOut()::println);
-                if (!results.complete()) {
+                boolean isComplete = plan.settings().objective() == PlaceObjective.COVERAGE
+                        ? placeForCoverage(given, plan, limits, target, shown)
+                        : placeAgainstRoutes(given, plan, limits, target, shown);
+                if (!isComplete) {
                     spec.commandLine().getErr().println("interrupted: the best layout so far");
                 }
                 return 0;
             });
         }
+    }
+
+    private boolean placeForCoverage(
+            Path given, PlacePlan plan, SolverLimits limits, PlaceDirectory target, TaskProgress shown) {
+        PlaceResults results = search(given, plan, limits, shown);
+        main.interruption().letFinish();
+        if (target != null) {
+            target.write(results, provenance(given, plan), threads.number(), shown.notes());
+        }
+        PlaceTable.lines(results).forEach(spec.commandLine().getOut()::println);
+        return results.complete();
+    }
+
+    private boolean placeAgainstRoutes(
+            Path given, PlacePlan plan, SolverLimits limits, PlaceDirectory target, TaskProgress shown) {
+        RoutePlacement placement = searchAgainstRoutes(given, plan, limits, shown);
+        main.interruption().letFinish();
+        if (target != null) {
+            target.write(placement, provenance(given, plan), threads.number(), shown.notes());
+        }
+        RoutePlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
+        return placement.complete();
     }
 
     private SolverLimits limits() {
@@ -148,12 +171,9 @@ final class PlaceCommand implements Callable<Integer> {
     }
 
     private PlaceResults search(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
-        plan.runner().adviseOnConditions();
-        Stage stage = plan.runner().stage(plan.present());
-        LayerStore store =
-                LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
+        Stage stage = stage(plan);
         try {
-            CoveredCells cells = new CoveredCells(plan, stage, store);
+            CoveredCells cells = new CoveredCells(plan, stage, store(plan, shown));
             PlaceSearch search = new PlaceSearch(plan, cells, new ExactSolver());
             SitePlacement found = shown.during(
                     "coverage of candidates",
@@ -177,6 +197,28 @@ final class PlaceCommand implements Callable<Integer> {
                         "coverage of the layout", looks, progress -> LayoutFields.of(front.best(), cells, progress))
                 : Optional.empty();
         return new PlaceResults(front, fields);
+    }
+
+    private RoutePlacement searchAgainstRoutes(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
+        Stage stage = stage(plan);
+        try {
+            WeakestRouteSearch search = new WeakestRouteSearch(plan, stage, store(plan, shown), new ExactSolver());
+            return shown.during(
+                    "rates of detection, then routes",
+                    search.looks(),
+                    progress -> search.found(limits, progress, round -> {}, main.interruption()::letFinish));
+        } catch (InputException e) {
+            throw PlacePlan.placed(given, e);
+        }
+    }
+
+    private static Stage stage(PlacePlan plan) {
+        plan.runner().adviseOnConditions();
+        return plan.runner().stage(plan.present());
+    }
+
+    private static LayerStore store(PlacePlan plan, TaskProgress shown) {
+        return LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
     }
 
     /** The placement file counts among those that describe the scene. */

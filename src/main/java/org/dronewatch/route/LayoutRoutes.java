@@ -37,8 +37,7 @@ public final class LayoutRoutes {
                 drone,
                 Optional.empty(),
                 InboundTarget.of(first.settings(), stage.protection()));
-        sensors.forEach(
-                sensor -> exposures.put(sensor.name(), SiteExposure.of(sensor.modes(), sensor.settings())));
+        sensors.forEach(sensor -> exposures.put(sensor.name(), SiteExposure.of(sensor.modes(), sensor.settings())));
     }
 
     /**

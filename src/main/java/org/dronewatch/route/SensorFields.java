@@ -17,7 +17,8 @@ public record SensorFields(SceneSettings settings, List<ModeField> modes) {
      */
     public SensorFields {
         modes = List.copyOf(modes);
-        if (modes.isEmpty() || modes.stream().anyMatch(mode -> mode.field().sensors().size() != 1)) {
+        if (modes.isEmpty()
+                || modes.stream().anyMatch(mode -> mode.field().sensors().size() != 1)) {
             throw new IllegalArgumentException(modes.size() + " modes: must be at least one, with one sensor in each");
         }
     }

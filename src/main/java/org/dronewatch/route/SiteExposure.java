@@ -39,8 +39,7 @@ record SiteExposure(List<FieldExposure> modes) implements ExposureField {
 
     /** The exposure to one sensor alone, given by its name. */
     SiteExposure ofSensor(String name) {
-        return new SiteExposure(
-                modes.stream().map(mode -> mode.ofSensor(name)).toList());
+        return new SiteExposure(modes.stream().map(mode -> mode.ofSensor(name)).toList());
     }
 
     /** The exposure to the sensors of several fields, all of the same grid and in the same modes as this one. */

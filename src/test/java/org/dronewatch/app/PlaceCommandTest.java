@@ -113,16 +113,19 @@ class PlaceCommandTest {
                 "budget: 1 and: more                              | 'unknown'",
                 "keep: [x]                                        | 'keep: there is no enabled sensor ''x'''",
                 "drone: two                                       | 'drone two: there is no such drone'",
-                "objective: money                                 | 'objective: ''money'' is not one of [coverage]'",
+                "objective: money                                 | 'objective: ''money'' is not one of [coverage, weakest-route]'",
                 "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that complies'",
                 "air: {cell: 1 m}                                 | 'air.cell: 500 x 500 cells at 5 heights on 8 headings'",
                 "conditions: {fold: 0}                            | 'fold 0 must be 1 to 10'",
+                "objective: weakest-route                         | 'objective weakest-route: the scene protects no zone'",
+                "objective: weakest-route and fold                | 'conditions.fold: has no meaning for the objective'",
             })
     void namesWhatIsWrong(String line, String message) throws IOException {
         Path bad = directory.resolve("bad.place.yaml");
         String good = Files.readString(file)
                 .replaceAll("(?m)^(budget|keep" + (line.startsWith("air") ? "|air" : "") + "):.*\n", "");
-        Files.writeString(bad, good + (line.startsWith("budget") ? "" : "budget: 1\n") + line + "\n");
+        String lines = line.replace(" and fold", "\nconditions: {fold: 2}");
+        Files.writeString(bad, good + (line.startsWith("budget") ? "" : "budget: 1\n") + lines + "\n");
         Outcome refused = place(bad, "--out=" + directory.resolve("refused"));
 
         assertThat(refused.code()).as(refused.err()).isEqualTo(2);

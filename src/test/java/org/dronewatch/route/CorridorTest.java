@@ -70,8 +70,8 @@ class CorridorTest {
                 .mapToObj(cell -> new Candidate("cell " + cell, 1.0))
                 .toList();
         // In any order, so that the first layouts are not whole rows by chance.
-        List<Integer> order = new ArrayList<>(
-                IntStream.range(0, width * depth).boxed().toList());
+        List<Integer> order =
+                new ArrayList<>(IntStream.range(0, width * depth).boxed().toList());
         Collections.shuffle(order, new Random(width));
         CutResult found = new CuttingPlanes(
                         cells,

@@ -15,7 +15,8 @@ import org.dronewatch.setting.Quantity;
  * of the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
- * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default
+ * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default. For
+ *     {@code weakest-route} the square is around the protected zone; by default, as large as that of {@code route}
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
  *     default
@@ -24,17 +25,17 @@ import org.dronewatch.setting.Quantity;
  * @param heading {@code any}: every cell counts by an eighth on each of eight headings; {@code inbound}: every cell
  *     counts on the heading towards the protected zone. {@code any} by default
  * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or search for it,
- *     {@code search}; {@code cued} by default
+ *     {@code search}; {@code cued} by default, and {@code search} for {@code weakest-route}
  */
 public record AirSettings(
         Optional<String> area,
-        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double side,
+        @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> side,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> cell,
         @In(value = Quantity.LENGTH, above = 0, to = FieldGrid.HIGHEST) List<Double> heights,
         @In(value = Quantity.RATIO, above = 0, to = 1) double covered,
         @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within,
         Heading heading,
-        FieldTerms.Turning pointing) {
+        Optional<FieldTerms.Turning> pointing) {
     /** The headings of the drone that count. */
     public enum Heading {
         /** Eight headings of the compass, which count alike. */
@@ -47,23 +48,28 @@ public record AirSettings(
     @Defaults
     public static final AirSettings DEFAULT = new AirSettings(
             Optional.empty(),
-            FieldGrid.DEFAULT_SIDE,
+            Optional.empty(),
             Optional.empty(),
             FieldGrid.HEIGHTS,
             FieldCoverage.DEFAULT_COVERED,
             Optional.empty(),
             Heading.ANY,
-            FieldTerms.Turning.CUED);
+            Optional.empty());
 
     /** Checks the limits. */
     public AirSettings {
         Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, pointing);
         heights = List.copyOf(heights);
-        new FieldGrid(0.0, 0.0, side, side, heights);
+        new FieldGrid(0.0, 0.0, FieldGrid.DEFAULT_SIDE, FieldGrid.DEFAULT_SIDE, heights);
+    }
+
+    /** The side of the square, m: that of {@code coverage} unless it is given. */
+    double square() {
+        return side.orElse(FieldGrid.DEFAULT_SIDE);
     }
 
     /** The terms on which the drone counts as detected. */
     FieldTerms terms() {
-        return new FieldTerms(pointing, within);
+        return new FieldTerms(pointing.orElse(FieldTerms.Turning.CUED), within);
     }
 }

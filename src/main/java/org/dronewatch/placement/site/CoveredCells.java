@@ -2,11 +2,8 @@ package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.field.Course;
@@ -25,7 +22,6 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.SettingsForm;
 
 /**
  * The air that each sensor covers: a row for each cell and each of eight headings, or for each cell and the heading
@@ -99,7 +95,7 @@ public final class CoveredCells {
                                 + ": no such zone; the scene protects "
                                 + String.join(
                                         ", ", plan.present().alert().zones().keySet())));
-                double side = FieldGrid.over(zone, air.side(), air.heights()).side();
+                double side = FieldGrid.over(zone, air.square(), air.heights()).side();
                 return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.heights());
             }
             double east = plan.candidates().stream()
@@ -110,7 +106,7 @@ public final class CoveredCells {
                     .mapToDouble(one -> one.sensor().position().y())
                     .average()
                     .orElse(0.0);
-            return new FieldGrid(east, north, air.side(), air.cell().orElse(air.side() / CELLS), air.heights());
+            return new FieldGrid(east, north, air.square(), air.cell().orElse(air.square() / CELLS), air.heights());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }
@@ -216,11 +212,7 @@ public final class CoveredCells {
 
     /** The scene with these sensors; all others are switched off, so that those to which a sensor refers exist. */
     public SceneSettings alone(Map<String, SensorSettings<?>> sensors) {
-        Map<String, SensorSettings<?>> all = new LinkedHashMap<>(plan.present().sensors());
-        all.putAll(sensors);
-        Set<String> others = new LinkedHashSet<>(all.keySet());
-        others.removeAll(sensors.keySet());
-        return SettingsForm.with(plan.present(), Map.of("sensors", all, "disabled", others));
+        return Layout.alone(plan, sensors);
     }
 
     private DetectionField field(Map<String, SensorSettings<?>> sensors, List<Course> flown, IntConsumer progress) {

@@ -1,6 +1,7 @@
 package org.dronewatch.placement.site;
 
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -14,6 +15,20 @@ import org.dronewatch.setting.SettingsForm;
 /** Makes scenes whose sensors are replaced by those of a layout. */
 public final class Layout {
     private Layout() {}
+
+    /**
+     * The scene of a plan with some sensors. All others of the scene are switched off, so that those to which a sensor
+     * refers exist.
+     *
+     * @param sensors by their names
+     */
+    static SceneSettings alone(PlacePlan plan, Map<String, SensorSettings<?>> sensors) {
+        Map<String, SensorSettings<?>> all = new LinkedHashMap<>(plan.present().sensors());
+        all.putAll(sensors);
+        Set<String> others = new LinkedHashSet<>(all.keySet());
+        others.removeAll(sensors.keySet());
+        return SettingsForm.with(plan.present(), Map.of("sensors", all, "disabled", others));
+    }
 
     /**
      * The scene of a plan with some of its candidates alone, and their prices.

@@ -3,5 +3,7 @@ package org.dronewatch.placement.site;
 /** The quantity that a placement maximises. */
 public enum PlaceObjective {
     /** The fraction of the air in which at least one sensor covers the drone. */
-    COVERAGE
+    COVERAGE,
+    /** The exposure on the least exposed route from the edge to the protected zone. */
+    WEAKEST_ROUTE
 }

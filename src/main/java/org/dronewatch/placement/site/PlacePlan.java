@@ -38,7 +38,8 @@ public record PlacePlan(
         String drone,
         List<SiteCandidate> candidates) {
     private static final String SCENE = "scene";
-    private static final Pattern PLACED = Pattern.compile("(scene|drone|budget|candidates|keep|conditions|air)[.: ]");
+    private static final Pattern PLACED =
+            Pattern.compile("(scene|drone|objective|budget|candidates|keep|conditions|air)[.: ]");
 
     /** Copies the list: later changes by the caller have no effect. */
     public PlacePlan {

@@ -2,7 +2,6 @@ package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,7 +11,6 @@ import java.util.stream.IntStream;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.CandidateTable;
-import org.dronewatch.placement.KindLimits;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementObjective;
 import org.dronewatch.placement.PlacementProblem;
@@ -21,7 +19,6 @@ import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.Quantity;
 
 /**
  * Finds the best layout of a plan: what each candidate covers is assessed once, and then the best of them are chosen.
@@ -71,15 +68,7 @@ public final class PlaceSearch {
     }
 
     private InputException impossible() {
-        return new InputException(
-                "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
-                        + ": no layout was found that complies with it and with the other conditions: the numbers of sensors"
-                        + plan.settings()
-                                .conditions()
-                                .anyoneLost()
-                                .map(loss -> ", and a coverage of " + Quantity.NUMBER.inWords(loss.atLeast())
-                                        + " after the loss of any one")
-                                .orElse(""));
+        return PlanConditions.impossible(plan, "a coverage");
     }
 
     private Assessed assess(IntConsumer progress) {
@@ -113,18 +102,10 @@ public final class PlaceSearch {
     }
 
     private PlacementConditions conditions() {
-        LayoutConditions asked = plan.settings().conditions();
-        Map<String, KindLimits> kinds = new HashMap<>();
-        plan.settings()
-                .candidates()
-                .forEach((name, offer) -> kinds.put(
-                        name, new KindLimits(offer.atLeast(), offer.atMost().orElse(Integer.MAX_VALUE))));
-        PlacementConditions conditions = PlacementConditions.NONE
-                .withBudget(plan.settings().budget())
-                .withAtMost(asked.atMost().orElse(Integer.MAX_VALUE))
-                .withKinds(kinds)
-                .withFold(asked.fold());
-        return asked.anyoneLost()
+        PlacementConditions conditions = PlanConditions.of(plan);
+        return plan.settings()
+                .conditions()
+                .anyoneLost()
                 .map(loss -> conditions.withAnyoneLost(loss.atLeast() * cells.size()))
                 .orElse(conditions);
     }

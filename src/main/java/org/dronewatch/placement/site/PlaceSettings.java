@@ -16,7 +16,8 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param scene a packaged scene by name, or a scene file beside this file or below it
  * @param drone of the scene, which is to be detected; the first by default
- * @param objective the quantity that is maximised: {@code coverage}
+ * @param objective the quantity that is maximised: {@code coverage}, or {@code weakest-route}, the exposure on the
+ *     least exposed route to the protected zone
  * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
  * @param candidates sensors that may be bought, by the names that those in the layout begin with
  * @param keep sensors of the scene that stay, at no cost

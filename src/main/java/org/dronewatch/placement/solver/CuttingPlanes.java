@@ -26,6 +26,9 @@ public final class CuttingPlanes {
     /** The gap to which early rounds are solved: their layouts will change anyway. */
     private static final double EARLY_GAP = 0.1;
 
+    /** How long a first layout is looked for if the search was ended before it had one, s. */
+    private static final double QUICK = 2.0;
+
     private final List<Candidate> candidates;
     private final PlacementConditions conditions;
     private final RowOracle oracle;
@@ -91,9 +94,8 @@ public final class CuttingPlanes {
             rows.addAll(oracle.weakest(layout));
             if (conditions.anyoneLost().isPresent()) {
                 for (Integer lost : layout) {
-                    rows.addAll(oracle.weakest(layout.stream()
-                            .filter(other -> !other.equals(lost))
-                            .toList()));
+                    rows.addAll(oracle.weakest(
+                            layout.stream().filter(other -> !other.equals(lost)).toList()));
                 }
             }
         }
@@ -136,11 +138,15 @@ public final class CuttingPlanes {
 
         Optional<CutResult> result() {
             PlacementProblem problem = rows.problem(enough);
+            if (layouts.isEmpty() && !isProven) {
+                solver.solve(problem, new SolverLimits(1.0, QUICK, () -> false))
+                        .ifPresent(quick -> layouts.add(quick.chosen()));
+            }
             return rows.best(layouts).map(layout -> {
                 double value = value(layout);
                 boolean isComplete = isProven && !isInterrupted;
-                PlacementResult result = new PlacementResult(
-                        layout, value, Math.max(bound, value), problem.cost(layout), isComplete);
+                PlacementResult result =
+                        new PlacementResult(layout, value, Math.max(bound, value), problem.cost(layout), isComplete);
                 return new CutResult(problem, result, layouts.size());
             });
         }

@@ -7,12 +7,16 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dronewatch.placement.site.Layout;
 import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.placement.site.SiteCandidate;
+import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
 import org.dronewatch.setting.InputException;
+import tools.jackson.databind.node.ObjectNode;
 
 /** The directory into which {@code place} writes; its files appear together, or none of them. */
 public final class PlaceDirectory implements AutoCloseable {
@@ -42,15 +46,30 @@ public final class PlaceDirectory implements AutoCloseable {
      * @throws InputException when writing fails
      */
     public void write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
+        SitePlacement best = results.best();
+        write(best.plan(), best.chosen(), PlaceFile.toJson(results), provenance, threads, notes);
+    }
+
+    /** The same for the layout past which the weakest route is most exposed. */
+    public void write(RoutePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
+        write(placement.plan(), placement.chosen(), RoutePlaceFile.toJson(placement), provenance, threads, notes);
+    }
+
+    private void write(
+            PlacePlan plan,
+            List<SiteCandidate> chosen,
+            ObjectNode numbers,
+            Provenance provenance,
+            int threads,
+            Consumer<String> notes) {
         directory.write(() -> {
-            PlacePlan plan = results.best().plan();
-            JsonFile.write(directory.file(NUMBERS), PlaceFile.toJson(results));
+            JsonFile.write(directory.file(NUMBERS), numbers);
             JsonFile.write(
                     directory.file(ProvenanceFile.NAME),
                     ProvenanceFile.of(provenance, plan.scene().name(), threads));
             boolean isWritten = false;
             try {
-                String text = plan.runner().text(Layout.of(plan, results.best().chosen()), target.resolve(SCENE));
+                String text = plan.runner().text(Layout.of(plan, chosen), target.resolve(SCENE));
                 Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
                 isWritten = true;
             } catch (InputException e) {

@@ -43,6 +43,12 @@ final class PlaceFile {
     }
 
     private static void add(ObjectNode node, SiteCandidate sensor, SitePlacement placement) {
+        describe(node, sensor);
+        node.put("alone", Numbers.rounded(placement.alone(sensor)));
+    }
+
+    /** Adds which sensor it is, where it stands, and what it costs. */
+    static void describe(ObjectNode node, SiteCandidate sensor) {
         Position position = sensor.sensor().position();
         node.put("sensor", sensor.name());
         node.put("kind", sensor.sensor().kind());
@@ -54,6 +60,5 @@ final class PlaceFile {
                         azimuth -> node.put("azimuth_deg", Numbers.rounded(azimuth)),
                         () -> node.putNull("azimuth_deg"));
         node.put("cost", Numbers.rounded(sensor.candidate().cost()));
-        node.put("alone", Numbers.rounded(placement.alone(sensor)));
     }
 }

@@ -35,8 +35,8 @@ final class SameCoverage {
             words.add("--covered " + exact(air.covered()));
         }
         air.within().ifPresent(time -> words.add("--within " + exact(time)));
-        if (air.pointing() == FieldTerms.Turning.SEARCH) {
-            words.add("--pointing " + air.pointing().name().toLowerCase(Locale.ROOT));
+        if (air.pointing().filter(FieldTerms.Turning.SEARCH::equals).isPresent()) {
+            words.add("--pointing " + FieldTerms.Turning.SEARCH.name().toLowerCase(Locale.ROOT));
         }
         if (!placement
                 .plan()

@@ -1,0 +1,45 @@
+package org.dronewatch.placement.site;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.dronewatch.placement.KindLimits;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+
+/** What a plan demands of a layout, whatever its objective. */
+final class PlanConditions {
+    private PlanConditions() {}
+
+    /** The conditions, without that on what remains after a loss. */
+    static PlacementConditions of(PlacePlan plan) {
+        LayoutConditions asked = plan.settings().conditions();
+        Map<String, KindLimits> kinds = new HashMap<>();
+        plan.settings()
+                .candidates()
+                .forEach((name, offer) -> kinds.put(
+                        name, new KindLimits(offer.atLeast(), offer.atMost().orElse(Integer.MAX_VALUE))));
+        return PlacementConditions.NONE
+                .withBudget(plan.settings().budget())
+                .withAtMost(asked.atMost().orElse(Integer.MAX_VALUE))
+                .withKinds(kinds)
+                .withFold(asked.fold());
+    }
+
+    /**
+     * What to say if no layout complies.
+     *
+     * @param remaining what must remain after a loss
+     */
+    static InputException impossible(PlacePlan plan, String remaining) {
+        return new InputException(
+                "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
+                        + ": no layout was found that complies with it and with the other conditions: the numbers of sensors"
+                        + plan.settings()
+                                .conditions()
+                                .anyoneLost()
+                                .map(loss -> ", and " + remaining + " of " + Quantity.NUMBER.inWords(loss.atLeast())
+                                        + " after the loss of any one")
+                                .orElse(""));
+    }
+}

@@ -1,0 +1,107 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.route.FlightMode;
+import org.dronewatch.route.ModeField;
+import org.dronewatch.route.RouteArea;
+import org.dronewatch.route.SensorFields;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+
+/** The rates at which each sensor of a plan detects the drone on its way to the protected zone. */
+final class RouteFields {
+    /** The number of cells along a side unless the length of a cell is given. */
+    private static final double CELLS = 50.0;
+
+    /** Maximum number of cells at all heights. */
+    private static final int MOST = 250_000;
+
+    private final PlacePlan plan;
+    private final Stage stage;
+    private final LayerStore store;
+    private final Drone drone;
+    private final List<FlightMode> modes;
+    private final FieldGrid grid;
+
+    /**
+     * The fields of a plan.
+     *
+     * @throws InputException when the scene has no protected zone, or the cells are too many
+     */
+    RouteFields(PlacePlan plan, Stage stage, LayerStore store) {
+        this.plan = plan;
+        this.stage = stage;
+        this.store = store;
+        if (stage.protection().isEmpty()) {
+            throw new InputException("objective weakest-route: the scene protects no zone to which routes could lead");
+        }
+        this.drone = DetectionField.droneOf(stage, plan.drone());
+        this.modes = FlightMode.of(drone.settings());
+        this.grid = cells();
+    }
+
+    private FieldGrid cells() {
+        AirSettings air = plan.settings().air();
+        Position middle = InboundTarget.of(plan.present(), stage.protection());
+        double side = air.side().orElseGet(() -> RouteArea.side(plan.present(), stage, plan.drone()));
+        FieldGrid cells;
+        try {
+            cells = new FieldGrid(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.heights());
+        } catch (IllegalArgumentException e) {
+            throw new InputException("air: " + e.getMessage(), e);
+        }
+        long count = (long) cells.cells() * cells.heights().size();
+        if (cells.columns() < 2 || count > MOST) {
+            throw new InputException("air.cell " + cells.cell() + " m: " + cells.columns() + " x " + cells.columns()
+                    + " cells at " + cells.heights().size() + " heights, must be at least 2 x 2 and at most " + MOST
+                    + " together");
+        }
+        return cells;
+    }
+
+    /** The cells. */
+    FieldGrid grid() {
+        return grid;
+    }
+
+    /** The approximate number of cells at which a sensor has to be assessed. */
+    long looks() {
+        return (long) modes.size() * grid.cells() * grid.heights().size();
+    }
+
+    /** The fields of a sensor, by itself. */
+    SensorFields of(String name, SensorSettings<?> sensor, IntConsumer progress) {
+        SceneSettings alone = Layout.alone(plan, Map.of(name, sensor));
+        FieldTerms terms = FieldTerms.ONE_LOOK.withPointing(
+                plan.settings().air().pointing().orElse(FieldTerms.Turning.SEARCH));
+        List<ModeField> fields = new ArrayList<>();
+        for (FlightMode mode : modes) {
+            FieldRequest request = new FieldRequest(
+                    alone,
+                    stage,
+                    plan.drone(),
+                    grid,
+                    mode.courses(alone.enabledSensors(), drone),
+                    FieldCoverage.Choice.WORST,
+                    terms,
+                    FieldCoverage.DEFAULT_COVERED);
+            fields.add(mode.with(FieldAssessment.of(request, store, progress), drone.settings()));
+        }
+        return new SensorFields(alone, fields);
+    }
+}

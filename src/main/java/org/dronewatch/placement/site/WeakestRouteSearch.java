@@ -1,0 +1,139 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.solver.CutResult;
+import org.dronewatch.placement.solver.CuttingPlanes;
+import org.dronewatch.route.FieldExposure;
+import org.dronewatch.route.LayoutRoutes;
+import org.dronewatch.route.SensorFields;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+
+/**
+ * Finds the layout of a plan past which the weakest route to the protected zone is most exposed: each candidate is
+ * assessed once by itself, and then layouts are tried against routes, and routes are searched for past layouts, by
+ * turns.
+ */
+public final class WeakestRouteSearch {
+    /** A greater exposure counts as this: it is that of one look with the greatest probability that counts. */
+    public static final double ENOUGH = -Math.log1p(-FieldExposure.HIGHEST);
+
+    private final PlacePlan plan;
+    private final Stage stage;
+    private final RouteFields fields;
+    private final PlacementSolver solver;
+
+    /**
+     * A search.
+     *
+     * @param stage of the plan's scene
+     * @param store of assessments that were made before
+     * @throws InputException when a setting makes no sense for routes, or the scene has no protected zone
+     */
+    public WeakestRouteSearch(PlacePlan plan, Stage stage, LayerStore store, PlacementSolver solver) {
+        this.plan = plan;
+        this.stage = stage;
+        this.solver = solver;
+        checkSense(plan.settings());
+        this.fields = new RouteFields(plan, stage, store);
+    }
+
+    private static void checkSense(PlaceSettings settings) {
+        AirSettings air = settings.air();
+        refuse(settings.conditions().fold() > 1, "conditions.fold", "all sensors along a route count");
+        refuse(air.area().isPresent(), "air.area", "routes lead to the protected zone from the edge of a square");
+        refuse(air.within().isPresent(), "air.within", "each look counts");
+        refuse(air.covered() != FieldCoverage.DEFAULT_COVERED, "air.covered", "each look counts");
+        refuse(air.heading() != AirSettings.Heading.ANY, "air.heading", "a route has its own headings");
+    }
+
+    private static void refuse(boolean isGiven, String setting, String reason) {
+        if (isGiven) {
+            throw new InputException(setting + ": has no meaning for the objective weakest-route: " + reason);
+        }
+    }
+
+    /** The approximate number of cells at which sensors have to be assessed. */
+    public long looks() {
+        return fields.looks() * (plan.candidates().size() + others().size());
+    }
+
+    /** The scene's own sensors that are no candidates, by their names. */
+    private Map<String, SensorSettings<?>> others() {
+        Map<String, SensorSettings<?>> others =
+                new LinkedHashMap<>(plan.present().enabledSensors());
+        plan.candidates().forEach(one -> others.remove(one.name()));
+        return others;
+    }
+
+    /**
+     * The best layout that this search finds.
+     *
+     * @param progress receives the number of cells that were assessed since the last call
+     * @param round receives the number of each layout that is tried
+     * @param assessed called when the sensors have been assessed, perhaps because this thread was interrupted; should
+     *     then clear its interrupt status
+     * @throws InputException when no layout complies with the conditions, or there is no route
+     * @throws CancellationException when this thread is interrupted before any candidate is assessed
+     */
+    public RoutePlacement found(SolverLimits limits, IntConsumer progress, IntConsumer round, Runnable assessed) {
+        List<SensorFields> known = new ArrayList<>();
+        boolean isWhole = assess(known, progress);
+        assessed.run();
+        LayoutRoutes routes = routes(known);
+        RouteRows rows = new RouteRows(
+                routes,
+                known.stream().map(SensorFields::name).toList(),
+                plan.candidates().stream().map(SiteCandidate::name).toList());
+        List<Candidate> candidates =
+                plan.candidates().stream().map(SiteCandidate::candidate).toList();
+        SolverLimits within = isWhole ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
+        CutResult cut = new CuttingPlanes(candidates, conditions(), rows, solver, ENOUGH)
+                .solve(within, round)
+                .orElseThrow(() -> PlanConditions.impossible(plan, "a probability of detection"));
+        return new RouteFigures(plan, fields.grid(), rows, within.isStopped()).of(cut, others().keySet(), isWhole);
+    }
+
+    /** Assesses all sensors; gives whether it was not interrupted after the first. */
+    private boolean assess(List<SensorFields> known, IntConsumer progress) {
+        try {
+            plan.candidates().forEach(one -> known.add(fields.of(one.name(), one.sensor(), progress)));
+            others().forEach((name, sensor) -> known.add(fields.of(name, sensor, progress)));
+            return true;
+        } catch (CancellationException e) {
+            if (known.isEmpty()) {
+                throw e;
+            }
+            return false;
+        }
+    }
+
+    private LayoutRoutes routes(List<SensorFields> known) {
+        try {
+            return new LayoutRoutes(known, stage, plan.drone());
+        } catch (IllegalArgumentException e) {
+            throw new InputException("air: " + e.getMessage(), e);
+        }
+    }
+
+    private PlacementConditions conditions() {
+        PlacementConditions conditions = PlanConditions.of(plan);
+        return plan.settings()
+                .conditions()
+                .anyoneLost()
+                .map(loss -> conditions.withAnyoneLost(Math.min(ENOUGH, -Math.log1p(-loss.atLeast()))))
+                .orElse(conditions);
+    }
+}

@@ -1,0 +1,161 @@
+package org.dronewatch.placement.site;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
+import org.dronewatch.LongForm;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldAssessment;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Layouts round a protected zone, on a plain with four boxes, against the weakest routes that {@code route} finds. */
+class WeakestRouteSearchTest {
+    /** Radars see all around, but not through boxes; how likely they detect the drone depends on its range. */
+    private static final String CANDIDATES =
+            """
+            scene: site.yaml
+            objective: weakest-route
+            candidates:
+              radar:
+                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
+                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                price: 2
+                places: [[0, 90, 4], [0, -95, 4], [-55, 10, 17]]
+              small:
+                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
+                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                price: 1
+                places: [[0, 0, 4], [60, 0, 4], [-50, -50, 4]]
+            air: {side: 240 m, cell: 40 m, heights: [30 m]}
+            """;
+
+    @TempDir
+    private Path directory;
+
+    private PlacePlan plan(String more) throws IOException {
+        FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        Path file = Files.writeString(directory.resolve("ring.place.yaml"), CANDIDATES + more);
+        return PlacePlan.read(file, runner -> {}, note -> {});
+    }
+
+    private static RoutePlacement found(PlacePlan plan) {
+        Stage stage = plan.runner().stage(plan.present());
+        return new WeakestRouteSearch(plan, stage, LayerStore.NONE, new ExactSolver())
+                .found(SolverLimits.NONE, cells -> {}, round -> {}, () -> {});
+    }
+
+    /** The exposure on the weakest route past a layout, as {@code route} finds it for the layout as a scene. */
+    private static double exposure(PlacePlan plan, RoutePlacement placement, Stage stage, List<Integer> chosen) {
+        if (chosen.isEmpty()) {
+            return 0.0;
+        }
+        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+        chosen.stream().map(plan.candidates()::get).forEach(one -> sensors.put(one.name(), one.sensor()));
+        var scene = SettingsForm.with(plan.present(), Map.of("sensors", sensors, "disabled", Set.of()));
+        DetectionField field = FieldAssessment.of(
+                scene,
+                stage,
+                FieldSite.DRONE,
+                placement.grid(),
+                Course.all(sensors, DetectionField.droneOf(stage, FieldSite.DRONE)),
+                FieldTerms.ONE_LOOK.withPointing(FieldTerms.Turning.SEARCH),
+                cells -> {});
+        SiteRoutes routes = SiteRoutes.of(field, scene, stage, FieldSite.DRONE);
+        return IntStream.range(0, SiteRoutes.SECTORS)
+                .mapToObj(routes::from)
+                .flatMap(Optional::stream)
+                .mapToDouble(WeakestRoute::exposure)
+                .min()
+                .orElseThrow();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3, 0", "6, 0.05"})
+    void isTheBestOfAllLayouts(double budget, double remaining) throws IOException {
+        assumeTrue(LongForm.IS_ON || remaining == 0.0, "searches for the routes past sixty layouts");
+        PlacePlan plan = plan("budget: " + budget + "\n"
+                + (remaining > 0.0 ? "conditions: {anyoneLost: {atLeast: " + remaining + "}}\n" : ""));
+        RoutePlacement placement = found(plan);
+        Stage stage = plan.runner().stage(plan.present());
+        double[] exposures = new double[1 << plan.candidates().size()];
+        double best = 0.0;
+        for (int choice = 0; choice < exposures.length; choice++) {
+            List<Integer> chosen = chosen(plan, choice);
+            double cost = chosen.stream()
+                    .mapToDouble(one -> plan.candidates().get(one).candidate().cost())
+                    .sum();
+            if (cost <= budget) {
+                exposures[choice] = exposure(plan, placement, stage, chosen);
+                int all = choice;
+                boolean survives = remaining == 0.0
+                        || !chosen.isEmpty()
+                                && chosen.stream()
+                                        .allMatch(lost -> exposures[all & ~(1 << lost)] >= -Math.log1p(-remaining));
+                best = survives ? Math.max(best, exposures[choice]) : best;
+            }
+        }
+
+        assertThat(best).isBetween(0.05, 10.0);
+        assertThat(placement.complete()).isTrue();
+        assertThat(placement.result().value()).isCloseTo(best, within(0.01 * best));
+        assertThat(placement.result().bound()).isBetween(placement.result().value(), 1.01 * best);
+        assertThat(placement.lower()).isBetween(0.0, placement.result().value());
+        double promised = exposure(plan, placement, stage, placement.result().chosen());
+        assertThat(placement.result().value()).isCloseTo(promised, within(1e-3 * promised));
+    }
+
+    private static List<Integer> chosen(PlacePlan plan, int choice) {
+        return IntStream.range(0, plan.candidates().size())
+                .filter(one -> (choice >> one & 1) == 1)
+                .boxed()
+                .toList();
+    }
+
+    /** Interrupted after half of the cells, the search chooses among the candidates that were assessed. */
+    @Test
+    void anInterruptedSearchGivesTheBestSoFar() throws IOException {
+        PlacePlan plan = plan("budget: 6\n");
+        WeakestRouteSearch search =
+                new WeakestRouteSearch(plan, plan.runner().stage(plan.present()), LayerStore.NONE, new ExactSolver());
+        AtomicInteger left = new AtomicInteger((int) search.looks() / 2);
+        RoutePlacement placement = search.found(
+                SolverLimits.NONE,
+                some -> {
+                    if (left.addAndGet(-some) < 0) {
+                        Thread.currentThread().interrupt();
+                    }
+                },
+                round -> {},
+                Thread::interrupted);
+
+        assertThat(placement.complete()).isFalse();
+        assertThat(placement.chosen()).isNotEmpty();
+        assertThat(placement.result().bound()).isEqualTo(WeakestRouteSearch.ENOUGH);
+        assertThat(placement.weakest().seconds()).isPositive();
+    }
+}
