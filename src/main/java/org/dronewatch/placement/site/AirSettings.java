@@ -15,8 +15,8 @@ import org.dronewatch.setting.Quantity;
  * of the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
- * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default. For
- *     {@code weakest-route} the square is around the protected zone; by default, as large as that of {@code route}
+ * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default.
+ *     For {@code weakest-route} the square is around the protected zone; by default, as large as that of {@code route}
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
  *     default

@@ -90,7 +90,7 @@ final class RouteFigures {
                 : rows.least(own).map(exposure -> new PresentLayout(own.size(), exposure));
     }
 
-    /** The exposure on the weakest route past some candidates; routes are searched for unless one is known to be free. */
+    /** The exposure on the weakest route past some candidates; none is searched for if one without any is known. */
     private double value(PlacementProblem problem, List<Integer> candidates) {
         double known = problem.value(candidates);
         return known == 0.0
