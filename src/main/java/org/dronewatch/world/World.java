@@ -22,6 +22,7 @@ import org.dronewatch.geometry.Ray;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.raster.TileTracer;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
@@ -408,6 +409,11 @@ public final class World {
     /** The box around the world, m. */
     public AABB bounds() {
         return tree().bounds();
+    }
+
+    /** Whether at least one of the models that it was merged from is known to be terrain. */
+    boolean statesTerrain() {
+        return models.values().stream().anyMatch(model -> model.role() == ModelRole.TERRAIN);
     }
 
     /** A triangle of the mesh, as an obstacle in a line of sight. */

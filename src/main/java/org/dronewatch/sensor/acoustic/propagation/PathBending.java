@@ -2,34 +2,34 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sound.Atmosphere;
-import org.dronewatch.world.Visibility;
+import org.dronewatch.world.GroundLevel;
 import org.dronewatch.world.World;
 
-/** The curvature of sound paths by the air of a world. One per thread. */
+/**
+ * The wind of a world, and the curvature of sound paths by its air. Heights are those over the ground of the area: the
+ * profile of the wind does not follow a roof or the crown of a tree. One per thread.
+ */
 public final class PathBending {
     private final Atmosphere air;
-    private final Visibility visibility;
 
-    /** Curvatures in a world. */
+    /** Null in uniform air, which does not need it. */
+    private final GroundLevel ground;
+
+    /** Wind and curvatures in a world. */
     public PathBending(World world) {
         this.air = world.atmosphere();
-        this.visibility = new Visibility(world);
+        this.ground = air.isUniform() ? null : new GroundLevel(world);
     }
 
     /** The curvature of all paths of one look. */
     public PathCurvature between(Position source, Position sensor) {
-        return air.isUniform() ? PathCurvature.NONE : PathCurvature.of(air, height(source), height(sensor));
+        return air.isUniform()
+                ? PathCurvature.NONE
+                : PathCurvature.of(air, ground.height(source), ground.height(sensor));
     }
 
     /** The wind's speed at a position, m/s. */
     public double windAt(Position position) {
-        return air.wind().speedAt(height(position));
-    }
-
-    /** Over what is below; where nothing is, over z = 0. */
-    private double height(Position at) {
-        boolean isOverGround =
-                visibility.findFirstAlong(at.x(), at.y(), at.z(), 0.0, 0.0, -1.0, Double.POSITIVE_INFINITY);
-        return isOverGround ? visibility.distance() : Math.max(0.0, at.z());
+        return air.isUniform() ? 0.0 : air.wind().speedAt(ground.height(position));
     }
 }
