@@ -91,7 +91,7 @@ final class PlaceCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             paramLabel = "DIR",
-            description = "Directory for place.json, provenance.json and the layout as a scene, layout.yaml.")
+            description = "Directory for report.html, place.json, maps, and the layout as a scene, layout.yaml.")
     private String out;
 
     @Mixin

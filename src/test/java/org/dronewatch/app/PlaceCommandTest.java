@@ -10,7 +10,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
 import org.dronewatch.LongForm;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
@@ -75,6 +77,24 @@ class PlaceCommandTest {
                         .isGreaterThan(front.get(step - 1).get(key).asDouble());
             }
         }
+    }
+
+    @Test
+    void theReportHasWhatIsPrintedAndThePicturesOfEachHeight() throws IOException {
+        String page = Files.readString(directory.resolve("report.html"));
+
+        assertThat(page)
+                .contains("<h2>What to buy</h2>", "<h2>What more money buys</h2>", "<h2>Coverage by height</h2>")
+                .contains("<h2>If a sensor fails</h2>", "The best layout that was found has ", "kept</td>");
+        Matcher change = Pattern.compile("\\S+; (closes|adds most in) the .*").matcher(outcome.out());
+        assertThat(change.results().map(MatchResult::group))
+                .hasSize(json.get("front").size())
+                .allMatch(page::contains);
+        for (String name :
+                List.of("front", "layout-10", "layout-40", "today-10", "today-40", "change-10", "change-40")) {
+            assertThat(ImageIO.read(directory.resolve(name + ".png").toFile())).isNotNull();
+        }
+        assertThat(page.split("<figure>")).hasSize(6);
     }
 
     @Test

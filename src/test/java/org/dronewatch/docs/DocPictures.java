@@ -24,6 +24,7 @@ final class DocPictures {
     private static final String OUT = "OUT";
 
     private static final String PALACE = "route scenes/palace.yaml --cell 20m --out OUT";
+    private static final String PLACEMENT = "place scenes/palace.place.yaml --out OUT";
     private static final String BIRDS = "route scenes/birds.yaml --cell 20m --out OUT";
 
     private static final int WIDTH = 1280;
@@ -56,6 +57,8 @@ final class DocPictures {
                     "coverage-causes",
                     "coverage multi-sensor --side 400m --cell 8m --heights 10m --out OUT",
                     "cause-10.png")),
+            slow(map("place-front", PLACEMENT, "front.png")),
+            slow(map("place-change", PLACEMENT, "change-30.png")),
             slow(map("route-view", PALACE, "view.png")),
             slow(map("route-plan", BIRDS, "routes.png")),
             slow(map("route-profile", BIRDS, "profile.png")),

@@ -69,7 +69,7 @@ public record AirSettings(
     }
 
     /** The terms on which the drone counts as detected. */
-    FieldTerms terms() {
+    public FieldTerms terms() {
         return new FieldTerms(pointing.orElse(FieldTerms.Turning.CUED), within);
     }
 }

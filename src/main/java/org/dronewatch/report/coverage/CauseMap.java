@@ -6,7 +6,7 @@ import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.report.Numbers;
 
 /** The map of the dominant causes at one height: how its cells are filled, and its legend. */
-final class CauseMap {
+public final class CauseMap {
     private final FieldGrid grid;
     private final HeightSummary numbers;
     private final CoverageInputs inputs;
@@ -17,7 +17,7 @@ final class CauseMap {
      *
      * @param inputs what the coverage was asked for
      */
-    CauseMap(FieldSummary summary, int height, CoverageInputs inputs) {
+    public CauseMap(FieldSummary summary, int height, CoverageInputs inputs) {
         this.grid = summary.coverage().field().grid();
         this.numbers = summary.heights().get(height);
         this.inputs = inputs;
@@ -25,12 +25,12 @@ final class CauseMap {
     }
 
     /** The fill of a cell. */
-    MapSheet.Fill fill(int column, int row) {
+    public MapSheet.Fill fill(int column, int row) {
         return legend.at(column, row).fill();
     }
 
     /** Writes the legend below the title, and the caption. */
-    void writeLegend(MapSheet sheet) {
+    public void writeLegend(MapSheet sheet) {
         String above = Numbers.text(numbers.height()) + " m";
         sheet.line("drone '" + inputs.drone() + "' at " + above + " above the ground,");
         sheet.line(inputs.headingInWords() + ";");

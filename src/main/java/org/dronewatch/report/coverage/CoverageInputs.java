@@ -32,7 +32,7 @@ public record CoverageInputs(
     }
 
     /** {@code on the worst heading}, or {@code inbound}; and that sensors search, if they do. */
-    String headingInWords() {
+    public String headingInWords() {
         return (heading.equals("inbound") ? heading : "on the " + heading + " heading")
                 + (terms.pointing() == FieldTerms.Turning.SEARCH ? ", sensors searching" : "");
     }

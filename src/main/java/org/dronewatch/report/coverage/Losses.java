@@ -11,7 +11,7 @@ import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.report.html.Html;
 
 /** What is lost if a sensor fails, and at which heights, and which sensors add nothing. */
-final class Losses {
+public final class Losses {
     /** A height at which this fraction of the coverage is lost belongs to a lost band. */
     private static final double MOST_OF_IT = 0.5;
 
@@ -19,14 +19,15 @@ final class Losses {
     private final List<HeightSummary> heights;
     private final List<String> sensors;
 
-    Losses(FieldSummary summary) {
+    /** The losses of a coverage. */
+    public Losses(FieldSummary summary) {
         this.summary = summary;
         this.heights = summary.heights();
         this.sensors = summary.coverage().field().sensors();
     }
 
-    /** The section. */
-    String html() {
+    /** The section: a table, and the heights at which most depends on one sensor. */
+    public String html() {
         StringBuilder html = new StringBuilder();
         html.append(Html.plain(
                 "p",

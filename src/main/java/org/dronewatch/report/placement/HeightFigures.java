@@ -28,9 +28,13 @@ final class HeightFigures {
                 .orElse(NONE);
     }
 
-    /** The sensor whose loss is worst. */
-    String worstLost() {
-        return worstLoss().map(Map.Entry::getKey).orElse(NONE);
+    /** The same with the name of that sensor, unless nothing is lost without any. */
+    String afterNamedLoss() {
+        return afterWorstLoss()
+                + worstLoss()
+                        .filter(worst -> worst.getValue() > 0)
+                        .map(worst -> " (without " + worst.getKey() + ")")
+                        .orElse("");
     }
 
     private Optional<Map.Entry<String, Integer>> worstLoss() {

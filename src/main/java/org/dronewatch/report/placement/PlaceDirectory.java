@@ -1,20 +1,28 @@
 package org.dronewatch.report.placement;
 
+import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import org.dronewatch.placement.site.Layout;
+import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SiteCandidate;
-import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -22,6 +30,13 @@ import tools.jackson.databind.node.ObjectNode;
 public final class PlaceDirectory implements AutoCloseable {
     private static final String NUMBERS = ResultKind.PLACE.sign();
     private static final String SCENE = "layout.yaml";
+
+    /**
+     * All other files that a placement may write: those of an earlier one, such as the scene of another layout, are
+     * removed unless they are replaced.
+     */
+    private static final Pattern FILES =
+            Pattern.compile("layout\\.yaml|report\\.html|front\\.png|(layout|today|change)-[0-9.]+\\.png");
 
     private final Path target;
     private final OutputDirectory directory;
@@ -38,7 +53,7 @@ public final class PlaceDirectory implements AutoCloseable {
     }
 
     /**
-     * Writes all files.
+     * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param provenance origin of the results
      * @param threads number of worker threads
@@ -46,38 +61,61 @@ public final class PlaceDirectory implements AutoCloseable {
      * @throws InputException when writing fails
      */
     public void write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
-        SitePlacement best = results.best();
-        write(best.plan(), best.chosen(), PlaceFile.toJson(results), provenance, threads, notes);
+        PlacePlan plan = results.best().plan();
+        directory.write(() -> {
+            Optional<SceneSettings> layout =
+                    writeCommon(plan, results.best().chosen(), PlaceFile.toJson(results), provenance, threads, notes);
+            SceneSettings shown = layout.or(() -> results.fields().map(LayoutFields::settings))
+                    .orElse(plan.present());
+            writeReport(results, shown, provenance.inWords(plan.present().run().seed(), threads));
+            directory.publish(directory.former(NUMBERS, FILES));
+        });
     }
 
-    /** The same for the layout past which the weakest route is most exposed. */
+    /** The same for the layout past which the weakest route is most exposed, without report and pictures. */
     public void write(RoutePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
-        write(placement.plan(), placement.chosen(), RoutePlaceFile.toJson(placement), provenance, threads, notes);
+        directory.write(() -> {
+            writeCommon(
+                    placement.plan(), placement.chosen(), RoutePlaceFile.toJson(placement), provenance, threads, notes);
+            directory.publish(directory.former(NUMBERS, FILES));
+        });
     }
 
-    private void write(
+    /** The numbers, their provenance, and the layout as a scene; gives its settings, if they are consistent. */
+    private Optional<SceneSettings> writeCommon(
             PlacePlan plan,
             List<SiteCandidate> chosen,
             ObjectNode numbers,
             Provenance provenance,
             int threads,
-            Consumer<String> notes) {
-        directory.write(() -> {
-            JsonFile.write(directory.file(NUMBERS), numbers);
-            JsonFile.write(
-                    directory.file(ProvenanceFile.NAME),
-                    ProvenanceFile.of(provenance, plan.scene().name(), threads));
-            boolean isWritten = false;
-            try {
-                String text = plan.runner().text(Layout.of(plan, chosen), target.resolve(SCENE));
-                Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
-                isWritten = true;
-            } catch (InputException e) {
-                notes.accept("the layout is not written as a scene: " + e.getMessage());
-            }
-            // The scene of an earlier layout must not remain beside these results.
-            directory.publish(isWritten || !Files.isRegularFile(target.resolve(NUMBERS)) ? List.of() : List.of(SCENE));
-        });
+            Consumer<String> notes)
+            throws IOException {
+        JsonFile.write(directory.file(NUMBERS), numbers);
+        JsonFile.write(
+                directory.file(ProvenanceFile.NAME),
+                ProvenanceFile.of(provenance, plan.scene().name(), threads));
+        Optional<SceneSettings> layout = Optional.empty();
+        try {
+            layout = Optional.of(Layout.of(plan, chosen));
+            String text = plan.runner().text(layout.get(), target.resolve(SCENE));
+            Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
+        } catch (InputException e) {
+            notes.accept("the layout is not written as a scene: " + e.getMessage());
+        }
+        return layout;
+    }
+
+    private void writeReport(PlaceResults results, SceneSettings layout, Map<String, String> provenance)
+            throws IOException {
+        PlacePlan plan = results.best().plan();
+        Stage stage = plan.runner().stage(plan.present());
+        Map<String, Figure> pictures = new PlacePictures(results, stage).all();
+        for (Map.Entry<String, Figure> picture : pictures.entrySet()) {
+            Files.write(directory.file(picture.getKey()), picture.getValue().png());
+        }
+        try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
+            new PlaceReport(results, stage).write(page, pictures, layout, provenance);
+        }
     }
 
     /** Removes what was not written completely. */
