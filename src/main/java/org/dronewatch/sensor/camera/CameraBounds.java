@@ -124,6 +124,9 @@ final class CameraBounds {
         private final FlightState state;
         private final Optional<Pointing> pointing;
 
+        /** The view of a drone in this state with a pixel; null until it is needed. */
+        private DroneView visible;
+
         State(DronePicture picture, FlightState state, Optional<Pointing> pointing) {
             this.picture = picture;
             this.state = state;
@@ -191,12 +194,22 @@ final class CameraBounds {
         }
 
         private Signal signal(int pixels) {
-            return signals.of(signals.view(
+            if (pixels == 0) {
+                return signals.of(view(0));
+            }
+            if (visible == null) {
+                visible = view(1);
+            }
+            return signals.of(visible.withPixels(pixels));
+        }
+
+        private DroneView view(int pixels) {
+            return signals.view(
                     state.position(),
                     state.velocity(),
                     pixels,
                     pointing,
-                    picture.camera().focalLength()));
+                    picture.camera().focalLength());
         }
     }
 

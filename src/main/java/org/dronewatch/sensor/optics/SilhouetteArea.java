@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * Bounds on the {@link VisibleArea} of a level drone that nothing hides: the rays of its bundle are looked up in a mask
+ * Bounds on the {@link VisibleArea} of a level drone if nothing hides it: the rays of its bundle are looked up in a mask
  * of its silhouette instead of being traced. One thread at a time.
  */
 public final class SilhouetteArea {
@@ -23,7 +23,7 @@ public final class SilhouetteArea {
 
     private final CameraObject camera;
     private final VisibleArea area;
-    private final byte[] kinds = new byte[VisibleArea.RAYS];
+    private final byte[] kinds = new byte[RayBundle.RAYS];
     private final Matrix4d model = new Matrix4d();
     private final Matrix4d asked = new Matrix4d();
     private boolean isKnown;
@@ -66,20 +66,20 @@ public final class SilhouetteArea {
         }
         least = 0.0;
         most = 0.0;
-        double half = VisibleArea.halfWidth(range, reach);
-        area.setBundle(vector, range, half);
+        RayBundle bundle = area.bundle();
+        bundle.set(vector, range, reach);
         double texelsPerUnit = 0.5 * SilhouetteMask.TEXELS / table.halfWidth();
-        double scale = half * range * texelsPerUnit;
+        double scale = bundle.half() * range * texelsPerUnit;
         double middle = table.halfWidth() * texelsPerUnit;
-        for (int i = 0; i < VisibleArea.RAYS; i++) {
-            int column = (int) Math.floor(VisibleArea.across(i) * scale + middle);
-            int row = (int) Math.floor(VisibleArea.upwards(i) * scale + middle);
+        for (int i = 0; i < RayBundle.RAYS; i++) {
+            int column = (int) Math.floor(RayBundle.across(i) * scale + middle);
+            int row = (int) Math.floor(RayBundle.upwards(i) * scale + middle);
             kinds[i] = SilhouetteMask.OUTSIDE;
             if (((column | row) & -SilhouetteMask.TEXELS) == 0) {
                 byte kind = mask.kind(column + SilhouetteMask.TEXELS * row);
                 kinds[i] = kind;
                 if (kind != SilhouetteMask.OUTSIDE) {
-                    double part = area.part(i);
+                    double part = bundle.part(i);
                     most += part;
                     least += kind == SilhouetteMask.INSIDE ? part : 0.0;
                 }

@@ -7,7 +7,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.sensor.Outline;
-import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
 
@@ -18,14 +17,6 @@ import org.jogamp.vecmath.Matrix4d;
  * time.
  */
 public final class VisibleArea {
-    /**
-     * Number of rays over the square around a drone, as a Fibonacci lattice: no edge of a drone runs along its rows, as
-     * edges run along those of a grid.
-     */
-    static final int RAYS = 987;
-
-    private static final int STEP = 610;
-
     /** From one ray to the next that is traced: after a few, they are spread over the whole square. */
     private static final int STRIDE = 377;
 
@@ -35,37 +26,35 @@ public final class VisibleArea {
     private static final DoublePredicate NEVER = area -> false;
 
     private final CameraObject camera;
-    private final Visibility visibility;
+    private final RayBundle bundle;
     private final Outline.Frustum outline;
     private final Matrix4d toModel = new Matrix4d();
 
     /** What each ray adds to the area, pixels. */
-    private final double[] parts = new double[RAYS];
+    private final double[] parts = new double[RayBundle.RAYS];
 
     private boolean isObstructed;
-
-    // The bundle of rays: its middle, which has length 1, its axes, and what a ray stands for in the plane 1 m away.
-    private Position ahead;
-    private Position aside;
-    private Position above;
-    private double half;
-    private double cellArea;
 
     /** Areas in the image of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
         this.camera = camera;
-        this.visibility = new Visibility(world);
+        this.bundle = new RayBundle(camera, world);
         this.outline = camera.outline();
     }
 
     /** The world. */
     public World world() {
-        return visibility.world();
+        return bundle.world();
     }
 
     /** The camera. */
     public CameraObject camera() {
         return camera;
+    }
+
+    /** The rays. */
+    RayBundle bundle() {
+        return bundle;
     }
 
     /** The area of a drone that is in the image and not hidden by the site, in pixels. */
@@ -89,6 +78,11 @@ public final class VisibleArea {
      */
     public double ofClear(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
         return of(drone, true, enough, silhouette);
+    }
+
+    /** The same where the site may hide some of the drone; parameters as above. */
+    public double of(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
+        return of(drone, false, enough, silhouette);
     }
 
     /** The area of a drone that would be in the image without obstructions, in pixels. */
@@ -117,22 +111,17 @@ public final class VisibleArea {
                     ? 0.0
                     : (double) camera.width() * camera.height();
         }
-        setBundle(vector, range, halfWidth(range, reach));
+        bundle.set(vector, range, reach);
         drone.worldToModel(toModel);
         RayTracer model = new StackTraversal(drone.tree());
         double found = 0.0;
         double asked = 0.0;
-        for (int number = 0; number < RAYS; number++) {
-            int i = number * STRIDE % RAYS;
-            double u = half * across(i);
-            double v = half * upwards(i);
-            double x = v * above.x() + (u * aside.x() + ahead.x());
-            double y = v * above.y() + (u * aside.y() + ahead.y());
-            double z = v * above.z() + (u * aside.z() + ahead.z());
+        for (int number = 0; number < RayBundle.RAYS; number++) {
+            int i = number * STRIDE % RayBundle.RAYS;
             byte kind = silhouette == null ? SilhouetteMask.LIKELY : silhouette.kind(i);
-            boolean isSeen =
-                    kind == SilhouetteMask.INSIDE || kind != SilhouetteMask.OUTSIDE && seen(model, x, y, z, open);
-            parts[i] = isSeen ? pixels(x, y, z) : 0.0;
+            boolean isSeen = kind != SilhouetteMask.OUTSIDE
+                    && (silhouette == null ? seen(model, i, open) : seen(model, i, open, kind));
+            parts[i] = isSeen ? bundle.part(i) : 0.0;
             found += parts[i];
             if (found > asked) {
                 if (enough.test(found)) {
@@ -149,98 +138,56 @@ public final class VisibleArea {
         return area;
     }
 
-    /** What the drone's bounding sphere covers 1 m in front of the camera: half of a square's side, m. */
-    static double halfWidth(double range, double reach) {
-        return reach / Math.sqrt(range * range - reach * reach);
+    private boolean seen(RayTracer model, int ray, boolean open) {
+        bundle.aim(ray);
+        boolean hit = isHit(model);
+        boolean isSeen = hit && (open || bundle.isFree(model.distance()));
+        isObstructed |= hit && !isSeen;
+        return isSeen;
     }
 
-    /** The position of a ray of the bundle to the side, from -1 to 1. */
-    static double across(int ray) {
-        return 2.0 * (ray + 0.5) / RAYS - 1.0;
+    /** The same for a ray about which a mask states something: only what is in doubt is traced. */
+    private boolean seen(RayTracer model, int ray, boolean open, byte kind) {
+        if (!open && isObstructed && bundle.isKnownHidden(ray)) {
+            return false;
+        }
+        bundle.aim(ray);
+        boolean isInside = kind == SilhouetteMask.INSIDE;
+        if (!isInside && !isHit(model)) {
+            return false;
+        }
+        byte sight = open ? RayBundle.FREE : bundle.sight(ray);
+        if (sight == RayBundle.UNCERTAIN) {
+            return seen(model, ray, false);
+        }
+        isObstructed |= sight == RayBundle.HIDDEN;
+        return sight == RayBundle.FREE;
     }
 
-    /** Its position upwards, from -1 to 1. */
-    static double upwards(int ray) {
-        return 2.0 * ((long) ray * STEP % RAYS + 0.5) / RAYS - 1.0;
-    }
-
-    /** Sets the bundle of rays around a vector from the camera. */
-    void setBundle(Position vector, double range, double halfWidth) {
-        ahead = vector.times(1.0 / range);
-        Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
-        aside = ahead.cross(top).unit();
-        above = aside.cross(ahead);
-        half = halfWidth;
-        cellArea = 4.0 * half * half / RAYS;
-    }
-
-    /** How many pixels a ray of the bundle stands for, if it shows the drone. */
-    double part(int ray) {
-        double u = half * across(ray);
-        double v = half * upwards(ray);
-        return pixels(
-                v * above.x() + (u * aside.x() + ahead.x()),
-                v * above.y() + (u * aside.y() + ahead.y()),
-                v * above.z() + (u * aside.z() + ahead.z()));
-    }
-
-    private boolean seen(RayTracer model, double x, double y, double z, boolean open) {
-        double depth = along(outline.forward(), x, y, z);
+    /** Whether the ray of the bundle that was aimed last meets the drone. */
+    private boolean isHit(RayTracer model) {
+        double depth = bundle.depth();
         if (depth <= 0.0) {
             return false;
         }
+        double x = bundle.x();
+        double y = bundle.y();
+        double z = bundle.z();
         Position at = camera.position();
         Matrix4d m = toModel;
-        double start = camera.near() / depth;
-        boolean hit = model.closestHit(
+        return model.closestHit(
                 m.m00 * at.x() + m.m01 * at.y() + m.m02 * at.z() + m.m03,
                 m.m10 * at.x() + m.m11 * at.y() + m.m12 * at.z() + m.m13,
                 m.m20 * at.x() + m.m21 * at.y() + m.m22 * at.z() + m.m23,
                 m.m00 * x + m.m01 * y + m.m02 * z,
                 m.m10 * x + m.m11 * y + m.m12 * z,
                 m.m20 * x + m.m21 * y + m.m22 * z,
-                start,
+                camera.near() / depth,
                 camera.far() / depth);
-        boolean isSeen = hit && (open || isFree(start, x, y, z, model.distance()));
-        isObstructed |= hit && !isSeen;
-        return isSeen;
     }
 
     /** Whether the site hid any part of the drone whose area was asked for last. */
     public boolean isObstructed() {
         return isObstructed;
-    }
-
-    /** Whether the site leaves a ray free from the near plane on. */
-    private boolean isFree(double start, double x, double y, double z, double end) {
-        Position at = camera.position();
-        return visibility.isFreeAlong(at.x() + start * x, at.y() + start * y, at.z() + start * z, x, y, z, end - start);
-    }
-
-    /**
-     * How many pixels a ray of the bundle stands for; none outside the image.
-     */
-    private double pixels(double rayX, double rayY, double rayZ) {
-        double depth = along(outline.forward(), rayX, rayY, rayZ);
-        if (depth <= 0.0) {
-            return 0.0;
-        }
-        double x = along(outline.right(), rayX, rayY, rayZ) / depth;
-        double y = along(outline.up(), rayX, rayY, rayZ) / depth;
-        double focal = camera.focalLength();
-        double fromMiddle = Math.abs(x - outline.middleRight());
-        double overMiddle = Math.abs(y - outline.middleUp());
-        if (fromMiddle * focal > 0.5 * camera.width() || overMiddle * focal > 0.5 * camera.height()) {
-            return 0.0;
-        }
-        // Solid angle of the ray's cell, then of a pixel there: both shrink with the cube of the length.
-        double length = Math.sqrt(rayX * rayX + rayY * rayY + rayZ * rayZ);
-        double solid = cellArea / (length * length * length);
-        double oblique = Math.sqrt(1.0 + x * x + y * y);
-        return solid * focal * focal * oblique * oblique * oblique;
-    }
-
-    private static double along(Position axis, double x, double y, double z) {
-        return x * axis.x() + y * axis.y() + z * axis.z();
     }
 }

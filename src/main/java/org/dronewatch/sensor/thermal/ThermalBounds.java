@@ -72,11 +72,8 @@ final class ThermalBounds {
 
     /** The bounds of a level drone that nothing hides, from the silhouette of its model. */
     Optional<AssessmentBounds> of(Drone drone, FlightState state, DoubleToIntFunction steps) {
-        if (!sight.isClear(state.position(), drone.radius())) {
-            return Optional.empty();
-        }
         Drone there = drone.at(state);
-        if (!silhouette.bound(there, state)) {
+        if (!silhouette.bound(there, state) || !sight.isClear(state.position(), drone.radius())) {
             return Optional.empty();
         }
         Signal low = signals.of(there, silhouette.least());
@@ -99,8 +96,24 @@ final class ThermalBounds {
 
     /** The area of a drone as {@link VisibleArea#of(Drone, DoublePredicate)}; faster in a state just bounded. */
     double area(Drone drone, DoublePredicate enough) {
-        return silhouette.isOf(drone) && sight.isClear(drone.origin(), drone.radius())
+        if (!silhouette.isOf(drone)) {
+            return area.of(drone, enough);
+        }
+        return sight.isClear(drone.origin(), drone.radius())
                 ? area.ofClear(drone, silhouette, enough)
-                : area.of(drone, enough);
+                : area.of(drone, silhouette, enough);
+    }
+
+    /** Whether a drone would be detected if nothing hid it; faster in a state just bounded. */
+    boolean isDetectedInTheOpen(Drone drone) {
+        if (!most(drone).isDetected()) {
+            return false;
+        }
+        DoublePredicate enough = pixels -> signals.of(drone, pixels).isDetected();
+        if (!silhouette.isOf(drone)) {
+            return enough.test(area.inTheOpen(drone, enough));
+        }
+        return enough.test(silhouette.least())
+                || enough.test(silhouette.most()) && enough.test(area.ofClear(drone, silhouette, enough));
     }
 }

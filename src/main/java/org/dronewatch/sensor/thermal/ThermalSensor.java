@@ -90,20 +90,13 @@ public final class ThermalSensor implements BoundingSensor {
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> where) {
         turn(world, where);
         return explainMiss(
-                drone, () -> area.of(drone, pixels -> pixels > 0.0) == 0.0, () -> isDetectedInTheOpen(drone));
+                drone, () -> area.of(drone, pixels -> pixels > 0.0) == 0.0, () -> bounds.isDetectedInTheOpen(drone));
     }
 
     private Explanation explainMiss(Drone drone, BooleanSupplier isInvisible, BooleanSupplier isDetectedInTheOpen) {
         return outline.contains(drone.origin().minus(settings.position()))
                 ? cover.explain(drone, isInvisible, isDetectedInTheOpen)
                 : Explanation.of(Cause.OUT_OF_VIEW);
-    }
-
-    private boolean isDetectedInTheOpen(Drone drone) {
-        return bounds.most(drone).isDetected()
-                && signal(drone, area.inTheOpen(drone, pixels -> signal(drone, pixels)
-                                .isDetected()))
-                        .isDetected();
     }
 
     @Override
@@ -130,7 +123,8 @@ public final class ThermalSensor implements BoundingSensor {
                 signal,
                 signal.isDetected()
                         ? Explanation.DETECTED
-                        : explainMiss(drone, () -> pixels == 0.0, () -> isObstructed && isDetectedInTheOpen(drone)));
+                        : explainMiss(
+                                drone, () -> pixels == 0.0, () -> isObstructed && bounds.isDetectedInTheOpen(drone)));
     }
 
     @Override
