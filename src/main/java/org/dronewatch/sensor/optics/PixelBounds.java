@@ -97,7 +97,7 @@ public final class PixelBounds {
         most = 0;
         mostInTheOpen = 0;
         int asked = 1;
-        for (int i = 0; i < pixels.count(); i++) {
+        for (int i = 0; pixels.has(i); i++) {
             byte kind = pixels.kind(mask, i);
             if (kind != SilhouetteMask.OUTSIDE) {
                 boolean isInside = kind == SilhouetteMask.INSIDE;
@@ -146,7 +146,7 @@ public final class PixelBounds {
     private boolean trace(
             DynamicView drawing, boolean isLikely, BooleanSupplier isDecided, BooleanSupplier isSufficient) {
         int left = 0;
-        for (int i = 0; i < pixels.count(); i++) {
+        for (int i = 0; pixels.has(i); i++) {
             byte kind = kind(i);
             if (isInDoubt(i, kind) && isLikely == kind > SilhouetteMask.UNLIKELY) {
                 trace(drawing, i, kind == SilhouetteMask.INSIDE);
@@ -174,7 +174,7 @@ public final class PixelBounds {
 
     private int countInDoubt() {
         int inDoubt = 0;
-        for (int i = 0; i < pixels.count(); i++) {
+        for (int i = 0; pixels.has(i); i++) {
             inDoubt += isInDoubt(i, kind(i)) ? 1 : 0;
         }
         return inDoubt;

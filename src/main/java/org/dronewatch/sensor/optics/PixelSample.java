@@ -46,6 +46,11 @@ final class PixelSample {
     /** The number of pixels of which these are a sample, or more. */
     private int sampled;
 
+    /** The middle row of the rectangle around the drone, and how far from it the next rows are to be examined. */
+    private int middle;
+
+    private int away;
+
     private Background background;
     private SilhouetteTable silhouettes;
     private double range;
@@ -81,11 +86,17 @@ final class PixelSample {
             return false;
         }
         frame.set(dx, dy, dz, range);
-        return find(radius, MOST_PIXELS);
+        if (!begin(radius, MOST_PIXELS)) {
+            return false;
+        }
+        while (hasMoreRows()) {
+            findRows();
+        }
+        return true;
     }
 
-    /** Finds pixels whose rays meet the drone's bounding sphere; false if there are too many. */
-    private boolean find(double radius, int mostPixels) {
+    /** Begins to find pixels whose rays meet the drone's bounding sphere; false if there are too many. */
+    private boolean begin(double radius, int mostPixels) {
         double depth = view[2];
         double square = depth * depth - radius * radius;
         double acrossRim = radius * Math.sqrt(view[0] * view[0] + square);
@@ -95,6 +106,8 @@ final class PixelSample {
         int upper = first(camera.row(view[1] * depth + aboveRim, square));
         int lower = last(camera.row(view[1] * depth - aboveRim, square), camera.height());
         rectangle.set(left, upper, right, lower);
+        middle = (upper + lower) / 2;
+        away = 0;
         if (rectangle.isEmpty()) {
             return true;
         }
@@ -105,27 +118,45 @@ final class PixelSample {
             return false;
         }
         reserve(((right - left) / stride + 1) * ((lower - upper) / stride + 1));
-        int middle = (upper + lower) / 2;
-        for (int away = 0; away <= lower - middle; away += stride) {
-            findRow(radius, left, right, middle + away);
-            if (away > 0 && middle - away >= upper) {
-                findRow(radius, left, right, middle - away);
-            }
-        }
         return true;
     }
 
+    private boolean hasMoreRows() {
+        return !rectangle.isEmpty() && away <= rectangle.bottom() - middle;
+    }
+
+    /** Examines the next rows, above and below the middle one. */
+    private void findRows() {
+        findRow(middle + away);
+        if (away > 0 && middle - away >= rectangle.top()) {
+            findRow(middle - away);
+        }
+        away += stride;
+    }
+
     /**
-     * Examines all pixels around the drone, if only a sample has been.
+     * Whether there is another pixel around the drone. Rows that are not needed are not examined.
      *
-     * @return false if all have been examined, or are too many
+     * @param pixel how many there are before it
+     */
+    boolean has(int pixel) {
+        while (pixel >= around && hasMoreRows()) {
+            findRows();
+        }
+        return pixel < around;
+    }
+
+    /**
+     * From now on, all pixels around the drone are examined, if only a sample has been.
+     *
+     * @return false if all of them already are, or are too many
      */
     boolean examineAll() {
         if (stride == 1 || sampled > MOST_PIXELS_ON_REQUEST) {
             return false;
         }
         around = 0;
-        return find(silhouettes.radius() * (1.0 + ROUNDING), MOST_PIXELS_ON_REQUEST);
+        return begin(silhouettes.radius() * (1.0 + ROUNDING), MOST_PIXELS_ON_REQUEST);
     }
 
     private static int first(double edge) {
@@ -145,13 +176,15 @@ final class PixelSample {
         }
     }
 
-    private void findRow(double radius, int left, int right, int row) {
+    private void findRow(int row) {
+        double radius = silhouettes.radius() * (1.0 + ROUNDING);
+        int left = rectangle.left();
         double half = silhouettes.halfWidth();
         double scale = 0.5 * SilhouetteMask.TEXELS / half;
         // A ray that touches the sphere passes the plane through its centre a little farther out.
         double limit = radius * radius * range * range / (range * range - radius * radius) * (1.0 + ROUNDING);
         frame.beginRow(left, row);
-        for (int column = left; column <= right; column += stride) {
+        for (int column = left; column <= rectangle.right(); column += stride) {
             frame.setColumn(column - left);
             double across = frame.across();
             double above = frame.above();
@@ -182,7 +215,7 @@ final class PixelSample {
 
     /** Whether the site certainly hides the drone, however it turns, or it is between the rays of the pixels. */
     boolean isInvisible() {
-        for (int i = 0; i < around; i++) {
+        for (int i = 0; has(i); i++) {
             if (sight(i) != HIDDEN) {
                 return false;
             }
@@ -205,7 +238,7 @@ final class PixelSample {
 
     /** An upper bound on the number of pixels that show the drone, however it turns. */
     int mostAround() {
-        return stride > 1 ? sampled : around;
+        return stride > 1 || hasMoreRows() ? sampled : around;
     }
 
     /** The number of pixels in the rectangle around the drone: no others can show it. */
@@ -213,14 +246,9 @@ final class PixelSample {
         return sampled;
     }
 
-    /** Whether all pixels around the drone have been examined. */
+    /** Whether all pixels around the drone are examined, not only a sample. */
     boolean isComplete() {
         return stride == 1;
-    }
-
-    /** How many pixels have been examined. */
-    int count() {
-        return around;
     }
 
     int column(int pixel) {

@@ -180,13 +180,19 @@ final class BruteCauses {
         if (before.isEmpty()) {
             return isDetectedInTheOpen ? hidden(aroundOrigin(sight, drone)) : EnumSet.of(Cause.TOO_WEAK);
         }
+        Set<Cause> causes = hidden(before);
+        if (sensor instanceof CameraSettings camera
+                && seen.filter(one -> one.value() > 0.0).isEmpty()) {
+            // No pixel shows it, even if some of it is visible between their rays. A value that does not count pixels
+            // may also be 0 because it is tiny.
+            if (!camera.detection().countsPixelsOnly()) {
+                causes.add(Cause.TOO_WEAK);
+            }
+            return causes;
+        }
         List<Position> points = points(drone);
         int visible = isDetectedInTheOpen ? 0 : sight.visible(points);
-        Set<Cause> causes = hidden(before);
-        // Where the drone is smaller than a pixel, what is visible of it may lie between the rays of the pixels.
-        boolean isBetweenRays = sensor instanceof CameraSettings
-                && seen.filter(one -> one.value() > 0.0).isEmpty();
-        if (visible > FEW * points.size() && !isBetweenRays) {
+        if (visible > FEW * points.size()) {
             return EnumSet.of(Cause.TOO_WEAK);
         }
         if (visible > 0) {
