@@ -220,11 +220,11 @@ final class BackwardRay {
     private void reflect(int triangle, int material) {
         boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);
         if (always) {
-            join(material, energy.scatteredBy(material));
+            join(triangle, material, energy.scatteredBy(material));
         }
         if (energy.drawScattering(material, random)) {
             if (!always) {
-                join(material, energy.byBand());
+                join(triangle, material, energy.byBand());
             }
             Directions.drawLambert(random, normal, ray);
             energy.scatter(material, along());
@@ -237,8 +237,8 @@ final class BackwardRay {
         }
     }
 
-    private void join(int material, double[] leaving) {
-        traced += connection.add(ray, normal, material, leaving, arrival, scattered);
+    private void join(int triangle, int material, double[] leaving) {
+        traced += connection.add(ray, planes.wallOf(triangle), normal, material, leaving, arrival, scattered);
     }
 
     /** The component of the ray's direction along the normal. */

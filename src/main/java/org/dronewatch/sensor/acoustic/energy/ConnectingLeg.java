@@ -31,9 +31,19 @@ final class ConnectingLeg {
      *
      * @param image of the other point that the leg leads to; for {@link ImageSources#ORIGINAL} it is straight, and only
      *     {@link #isOpen} states whether it is open
+     * @param fromWall the wall on which the leg begins, or {@link WallPlanes#NONE}
+     * @param toWall the wall on which the other point lies, or {@link WallPlanes#NONE}
      * @return whether there is one
      */
-    boolean find(ImageSources imageSources, double[] images, int image, double fromX, double fromY, double fromZ) {
+    boolean find(
+            ImageSources imageSources,
+            double[] images,
+            int image,
+            double fromX,
+            double fromY,
+            double fromZ,
+            int fromWall,
+            int toWall) {
         isStraight = image == ImageSources.ORIGINAL;
         if (isStraight) {
             x = images[0] - fromX;
@@ -42,7 +52,7 @@ final class ConnectingLeg {
             length = Math.sqrt(x * x + y * y + z * z);
             return true;
         }
-        if (!path.follow(imageSources, images, image, fromX, fromY, fromZ)) {
+        if (!path.follow(imageSources, images, image, fromX, fromY, fromZ, fromWall, toWall)) {
             return false;
         }
         traced += imageSources.order(image) + 1;

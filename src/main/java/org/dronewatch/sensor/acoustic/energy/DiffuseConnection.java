@@ -25,6 +25,7 @@ final class DiffuseConnection {
     private Ends ends;
     private double[] images = new double[3];
     private double[] imagesOfStart = new double[3];
+    private int wallOfRay;
 
     DiffuseConnection(
             EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
@@ -52,6 +53,7 @@ final class DiffuseConnection {
      * Adds the sound that a surface scatters towards the target.
      *
      * @param ray at the point where it hits the surface
+     * @param wall the plane of the surface, or {@link WallPlanes#NONE}
      * @param normal of the surface, on the ray's side
      * @param material of the surface
      * @param leaving the energy that leaves by Lambert's law, in each band
@@ -61,11 +63,13 @@ final class DiffuseConnection {
      */
     int add(
             AcousticRay ray,
+            int wall,
             double[] normal,
             int material,
             double[] leaving,
             Arrival arrival,
             ScatteredSound scattered) {
+        wallOfRay = wall;
         leg.bend(ends.curvature(), ends.isFromSource());
         for (int image = ImageSources.ORIGINAL; image < ends.ofTarget().count(); image++) {
             if (ray.order + ends.ofTarget().order(image) <= maxOrder) {
@@ -85,7 +89,7 @@ final class DiffuseConnection {
 
     private void addFromTarget(
             int image, AcousticRay ray, double[] normal, int material, double[] leaving, Arrival arrival) {
-        if (!leg.find(ends.ofTarget(), images, image, ray.originX, ray.originY, ray.originZ)) {
+        if (!find(images, image, ray, WallPlanes.NONE)) {
             return;
         }
         double cosine = leg.cosineAtBeginning(normal);
@@ -111,6 +115,11 @@ final class DiffuseConnection {
         tally.add(ray, brought, distance);
     }
 
+    private boolean find(double[] imagesOfEnd, int image, AcousticRay ray, int wallOfEnd) {
+        return leg.find(
+                ends.ofTarget(), imagesOfEnd, image, ray.originX, ray.originY, ray.originZ, wallOfRay, wallOfEnd);
+    }
+
     private boolean isOpen(AcousticRay ray, double toX, double toY, double toZ) {
         double curvature = ends.curvature(ray.originX - toX, ray.originY - toY, ray.originZ - toZ);
         return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, ray.medium, curvature);
@@ -124,7 +133,7 @@ final class DiffuseConnection {
             double[] leaving,
             Arrival arrival,
             ScatteredSound.Point point) {
-        if (!leg.find(ends.ofTarget(), point.images, image, ray.originX, ray.originY, ray.originZ)) {
+        if (!find(point.images, image, ray, point.wall)) {
             return;
         }
         double here = leg.cosineAtBeginning(normal);
@@ -175,7 +184,7 @@ final class DiffuseConnection {
     }
 
     private void addToStart(int image, ScatteredSound.Point point, AcousticRay scratch) {
-        if (!leg.find(ends.ofStart(), imagesOfStart, image, point.x, point.y, point.z)) {
+        if (!leg.find(ends.ofStart(), imagesOfStart, image, point.x, point.y, point.z, point.wall, WallPlanes.NONE)) {
             return;
         }
         double cosine = leg.cosineAtBeginning(point.normal);

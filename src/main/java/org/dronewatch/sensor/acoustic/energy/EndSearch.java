@@ -86,7 +86,7 @@ final class EndSearch {
         this.sensor = sensor;
         this.planes = planes;
         this.search = new ImageSourceSearch(world, planes, surfaces);
-        this.samples = new ScatterSamples(world, surfaces);
+        this.samples = new ScatterSamples(world, planes, surfaces);
         this.path = new SpecularPath(world, planes, surfaces);
         this.rough = new RoughEstimate(world);
         ImageSourceCandidates found = search.from(sensor, RAYS_OF_SENSOR, maxOrder);
@@ -276,7 +276,9 @@ final class EndSearch {
                         image,
                         point.at().x(),
                         point.at().y(),
-                        point.at().z())) {
+                        point.at().z(),
+                        point.wall(),
+                        WallPlanes.NONE)) {
                     worth += heard(point) / near.rays();
                 }
             }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
@@ -23,6 +24,7 @@ final class ScatterSamples {
     private static final double FAINT = 1e-3;
 
     private final World world;
+    private final WallPlanes planes;
     private final Normals normals;
     private final RayTracer tracer;
     private final double[] reflected;
@@ -30,8 +32,9 @@ final class ScatterSamples {
     private final AcousticRay ray = new AcousticRay();
     private final double[] normal = new double[3];
 
-    ScatterSamples(World world, BandSurfaces surfaces) {
+    ScatterSamples(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.world = world;
+        this.planes = planes;
         this.normals = new Normals(world.mesh());
         this.tracer = world.newIncoherentRayTracer();
         int materials = world.surfaces().size();
@@ -50,9 +53,10 @@ final class ScatterSamples {
      *
      * @param at where, m
      * @param normal unit normal of the surface on the side of the sound
+     * @param wall the plane of the surface, or {@link WallPlanes#NONE}
      * @param energy the fraction of a ray's energy that is scattered there, mean of all bands
      */
-    record Sample(Position at, double[] normal, double energy) {}
+    record Sample(Position at, double[] normal, int wall, double energy) {}
 
     /**
      * All samples of a point.
@@ -100,6 +104,7 @@ final class ScatterSamples {
                 samples.add(new Sample(
                         new Position(ray.originX, ray.originY, ray.originZ),
                         normal.clone(),
+                        planes.wallOf(tracer.triangle()),
                         left * scattered[material]));
             }
             if (random.nextDouble() < scattered[material]) {

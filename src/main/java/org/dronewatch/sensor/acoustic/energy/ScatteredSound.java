@@ -74,6 +74,9 @@ final class ScatteredSound {
         /** Number of the surface's material. */
         int material;
 
+        /** The plane of the surface, or {@link WallPlanes#NONE}. */
+        int wall;
+
         /** Where it is, m. */
         double x;
 
@@ -161,7 +164,7 @@ final class ScatteredSound {
             }
             boolean isScattered = false;
             if (surfaces.scatters(material)) {
-                add(material, order, scatterings + 1, inverseDensity, ends.ofTarget());
+                add(triangle, material, order, scatterings + 1, inverseDensity);
                 double chance = surfaces.chanceOfScattering(material, energy);
                 isScattered = random.nextDouble() < chance;
                 for (int band = 0; band < BANDS; band++) {
@@ -207,7 +210,7 @@ final class ScatteredSound {
         return ray.directionX * normal[0] + ray.directionY * normal[1] + ray.directionZ * normal[2];
     }
 
-    private void add(int material, int order, int scatterings, double inverseDensity, ImageSources imageSources) {
+    private void add(int triangle, int material, int order, int scatterings, double inverseDensity) {
         Point point = points[count++];
         System.arraycopy(normal, 0, point.normal, 0, normal.length);
         point.x = ray.originX;
@@ -218,9 +221,11 @@ final class ScatteredSound {
         point.scatterings = scatterings;
         point.inverseDensity = inverseDensity;
         point.material = material;
+        point.wall = planes.wallOf(triangle);
         for (int band = 0; band < BANDS; band++) {
             point.energy[band] = energy[band] * surfaces.scattered(material, band);
         }
+        ImageSources imageSources = ends.ofTarget();
         if (point.images.length < 3 * imageSources.count()) {
             point.images = new double[3 * imageSources.count()];
         }

@@ -103,6 +103,15 @@ public final class ImageSources {
         return walls[image];
     }
 
+    /** The first wall of an image: the one whose reflection the point itself sends or receives. */
+    public int firstWall(int image) {
+        int first = image;
+        while (parents[first] != ORIGINAL) {
+            first = parents[first];
+        }
+        return walls[first];
+    }
+
     /** The number of walls in which an image is mirrored. */
     public int order(int image) {
         return orders[image];

@@ -64,6 +64,30 @@ public final class SpecularPath {
      */
     public boolean follow(
             ImageSources imageSources, double[] images, int image, double fromX, double fromY, double fromZ) {
+        return follow(imageSources, images, image, fromX, fromY, fromZ, WallPlanes.NONE, WallPlanes.NONE);
+    }
+
+    /**
+     * The same between points of surfaces. A wall reflects nothing that begins or ends in its own plane. Rounding may
+     * have put such a point on either side of the plane, so the wall's number decides: otherwise sound would leak
+     * through a sheet by a reflection on its other side.
+     *
+     * @param fromWall the wall on which the path begins, or {@link WallPlanes#NONE}
+     * @param toWall the wall on which it ends, or {@link WallPlanes#NONE}
+     */
+    public boolean follow(
+            ImageSources imageSources,
+            double[] images,
+            int image,
+            double fromX,
+            double fromY,
+            double fromZ,
+            int fromWall,
+            int toWall) {
+        if (image != ImageSources.ORIGINAL
+                && (isSame(fromWall, imageSources.wall(image)) || isSame(toWall, imageSources.firstWall(image)))) {
+            return false;
+        }
         double x = fromX;
         double y = fromY;
         double z = fromZ;
@@ -127,6 +151,10 @@ public final class SpecularPath {
             wall = next;
         }
         return isFreeToTheEnd(x, y, z, images, wall, isInEdge);
+    }
+
+    private static boolean isSame(int wall, int other) {
+        return wall != WallPlanes.NONE && wall == other;
     }
 
     /**
