@@ -12,17 +12,19 @@ import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CoveredCells;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.LayoutFields;
-import org.dronewatch.placement.site.PlaceObjective;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.PlaceSearch;
 import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.placement.site.WarningPlacement;
+import org.dronewatch.placement.site.WarningSearch;
 import org.dronewatch.placement.site.WeakestRouteSearch;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.PlaceDirectory;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.PlaceTable;
 import org.dronewatch.report.placement.RoutePlaceTable;
+import org.dronewatch.report.placement.WarningPlaceTable;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.InputFiles;
@@ -42,7 +44,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, among sensors that may be bought and the places where they may stand, those that cover the most"
-                        + " air within a budget, or leave no weak route to the protected zone; prints the layout, a bound"
+                        + " air within a budget, give the longest warning, or leave no weak route; prints the layout, a bound"
                         + " on what any other could reach, and the order in which to buy its sensors.",
         footer = {
             "",
@@ -118,9 +120,12 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan plan = budget == null ? read : read.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
-                boolean isComplete = plan.settings().objective() == PlaceObjective.COVERAGE
-                        ? placeForCoverage(given, plan, limits, target, shown)
-                        : placeAgainstRoutes(given, plan, limits, target, shown);
+                boolean isComplete =
+                        switch (plan.settings().objective()) {
+                            case COVERAGE -> placeForCoverage(given, plan, limits, target, shown);
+                            case WARNING_TIME -> placeForWarning(given, plan, limits, target, shown);
+                            case WEAKEST_ROUTE -> placeAgainstRoutes(given, plan, limits, target, shown);
+                        };
                 if (!isComplete) {
                     spec.commandLine().getErr().println("interrupted: the best layout so far");
                 }
@@ -138,6 +143,17 @@ final class PlaceCommand implements Callable<Integer> {
         }
         PlaceTable.lines(results).forEach(spec.commandLine().getOut()::println);
         return results.complete();
+    }
+
+    private boolean placeForWarning(
+            Path given, PlacePlan plan, SolverLimits limits, PlaceDirectory target, TaskProgress shown) {
+        WarningPlacement placement = searchForWarning(given, plan, limits, shown);
+        main.interruption().letFinish();
+        if (target != null) {
+            target.write(placement, provenance(given, plan), threads.number(), shown.notes());
+        }
+        WarningPlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
+        return placement.complete();
     }
 
     private boolean placeAgainstRoutes(
@@ -197,6 +213,19 @@ final class PlaceCommand implements Callable<Integer> {
                         "coverage of the layout", looks, progress -> LayoutFields.of(front.best(), cells, progress))
                 : Optional.empty();
         return new PlaceResults(front, fields);
+    }
+
+    private WarningPlacement searchForWarning(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
+        Stage stage = stage(plan);
+        try {
+            WarningSearch search = new WarningSearch(plan, stage, store(plan, shown), new ExactSolver());
+            return shown.during(
+                    "warnings of candidates",
+                    search.looks(),
+                    progress -> search.found(limits, progress, main.interruption()::letFinish));
+        } catch (InputException e) {
+            throw PlacePlan.placed(given, e);
+        }
     }
 
     private RoutePlacement searchAgainstRoutes(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {

@@ -133,11 +133,14 @@ class PlaceCommandTest {
                 "budget: 1 and: more                              | 'unknown'",
                 "keep: [x]                                        | 'keep: there is no enabled sensor ''x'''",
                 "drone: two                                       | 'drone two: there is no such drone'",
-                "objective: money                                 | 'objective: ''money'' is not one of [coverage, weakest-route]'",
+                "objective: money                                 | 'objective: ''money'' is not one of [coverage, warning-time, weakest-route]'",
                 "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that complies'",
                 "air: {cell: 1 m}                                 | 'air.cell: 500 x 500 cells at 5 heights on 8 headings'",
                 "conditions: {fold: 0}                            | 'fold 0 must be 1 to 10'",
                 "objective: weakest-route                         | 'objective weakest-route: the scene protects no zone'",
+                "objective: warning-time                          | 'objective warning-time: the scene protects no zone'",
+                "warning: best                                    | 'warning: ''best'' is not one of [worst, mean]'",
+                "conditions: {anyoneLost: {warning: 20 s}}        | 'conditions.anyoneLost: needs ''atLeast'' alone'",
                 "objective: weakest-route and fold                | 'conditions.fold: has no meaning for the objective'",
             })
     void namesWhatIsWrong(String line, String message) throws IOException {

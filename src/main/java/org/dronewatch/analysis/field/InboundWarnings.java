@@ -75,6 +75,23 @@ public record InboundWarnings(
     }
 
     /**
+     * The same, but only what was not assessed before is assessed.
+     *
+     * @param store of assessments that were made before
+     */
+    public static InboundWarnings of(
+            SceneSettings settings,
+            Stage stage,
+            String drone,
+            FieldGrid grid,
+            FieldTerms terms,
+            double covered,
+            LayerStore store,
+            IntConsumer progress) {
+        return of(settings, stage, drone, grid, terms, covered, store, sensor -> Optional.empty(), progress);
+    }
+
+    /**
      * The same.
      *
      * @param store of assessments that were made before, of the same grid

@@ -1,6 +1,9 @@
 package org.dronewatch.placement.site;
 
+import java.util.Optional;
+import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
@@ -9,10 +12,41 @@ import org.dronewatch.setting.Quantity;
  *
  * @param atLeast the least fraction of the air that is still covered or, for {@code weakest-route}, the least
  *     probability with which the drone is still detected on any route, 0 to 1
+ * @param warning the least warning that is still given, for {@code warning-time}, s
  */
-public record LossSettings(@In(value = Quantity.RATIO, from = 0, to = 1) double atLeast) {
+public record LossSettings(
+        @In(value = Quantity.RATIO, from = 0, to = 1) Optional<Double> atLeast,
+        @In(value = Quantity.DURATION, from = 0, to = 86_400) Optional<Double> warning) {
+    /** Nothing. */
+    @Defaults
+    public static final LossSettings NONE = new LossSettings(Optional.empty(), Optional.empty());
+
     /** Checks the limits. */
     public LossSettings {
-        Limits.check(LossSettings.class, atLeast);
+        Limits.check(LossSettings.class, atLeast, warning);
+    }
+
+    /**
+     * The fraction or probability.
+     *
+     * @throws InputException when another quantity is given, or none
+     */
+    double fraction() {
+        if (atLeast.isEmpty() || warning.isPresent()) {
+            throw new InputException("conditions.anyoneLost: needs 'atLeast' alone for this objective");
+        }
+        return atLeast.get();
+    }
+
+    /**
+     * The time, s.
+     *
+     * @throws InputException when another quantity is given, or none
+     */
+    double seconds() {
+        if (warning.isEmpty() || atLeast.isPresent()) {
+            throw new InputException("conditions.anyoneLost: needs 'warning' alone for this objective");
+        }
+        return warning.get();
     }
 }

@@ -4,6 +4,8 @@ package org.dronewatch.placement.site;
 public enum PlaceObjective {
     /** The fraction of the air in which at least one sensor covers the drone. */
     COVERAGE,
+    /** The time from the first detection of a drone that flies straight in until it reaches the protected zone. */
+    WARNING_TIME,
     /** The exposure on the least exposed route from the edge to the protected zone. */
     WEAKEST_ROUTE
 }

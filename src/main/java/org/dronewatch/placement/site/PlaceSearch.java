@@ -19,6 +19,7 @@ import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
 
 /**
  * Finds the best layout of a plan: what each candidate covers is assessed once, and then the best of them are chosen.
@@ -68,7 +69,12 @@ public final class PlaceSearch {
     }
 
     private InputException impossible() {
-        return PlanConditions.impossible(plan, "a coverage");
+        return PlanConditions.impossible(
+                plan,
+                plan.settings()
+                        .conditions()
+                        .anyoneLost()
+                        .map(loss -> "a coverage of " + Quantity.NUMBER.inWords(loss.fraction())));
     }
 
     private Assessed assess(IntConsumer progress) {
@@ -106,7 +112,7 @@ public final class PlaceSearch {
         return plan.settings()
                 .conditions()
                 .anyoneLost()
-                .map(loss -> conditions.withAnyoneLost(loss.atLeast() * cells.size()))
+                .map(loss -> conditions.withAnyoneLost(loss.fraction() * cells.size()))
                 .orElse(conditions);
     }
 

@@ -16,8 +16,11 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param scene a packaged scene by name, or a scene file beside this file or below it
  * @param drone of the scene, which is to be detected; the first by default
- * @param objective the quantity that is maximised: {@code coverage}, or {@code weakest-route}, the exposure on the
- *     least exposed route to the protected zone
+ * @param objective the quantity that is maximised: {@code coverage}; {@code warning-time}, the time from the first
+ *     detection until the drone reaches the protected zone; or {@code weakest-route}, the exposure on the least exposed
+ *     route there
+ * @param warning which warning counts for {@code warning-time}: the {@code worst} over all bearings and heights, or
+ *     their {@code mean}; {@code worst} by default
  * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
  * @param candidates sensors that may be bought, by the names that those in the layout begin with
  * @param keep sensors of the scene that stay, at no cost
@@ -28,6 +31,7 @@ public record PlaceSettings(
         String scene,
         Optional<String> drone,
         PlaceObjective objective,
+        WarningMeasure warning,
         @In(value = Quantity.NUMBER, from = 0, to = 1e12) double budget,
         Map<String, OfferSettings> candidates,
         List<String> keep,
@@ -37,7 +41,7 @@ public record PlaceSettings(
 
     /** Checks the limits and copies the map. */
     public PlaceSettings {
-        Limits.check(PlaceSettings.class, scene, drone, objective, budget, candidates, keep, conditions, air);
+        Limits.check(PlaceSettings.class, scene, drone, objective, warning, budget, candidates, keep, conditions, air);
         candidates = Collections.unmodifiableMap(new LinkedHashMap<>(candidates));
         keep = List.copyOf(keep);
         candidates.keySet().forEach(name -> {
@@ -58,6 +62,7 @@ public record PlaceSettings(
                 scene,
                 Optional.empty(),
                 PlaceObjective.COVERAGE,
+                WarningMeasure.WORST,
                 budget,
                 candidates,
                 List.of(),

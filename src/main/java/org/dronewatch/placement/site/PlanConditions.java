@@ -2,6 +2,7 @@ package org.dronewatch.placement.site;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.dronewatch.placement.KindLimits;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.setting.InputException;
@@ -29,17 +30,14 @@ final class PlanConditions {
     /**
      * What to say if no layout complies.
      *
-     * @param remaining what must remain after a loss
+     * @param remaining what must remain after a loss, in words; empty if nothing must
      */
-    static InputException impossible(PlacePlan plan, String remaining) {
+    static InputException impossible(PlacePlan plan, Optional<String> remaining) {
         return new InputException(
                 "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
                         + ": no layout was found that complies with it and with the other conditions: the numbers of sensors"
-                        + plan.settings()
-                                .conditions()
-                                .anyoneLost()
-                                .map(loss -> ", and " + remaining + " of " + Quantity.NUMBER.inWords(loss.atLeast())
-                                        + " after the loss of any one")
+                        + remaining
+                                .map(what -> ", and " + what + " after the loss of any one")
                                 .orElse(""));
     }
 }

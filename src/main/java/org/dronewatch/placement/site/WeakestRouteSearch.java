@@ -20,6 +20,7 @@ import org.dronewatch.route.SensorFields;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
 
 /**
  * Finds the layout of a plan past which the weakest route to the protected zone is most exposed: each candidate is
@@ -102,8 +103,17 @@ public final class WeakestRouteSearch {
         SolverLimits within = isWhole ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
         CutResult cut = new CuttingPlanes(candidates, conditions(), rows, solver, ENOUGH)
                 .solve(within, round)
-                .orElseThrow(() -> PlanConditions.impossible(plan, "a probability of detection"));
+                .orElseThrow(() -> impossible());
         return new RouteFigures(plan, fields.grid(), rows, within.isStopped()).of(cut, others().keySet(), isWhole);
+    }
+
+    private InputException impossible() {
+        return PlanConditions.impossible(
+                plan,
+                plan.settings()
+                        .conditions()
+                        .anyoneLost()
+                        .map(loss -> "a probability of detection of " + Quantity.NUMBER.inWords(loss.fraction())));
     }
 
     /** Assesses all sensors; gives whether it was not interrupted after the first. */
@@ -133,7 +143,7 @@ public final class WeakestRouteSearch {
         return plan.settings()
                 .conditions()
                 .anyoneLost()
-                .map(loss -> conditions.withAnyoneLost(Math.min(ENOUGH, -Math.log1p(-loss.atLeast()))))
+                .map(loss -> conditions.withAnyoneLost(Math.min(ENOUGH, -Math.log1p(-loss.fraction()))))
                 .orElse(conditions);
     }
 }

@@ -15,6 +15,7 @@ import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SiteCandidate;
+import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.html.Figure;
@@ -74,9 +75,25 @@ public final class PlaceDirectory implements AutoCloseable {
 
     /** The same for the layout past which the weakest route is most exposed, without report and pictures. */
     public void write(RoutePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
+        writeNumbers(
+                placement.plan(), placement.chosen(), RoutePlaceFile.toJson(placement), provenance, threads, notes);
+    }
+
+    /** The same for the layout with the longest warning. */
+    public void write(WarningPlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
+        writeNumbers(
+                placement.plan(), placement.chosen(), WarningPlaceFile.toJson(placement), provenance, threads, notes);
+    }
+
+    private void writeNumbers(
+            PlacePlan plan,
+            List<SiteCandidate> chosen,
+            ObjectNode numbers,
+            Provenance provenance,
+            int threads,
+            Consumer<String> notes) {
         directory.write(() -> {
-            writeCommon(
-                    placement.plan(), placement.chosen(), RoutePlaceFile.toJson(placement), provenance, threads, notes);
+            writeCommon(plan, chosen, numbers, provenance, threads, notes);
             directory.publish(directory.former(NUMBERS, FILES));
         });
     }

@@ -1,0 +1,105 @@
+package org.dronewatch.placement.site;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+
+/**
+ * The warnings that each sensor gives by itself of flights straight in from every bearing and at every height, as
+ * {@code coverage} finds them: together, sensors give the longest of their warnings. For one thread, which may have
+ * {@link org.dronewatch.parallel.Workers}.
+ */
+final class WarningFlights {
+    /** The number of cells along a side unless the length of a cell is given. */
+    private static final double CELLS = 50.0;
+
+    private final PlacePlan plan;
+    private final Stage stage;
+    private final LayerStore store;
+    private final FieldGrid grid;
+
+    /**
+     * The flights of a plan.
+     *
+     * @throws InputException when the scene has no protected zone, or the cells are too many
+     */
+    WarningFlights(PlacePlan plan, Stage stage, LayerStore store) {
+        this.plan = plan;
+        this.stage = stage;
+        this.store = store;
+        if (stage.protection().isEmpty()) {
+            throw new InputException("objective warning-time: the scene protects no zone of which drones could be"
+                    + " detected before they reach it");
+        }
+        this.grid = cells();
+    }
+
+    private FieldGrid cells() {
+        AirSettings air = plan.settings().air();
+        try {
+            if (air.area().isPresent()) {
+                AreaZone zone = AreaZone.inPlan(air.area().get(), plan.present().alert())
+                        .orElseThrow(() ->
+                                new InputException("air.area " + air.area().get() + ": no such zone"));
+                double side = FieldGrid.over(zone, air.square(), air.heights()).side();
+                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.heights());
+            }
+            Position middle = InboundTarget.of(plan.present(), stage.protection());
+            double side = air.square();
+            return new FieldGrid(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.heights());
+        } catch (IllegalArgumentException e) {
+            throw new InputException("air: " + e.getMessage(), e);
+        }
+    }
+
+    /** The cells whose side is the step of the flights. */
+    FieldGrid grid() {
+        return grid;
+    }
+
+    /** The number of flights. */
+    int size() {
+        return InboundWarnings.BEARINGS * grid.heights().size();
+    }
+
+    /** The approximate number of cells at which a sensor has to be assessed. */
+    long looks() {
+        return (long) size() * grid.columns() / 2;
+    }
+
+    /** The warnings of some sensors. */
+    InboundWarnings of(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+        AirSettings air = plan.settings().air();
+        return InboundWarnings.of(
+                Layout.alone(plan, sensors), stage, plan.drone(), grid, air.terms(), air.covered(), store, progress);
+    }
+
+    /**
+     * A column with a row for each flight of which there is a warning.
+     *
+     * @param isShort whether its value is by how much the warning is shorter than the longest, instead of the warning
+     */
+    static CandidateColumn column(InboundWarnings warnings, boolean isShort) {
+        List<Warning> all = warnings.all();
+        int[] detected = IntStream.range(0, all.size())
+                .filter(flight -> all.get(flight).time().isPresent())
+                .toArray();
+        double[] values = IntStream.of(detected)
+                .mapToDouble(flight -> all.get(flight).time().getAsDouble())
+                .map(time -> isShort ? Math.max(0.0, warnings.longest() - time) : time)
+                .toArray();
+        return new CandidateColumn(detected, values);
+    }
+}

@@ -1,0 +1,9 @@
+package org.dronewatch.placement.site;
+
+/** Which of the warnings of all flights counts. */
+public enum WarningMeasure {
+    /** The shortest. */
+    WORST,
+    /** Their mean. */
+    MEAN
+}

@@ -1,0 +1,139 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementResult;
+
+/**
+ * The layout of a plan that gives the longest warning: the worst or the mean over flights straight in, 0 where the
+ * drone is not detected before it arrives.
+ *
+ * @param plan what was asked for
+ * @param grid the cells whose side is the step of the flights
+ * @param longest the longest warning that can be found, that of a flight detected where it begins, s
+ * @param problem with a row for each flight: for the worst warning, by how much warnings are shorter than the longest
+ * @param result of the search, in the values of the problem
+ * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
+ *     before
+ * @param complete whether every candidate was assessed and the search ended by itself
+ */
+public record WarningPlacement(
+        PlacePlan plan,
+        FieldGrid grid,
+        double longest,
+        PlacementProblem problem,
+        PlacementResult result,
+        Optional<PresentLayout> present,
+        boolean complete) {
+    /** The sensors of the layout, in the order of the file. */
+    public List<SiteCandidate> chosen() {
+        return result.chosen().stream().map(plan.candidates()::get).toList();
+    }
+
+    /** Which warning counts. */
+    public WarningMeasure measure() {
+        return plan.settings().warning();
+    }
+
+    /** The number of flights. */
+    public int flights() {
+        return problem.table().rows();
+    }
+
+    private double seconds(double value) {
+        return measure() == WarningMeasure.WORST ? longest - value : value;
+    }
+
+    /** The warning that the layout gives, s. */
+    public double value() {
+        return seconds(result.value());
+    }
+
+    /** The warning that no layout exceeds, s. */
+    public double bound() {
+        return seconds(result.bound());
+    }
+
+    /** The warning that some candidates give, by their numbers, s. */
+    private double warning(List<Integer> candidates) {
+        return seconds(problem.value(candidates));
+    }
+
+    /** The number of flights of which the layout gives some warning before they arrive. */
+    public long detected() {
+        boolean[] isDetected = new boolean[flights()];
+        for (int one : result.chosen()) {
+            CandidateColumn column = problem.table().column(one);
+            for (int at = 0; at < column.size(); at++) {
+                isDetected[column.row(at)] = true;
+            }
+        }
+        return IntStream.range(0, isDetected.length)
+                .filter(flight -> isDetected[flight])
+                .count();
+    }
+
+    /** The warning that a sensor of the layout gives by itself, s. */
+    public double alone(SiteCandidate sensor) {
+        return warning(List.of(plan.candidates().indexOf(sensor)));
+    }
+
+    /** The warning that remains without each of the sensors, by their names, in the order of the file, s. */
+    public Map<String, Double> withoutEach() {
+        Map<String, Double> remaining = new LinkedHashMap<>();
+        for (Integer lost : result.chosen()) {
+            remaining.put(
+                    plan.candidates().get(lost).name(),
+                    warning(result.chosen().stream()
+                            .filter(other -> !other.equals(lost))
+                            .toList()));
+        }
+        return remaining;
+    }
+
+    /**
+     * The order in which the sensors of the layout are best bought: each time the one that adds most for its price or,
+     * where none makes the worst warning longer yet, that gives most warnings for its price; after those that are kept.
+     */
+    public List<PlaceStep> front() {
+        List<Integer> bought = new ArrayList<>(result.chosen().stream()
+                .filter(number -> plan.candidates().get(number).candidate().fixed())
+                .toList());
+        List<Integer> left = new ArrayList<>(result.chosen());
+        left.removeAll(bought);
+        List<PlaceStep> front = new ArrayList<>();
+        while (!left.isEmpty()) {
+            double before = warning(bought);
+            Integer next = left.stream()
+                    .max(Comparator.comparingDouble(
+                                    (Integer number) -> perPrice(number, warning(with(bought, number)) - before))
+                            .thenComparingDouble(number -> perPrice(
+                                    number, problem.table().column(number).size()))
+                            .thenComparing(Comparator.reverseOrder()))
+                    .orElseThrow();
+            left.remove(next);
+            bought.add(next);
+            front.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), warning(bought)));
+        }
+        return front;
+    }
+
+    private static List<Integer> with(List<Integer> bought, Integer number) {
+        List<Integer> more = new ArrayList<>(bought);
+        more.add(number);
+        return more;
+    }
+
+    private double perPrice(int number, double gain) {
+        double price = plan.candidates().get(number).candidate().cost();
+        return price > 0.0 ? gain / price : gain > 0.0 ? Double.MAX_VALUE : 0.0;
+    }
+}

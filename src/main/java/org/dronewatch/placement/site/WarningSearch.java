@@ -1,0 +1,150 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.CandidateTable;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.placement.PlacementObjective;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.run.Stage;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+
+/** Finds the layout of a plan that gives the longest warning of drones that fly straight to the protected zone. */
+public final class WarningSearch {
+    private final PlacePlan plan;
+    private final WarningFlights flights;
+    private final PlacementSolver solver;
+    private final boolean isWorst;
+
+    /**
+     * A search.
+     *
+     * @param stage of the plan's scene
+     * @param store of assessments that were made before
+     * @throws InputException when the scene has no protected zone
+     */
+    public WarningSearch(PlacePlan plan, Stage stage, LayerStore store, PlacementSolver solver) {
+        this.plan = plan;
+        this.solver = solver;
+        this.flights = new WarningFlights(plan, stage, store);
+        this.isWorst = plan.settings().warning() == WarningMeasure.WORST;
+    }
+
+    /** The approximate number of cells at which sensors have to be assessed. */
+    public long looks() {
+        return flights.looks()
+                * (plan.candidates().size() + plan.present().enabledSensors().size());
+    }
+
+    /**
+     * The best layout that this search finds.
+     *
+     * @param progress receives the number of cells that were assessed since the last call
+     * @param assessed called when the candidates have been assessed, perhaps because this thread was interrupted;
+     *     should then clear its interrupt status
+     * @throws InputException when no layout complies with the conditions
+     * @throws CancellationException when this thread is interrupted before any candidate is assessed
+     */
+    public WarningPlacement found(SolverLimits limits, IntConsumer progress, Runnable assessed) {
+        List<InboundWarnings> warnings = new ArrayList<>();
+        boolean isWhole = assess(warnings, progress);
+        Map<String, SensorSettings<?>> own = plan.present().enabledSensors();
+        Optional<InboundWarnings> present = isWhole && !own.isEmpty() ? together(own, progress) : Optional.empty();
+        assessed.run();
+        double longest = warnings.get(0).longest();
+        PlacementProblem problem = problem(warnings, longest);
+        SolverLimits within = isWhole ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
+        PlacementResult result = solver.solve(problem, within).orElseThrow(this::impossible);
+        double bound = isWhole ? result.bound() : isWorst ? 0.0 : longest;
+        boolean isComplete = isWhole && result.complete();
+        return new WarningPlacement(
+                plan,
+                flights.grid(),
+                longest,
+                problem,
+                new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
+                present.map(all -> new PresentLayout(own.size(), seconds(all))),
+                isComplete);
+    }
+
+    /** Assesses each candidate by itself; gives whether it was not interrupted after the first. */
+    private boolean assess(List<InboundWarnings> warnings, IntConsumer progress) {
+        try {
+            plan.candidates().forEach(one -> warnings.add(flights.of(Map.of(one.name(), one.sensor()), progress)));
+            return true;
+        } catch (CancellationException e) {
+            if (warnings.isEmpty()) {
+                throw e;
+            }
+            return false;
+        }
+    }
+
+    private Optional<InboundWarnings> together(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+        try {
+            return Optional.of(flights.of(sensors, progress));
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** The worst or the mean warning, s. */
+    private double seconds(InboundWarnings warnings) {
+        var times = warnings.all().stream().mapToDouble(one -> one.time().orElse(0.0));
+        OptionalDouble value = isWorst ? times.min() : times.average();
+        return value.orElse(0.0);
+    }
+
+    private PlacementProblem problem(List<InboundWarnings> warnings, double longest) {
+        List<Candidate> candidates =
+                plan.candidates().stream().map(SiteCandidate::candidate).toList();
+        List<CandidateColumn> columns = new ArrayList<>();
+        for (int candidate = 0; candidate < candidates.size(); candidate++) {
+            columns.add(
+                    candidate < warnings.size()
+                            ? WarningFlights.column(warnings.get(candidate), isWorst)
+                            : new CandidateColumn(new int[0], new double[0]));
+        }
+        double[] weights = new double[flights.size()];
+        Arrays.fill(weights, 1.0 / weights.length);
+        double[] undetected = new double[weights.length];
+        Arrays.fill(undetected, longest);
+        return new PlacementProblem(
+                new CandidateTable(candidates, columns, weights, undetected),
+                isWorst ? PlacementObjective.WORST_IMPACT : PlacementObjective.COVERED_WEIGHT,
+                conditions(longest));
+    }
+
+    private PlacementConditions conditions(double longest) {
+        PlacementConditions conditions = PlanConditions.of(plan);
+        return plan.settings()
+                .conditions()
+                .anyoneLost()
+                .map(loss -> conditions.withAnyoneLost(isWorst ? longest - loss.seconds() : loss.seconds()))
+                .orElse(conditions);
+    }
+
+    private InputException impossible() {
+        return PlanConditions.impossible(
+                plan,
+                plan.settings()
+                        .conditions()
+                        .anyoneLost()
+                        .map(loss -> "a warning of " + Quantity.DURATION.inWords(loss.seconds()) + " s"));
+    }
+}
