@@ -97,6 +97,18 @@ class PlaceCommandTest {
         assertThat(page.split("<figure>")).hasSize(6);
     }
 
+    /** With no money there is no layout to draw, but the report still says so. */
+    @Test
+    void withoutMoneyTheLayoutIsEmpty(@TempDir Path other) throws IOException {
+        Outcome empty = place(PlacedSite.in(other, "budget: 0\n"), "--out=" + other.resolve("."));
+
+        assertThat(empty.code()).as(empty.err()).isZero();
+        assertThat(empty.out()).contains("The layout covers 0.0 % of the air").doesNotContain("best layout for each");
+        assertThat(Files.readString(other.resolve("report.html"))).contains("No sensor is worth its price");
+        assertThat(other.resolve("layout-10.png")).doesNotExist();
+        assertThat(other.resolve("front.png")).isRegularFile();
+    }
+
     @Test
     void theLayoutIsASceneThatRuns() throws IOException {
         Outcome run = Program.run("check", directory.resolve("layout.yaml").toString());

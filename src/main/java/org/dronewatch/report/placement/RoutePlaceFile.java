@@ -37,7 +37,7 @@ final class RoutePlaceFile {
             ObjectNode node = front.addObject();
             node.put("cost", Numbers.rounded(step.cost()));
             node.put("value", Numbers.rounded(step.value()));
-            node.put("added", step.added());
+            node.putArray("added").add(step.added());
         }
         add(root.putObject("route"), placement.weakest(), placement.lower());
         root.put("rounds", placement.rounds());
