@@ -42,7 +42,7 @@ final class WarningPlaceFile {
             ObjectNode node = front.addObject();
             node.put("cost", Numbers.rounded(step.cost()));
             node.put("value", Numbers.rounded(step.value()));
-            node.put("added", step.added());
+            node.putArray("added").add(step.added());
         }
         root.put("flights", placement.flights());
         root.put("detected", placement.detected());
