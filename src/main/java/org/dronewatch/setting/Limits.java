@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 
 /**
  * Checks the components of settings records: none may be missing, and each number must be finite and within the limits
@@ -91,19 +92,40 @@ public final class Limits {
         Quantity quantity = limits.value();
         // Where the unit is not that of a bare number, it must be stated.
         String unit = quantity.displayUnit().equals(quantity.unit()) ? "" : " " + quantity.displayUnit();
+        return inWords(limits, quantity::number, unit);
+    }
+
+    /**
+     * Why a number is refused, in the unit in which it was written if that is not the usual one, as in {@code
+     * rotorSpeed 90000 rpm must be above 0 and at most 60000 rpm}.
+     *
+     * @param part a component whose value is not within its limits
+     * @param written the number as a text, with a unit that can be read
+     * @return empty for a number without a unit or in the usual one
+     */
+    public static Optional<String> refusal(RecordComponent part, String written) {
+        In limits = part.getAnnotation(In.class);
+        return Optional.ofNullable(limits)
+                .filter(in -> Double.isFinite(in.value().parse(written)))
+                .flatMap(in -> WrittenUnit.of(in.value(), written))
+                .map(unit -> part.getName() + " " + written.strip() + " must be "
+                        + inWords(limits, value -> Quantity.plain(unit.number(value)), " " + unit.name()));
+    }
+
+    private static String inWords(In limits, DoubleFunction<String> number, String unit) {
         boolean closedBelow = limits.from() > limits.above();
         boolean closedAbove = limits.to() < limits.below();
         double low = closedBelow ? limits.from() : limits.above();
         double high = closedAbove ? limits.to() : limits.below();
         if (closedBelow && closedAbove) {
-            return quantity.number(low) + " to " + quantity.number(high) + unit;
+            return number.apply(low) + " to " + number.apply(high) + unit;
         }
         List<String> words = new ArrayList<>();
         if (Double.isFinite(low)) {
-            words.add(closedBelow ? quantity.number(low) + " or more" : "above " + quantity.number(low));
+            words.add(closedBelow ? number.apply(low) + " or more" : "above " + number.apply(low));
         }
         if (Double.isFinite(high)) {
-            words.add((closedAbove ? "at most " : "below ") + quantity.number(high));
+            words.add((closedAbove ? "at most " : "below ") + number.apply(high));
         }
         return words.isEmpty() ? "" : String.join(" and ", words) + unit;
     }

@@ -185,7 +185,7 @@ public enum Quantity {
     }
 
     /** A number as a person writes it: {@code 0.5}, {@code 10000}, {@code 1e-12}, {@code 2.4e9}. */
-    private static String plain(double value) {
+    static String plain(double value) {
         if (!Double.isFinite(value)) {
             return Double.toString(value);
         }

@@ -44,9 +44,12 @@ public record SurfaceSettings(
     /**
      * Checks all names.
      *
-     * @throws IllegalArgumentException when there is no surface of such a name
+     * @throws IllegalArgumentException when there is no surface of such a name, or one of the scene's has none
      */
     public void checkNames() {
+        if (own.containsKey("")) {
+            throw new IllegalArgumentException("own: a surface needs a name, not ''");
+        }
         materials.forEach((ofTheModel, name) -> checkName("materials." + ofTheModel, name));
         checkName("defaultSurface", defaultSurface);
     }

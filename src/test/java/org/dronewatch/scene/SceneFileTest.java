@@ -159,6 +159,20 @@ class SceneFileTest {
                 .withMessageEndingWith("the scene defines foam");
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "{panel: {absorptionByAngle: []}} | :4:38: world.surfaces.own.panel.absorptionByAngle: absorption by"
+                        + " angle needs at least one angle",
+                "{'': {absorption: 0.5}} | world.surfaces: own: a surface needs a name, not ''"
+            })
+    void aSurfaceNeedsANameAndATableAtLeastOneAngle(String own, String told) throws IOException {
+        assertThat(refused("world:\n  models: [packaged:hill.obj]\n  surfaces:\n    own: " + own + "\n"))
+                .contains(told)
+                .hasLineCount(1);
+    }
+
     @Test
     void whatIsLeftOutIsAsInJava() throws IOException {
         SceneSettings scene = read(
@@ -260,6 +274,10 @@ class SceneFileTest {
                 "sensors: {a b: {kind: camera, position: [1, 2, 3]}} | id 'a b' must be 1 to 64 letters",
                 "sensors: {a: {kind: camera, position: [1, 2]}} | 2:39: sensors.a.position: '1, 2' has 2 numbers",
                 "sensors: {a: {kind: camera, position: [1, [2], 3]}} | 2:43: sensors.a.position: must be a number",
+                "drones: {a: {model: packaged:hill.obj, tones: {rotorSpeed: 1000000 rpm}}} | drones.a.tones.rotorSpeed:"
+                        + " rotorSpeed 1000000 rpm must be above 0 and at most 60000 rpm",
+                "drones: {a: {model: packaged:hill.obj, tones: {rotorSpeed: 0 Hz}}} | rotorSpeed 0 Hz must be above 0"
+                        + " and at most 1000",
                 "sweep: {parameter: run.seed, values: 3}        | 2:38: sweep.values: must be a list",
             })
     void aMistakeIsToldWithItsPlace(String line, String told) throws IOException {

@@ -260,7 +260,9 @@ final class SettingsReader {
         try {
             Limits.check(part, value);
         } catch (IllegalArgumentException e) {
-            problems.add(node.mark(), field, e.getMessage());
+            Optional<String> inItsUnit =
+                    node instanceof Node.Scalar scalar ? Limits.refusal(part, scalar.text()) : Optional.empty();
+            problems.add(node.mark(), field, inItsUnit.orElse(e.getMessage()));
             return false;
         }
         FileName rule = part.getAnnotation(FileName.class);

@@ -36,7 +36,7 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  */
 public record OwnSurface(
         Optional<BandFractions> absorption,
-        List<AbsorptionAtAngle> absorptionByAngle,
+        Optional<List<AbsorptionAtAngle>> absorptionByAngle,
         BandFractions scattering,
         Optional<BandLevels> transmissionLoss,
         Wall wall,
@@ -48,7 +48,7 @@ public record OwnSurface(
     @Defaults
     public static final OwnSurface DEFAULT = new OwnSurface(
             Optional.empty(),
-            List.of(),
+            Optional.empty(),
             BandFractions.flat(0.2),
             Optional.empty(),
             Wall.SHEET,
@@ -71,8 +71,8 @@ public record OwnSurface(
                 wall,
                 speed,
                 flowResistivity);
-        absorptionByAngle = List.copyOf(absorptionByAngle);
-        if (absorption.isPresent() && !absorptionByAngle.isEmpty()) {
+        absorptionByAngle = absorptionByAngle.map(List::copyOf);
+        if (absorption.isPresent() && absorptionByAngle.isPresent()) {
             throw new IllegalArgumentException(
                     "absorptionByAngle: absorption is given, too; one of them must be omitted");
         }
@@ -86,12 +86,13 @@ public record OwnSurface(
 
     /** This surface with another absorption, the same at all angles. */
     public OwnSurface withAbsorption(BandFractions fractions) {
-        return SettingsForm.with(this, Map.of("absorption", Optional.of(fractions), "absorptionByAngle", List.of()));
+        return SettingsForm.with(
+                this, Map.of("absorption", Optional.of(fractions), "absorptionByAngle", Optional.empty()));
     }
 
     /** This surface with another absorption, which depends on the angle of incidence. */
     public OwnSurface withAbsorptionByAngle(List<AbsorptionAtAngle> table) {
-        return SettingsForm.with(this, Map.of("absorption", Optional.empty(), "absorptionByAngle", table));
+        return SettingsForm.with(this, Map.of("absorption", Optional.empty(), "absorptionByAngle", Optional.of(table)));
     }
 
     /** This surface with another scattered fraction of the reflected energy. */
@@ -118,14 +119,13 @@ public record OwnSurface(
     private static SurfaceMaterial material(
             String name,
             Optional<BandFractions> absorption,
-            List<AbsorptionAtAngle> byAngle,
+            Optional<List<AbsorptionAtAngle>> byAngle,
             BandFractions scattering,
             Optional<BandLevels> transmissionLoss,
             Wall wall,
             Optional<Double> speed,
             Optional<Double> flowResistivity) {
-        Optional<AngularAbsorption> angular =
-                byAngle.isEmpty() ? Optional.empty() : Optional.of(new AngularAbsorption(byAngle));
+        Optional<AngularAbsorption> angular = byAngle.map(AngularAbsorption::new);
         return new SurfaceMaterial(
                 name,
                 angular.map(AngularAbsorption::atRandomIncidence)

@@ -42,13 +42,16 @@ public final class EnergyHearing implements SoundTracer {
     /** Name of a figure: A-weighted level of background and noise sources together. */
     private static final String BACKGROUND = "background_db";
 
+    /** Name of a figure: 1 if the sound of all noise sources is known to the accuracy of a reading. */
+    private static final String BACKGROUND_CONVERGED = "background_converged";
+
     private final EnergyModel model;
     private final Microphone microphone;
     private final World world;
     private final EnergyTracer tracer;
     private final PathBending bending;
     private final ArcSight sight;
-    private Optional<BandLevels> background = Optional.empty();
+    private Optional<SiteNoise> noise = Optional.empty();
 
     EnergyHearing(EnergyModel model, Microphone microphone, World world) {
         this.model = model;
@@ -93,7 +96,11 @@ public final class EnergyHearing implements SoundTracer {
         if (!world.noiseSources().isEmpty() || world.atmosphere().wind().speed() > 0.0) {
             figures.put(BACKGROUND, background().aWeighted());
         }
-        for (HeardTone tone : lines.heard(reading::energy, background())) {
+        if (!world.noiseSources().isEmpty()) {
+            figures.put(BACKGROUND_CONVERGED, noise().isConverged() ? 1.0 : 0.0);
+        }
+        // Of the sound that decides, as the value of the look is.
+        for (HeardTone tone : lines.heard(reading.settled()::energy, background())) {
             String name = "tone_" + tone.harmonic();
             figures.put(name + "_hz", tone.band().frequency());
             figures.put(name + "_width_hz", tone.band().width());
@@ -102,13 +109,18 @@ public final class EnergyHearing implements SoundTracer {
         return figures;
     }
 
-    /** The noise without drones, by band; computed when it is needed for the first time. */
+    /** The noise without drones, by band. */
     private BandLevels background() {
-        if (background.isEmpty()) {
-            background = Optional.of(SiteNoise.at(microphone.position(), world, tracer));
-            tracer.listenIn(background.get());
+        return noise().levels();
+    }
+
+    /** Computed when it is needed for the first time. */
+    private SiteNoise noise() {
+        if (noise.isEmpty()) {
+            noise = Optional.of(SiteNoise.at(microphone.position(), world, tracer));
+            tracer.listenIn(noise.get().levels());
         }
-        return background.get();
+        return noise.get();
     }
 
     @Override

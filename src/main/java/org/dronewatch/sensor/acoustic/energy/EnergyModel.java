@@ -54,9 +54,8 @@ public record EnergyModel(
         implements Propagation {
 
     /**
-     * 8,000 rays, roulette threshold 0.5, maximum order 1,000: a standard error below 0.5 dB in a church in half a
-     * second of tracing; 0.2 dB outdoors with fewer rays. For reverberation times, a roulette threshold of 0.001 is
-     * better.
+     * Rays until the standard error is below 0.2 dB, in batches, 8,000 at most; roulette threshold 0.5, maximum order
+     * 1,000. For reverberation times, a roulette threshold of 0.001 is better.
      */
     @Defaults
     public static final EnergyModel DEFAULT = new EnergyModel(

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RayRecorder;
@@ -16,38 +17,46 @@ import org.dronewatch.world.World;
 
 /**
  * The noise that a microphone hears without drones: the background, and the site's noise sources through the world. Its
- * rays depend on the names of the sources only, so it is the same in every run.
+ * rays depend on the names of the sources only, so it is the same in every run. What few rays bring is part of it:
+ * without that, a drone would be heard too easily.
+ *
+ * @param levels by band, dB re 20 uPa
+ * @param isConverged whether a sufficient number of rays contributed to the sound of each source
  */
-final class SiteNoise {
+record SiteNoise(BandLevels levels, boolean isConverged) {
     private static final int BANDS = OctaveBands.COUNT;
 
-    private SiteNoise() {}
-
     /**
-     * Levels by band, dB re 20 uPa.
+     * The noise at a microphone.
      *
      * @param listener where the microphone is, m
      * @param tracer that traces sound to it
      */
-    static BandLevels at(Position listener, World world, EnergyTracer tracer) {
+    static SiteNoise at(Position listener, World world, EnergyTracer tracer) {
         BandLevels background = world.backgroundNoise().spectrum();
         double wind = new PathBending(world).windAt(listener);
         if (world.noiseSources().isEmpty() && !(wind > 0.0)) {
-            return background;
+            return new SiteNoise(background, true);
         }
         double[] energy = new double[BANDS];
         for (int band = 0; band < BANDS; band++) {
             energy[band] = Levels.toRatio(background.level(band)) + Levels.toRatio(WindNoise.level(band, wind));
         }
-        world.noiseSources().forEach((name, source) -> add(name, source, listener, tracer, energy));
+        boolean isConverged = true;
+        for (Map.Entry<String, NoiseSource> source : world.noiseSources().entrySet()) {
+            isConverged &= add(source.getKey(), source.getValue(), listener, tracer, energy);
+        }
         double[] levels = new double[BANDS];
         for (int band = 0; band < BANDS; band++) {
             levels[band] = Levels.ofRatio(energy[band]);
         }
-        return BandLevels.of(levels);
+        return new SiteNoise(BandLevels.of(levels), isConverged);
     }
 
-    private static void add(String name, NoiseSource source, Position listener, EnergyTracer tracer, double[] energy) {
+    /** Adds the energy of a source; gives whether all of its parts have converged. */
+    private static boolean add(
+            String name, NoiseSource source, Position listener, EnergyTracer tracer, double[] energy) {
+        boolean isConverged = true;
         List<NoiseSource.Piece> pieces = source.pieces(listener);
         for (int i = 0; i < pieces.size(); i++) {
             List<Double> power = new ArrayList<>();
@@ -56,9 +65,11 @@ final class SiteNoise {
             }
             SoundSource piece = new SoundSource(pieces.get(i).position(), power, Directivity.OMNIDIRECTIONAL);
             EnergyReading heard = tracer.trace(piece, Draws.stream(0L, "", name, i, "noise"), RayRecorder.NONE);
+            isConverged &= heard.isConverged();
             for (int band = 0; band < BANDS; band++) {
                 energy[band] += Levels.toRatio(heard.level(band));
             }
         }
+        return isConverged;
     }
 }

@@ -38,6 +38,7 @@ public final class GroundPlane {
 
     private final GroundProfile profile;
     private final SurfaceFit surface = new SurfaceFit(ALONG * ACROSS);
+    private final MirrorPlane plane = new MirrorPlane();
     private Position from;
     private Position to;
     private double distance;
@@ -45,19 +46,10 @@ public final class GroundPlane {
     /** How the ground is bent where arcs are straight, 1/m. */
     private double bulge;
 
-    /** The plane {@code z = level + slopeU u + slopeV v}. */
-    private double level;
-
-    private double slopeU;
-    private double slopeV;
     private double unevenness;
 
     private double firstOverGround;
     private double secondOverGround;
-    private double heightOfFirst;
-    private double heightOfSecond;
-    private double reflectionU;
-    private double reflectionV;
     private double firstU;
     private double lastU;
     private double halfWidth;
@@ -83,6 +75,7 @@ public final class GroundPlane {
         to = second;
         measure(first, second);
         distance = profile.distance();
+        plane.between(first.z(), second.z(), distance);
         // Sag goes by the length of the line, u by its level distance.
         double steepness = first.distance(second) / Math.max(distance, TOLERANCE);
         bulge = distance > TOLERANCE ? curvature * steepness * steepness : 0.0;
@@ -95,7 +88,7 @@ public final class GroundPlane {
                 return false;
             }
         }
-        return Math.abs(reflectionV) <= halfWidth && isSeen();
+        return Math.abs(plane.reflectionV()) <= halfWidth && isSeen();
     }
 
     /**
@@ -137,6 +130,7 @@ public final class GroundPlane {
      */
     private boolean begin() {
         double shortest = Double.POSITIVE_INFINITY;
+        double at = Double.NaN;
         double below = Double.NaN;
         for (int i = 0; i <= PROFILE; i++) {
             // Denser towards both ends, near which sound from far above is reflected.
@@ -145,25 +139,11 @@ public final class GroundPlane {
             double length = Math.hypot(u, from.z() - z) + Math.hypot(distance - u, to.z() - z);
             if (length < shortest) {
                 shortest = length;
-                reflectionU = u;
+                at = u;
                 below = z;
             }
         }
-        if (shortest == Double.POSITIVE_INFINITY) {
-            return false;
-        }
-        double before = Math.hypot(reflectionU, from.z() - below);
-        double after = Math.hypot(distance - reflectionU, to.z() - below);
-        double bisectorU = (distance - reflectionU) / after - reflectionU / before;
-        double bisectorZ = (from.z() - below) / before + (to.z() - below) / after;
-        if (!(bisectorZ > 0.0)) {
-            return false;
-        }
-        reflectionV = 0.0;
-        slopeU = -bisectorU / bisectorZ;
-        slopeV = 0.0;
-        level = below - slopeU * reflectionU;
-        return setHeights();
+        return shortest < Double.POSITIVE_INFINITY && plane.reflectAt(at, below);
     }
 
     private static double square(double value) {
@@ -171,13 +151,13 @@ public final class GroundPlane {
     }
 
     private void setZone(double wavelength) {
-        double before = lengthBefore();
-        double after = lengthAfter();
-        double cosine = (heightOfFirst + heightOfSecond) / (before + after);
+        double before = plane.lengthBefore();
+        double after = plane.lengthAfter();
+        double cosine = (heightOfFirst() + heightOfSecond()) / (before + after);
         halfWidth = Math.sqrt(wavelength * before * after / (before + after));
         double halfLength = halfWidth / cosine;
-        firstU = Math.max(reflectionU - halfLength, -halfWidth);
-        lastU = Math.min(reflectionU + halfLength, distance + halfWidth);
+        firstU = Math.max(plane.reflectionU() - halfLength, -halfWidth);
+        lastU = Math.min(plane.reflectionU() + halfLength, distance + halfWidth);
     }
 
     /** Fits a surface to the ground in the zone; at least half of the samples must be on some surface. */
@@ -226,41 +206,13 @@ public final class GroundPlane {
                 ofLow *= 0.5;
             }
         }
-        return setHeights();
+        return plane.isBelowBoth();
     }
 
-    /** Computes the heights above the plane; gives whether both points are above it. */
-    private boolean setHeights() {
-        heightOfFirst = above(0.0, 0.0, from.z());
-        heightOfSecond = above(distance, 0.0, to.z());
-        return heightOfFirst > 0.0 && heightOfSecond > 0.0;
-    }
-
-    /**
-     * Lays the plane through a point of the surface above v = 0.
-     *
-     * @return how much farther along u the plane reflects; towards a point that is below the plane, where it is behind
-     *     the hill, and not a number where both are
-     */
+    /** Lays the plane that touches the surface above v = 0; gives the offset of its point of reflection from there. */
     private double offset(double u) {
-        slopeU = surface.slopeU(u) + (u > 0.0 && u < distance ? bulge * (0.5 * distance - u) : 0.0);
-        slopeV = surface.slopeV();
-        level = surface.z(u, 0.0) + raised(u) - slopeU * u;
-        if (!setHeights()) {
-            boolean isFirstBelow = !(heightOfFirst > 0.0);
-            boolean isSecondBelow = !(heightOfSecond > 0.0);
-            return isFirstBelow && isSecondBelow ? Double.NaN : isFirstBelow ? -u : distance - u;
-        }
-        // The feet of both points' perpendiculars, and the point between them.
-        double scale = 1.0 / Math.sqrt(1.0 + slopeU * slopeU + slopeV * slopeV);
-        double footU = slopeU * scale * heightOfFirst;
-        double footV = slopeV * scale * heightOfFirst;
-        double otherU = distance + slopeU * scale * heightOfSecond;
-        double otherV = slopeV * scale * heightOfSecond;
-        double fraction = heightOfFirst / (heightOfFirst + heightOfSecond);
-        reflectionU = footU + fraction * (otherU - footU);
-        reflectionV = footV + fraction * (otherV - footV);
-        return reflectionU - u;
+        double bent = u > 0.0 && u < distance ? bulge * (0.5 * distance - u) : 0.0;
+        return plane.lay(u, surface.z(u, 0.0) + raised(u), surface.slopeU(u) + bent, surface.slopeV());
     }
 
     /**
@@ -268,37 +220,21 @@ public final class GroundPlane {
      * over them.
      */
     private boolean isSeen() {
-        double z = profile.z(reflectionU, reflectionV);
+        double u = plane.reflectionU();
+        double v = plane.reflectionV();
+        double z = profile.z(u, v);
         if (Double.isNaN(z)) {
             return false;
         }
         material = profile.material();
         unevenness = surface.standardDeviation();
-        double plane = planeZ(reflectionU, reflectionV) - raised(reflectionU);
-        return profile.isSeen(
-                reflectionU, reflectionV, Math.max(z, plane) + SPREAD * unevenness + Clearance.GAP, bulge);
+        double mirror = plane.z(u, v) - raised(u);
+        return profile.isSeen(u, v, Math.max(z, mirror) + SPREAD * unevenness + Clearance.GAP, bulge);
     }
 
     /** How much higher the ground is where arcs are straight, m. */
     private double raised(double u) {
         return PathCurvature.sag(bulge, distance, u);
-    }
-
-    private double planeZ(double u, double v) {
-        return level + slopeU * u + slopeV * v;
-    }
-
-    /** Signed distance of a point from the plane, m. */
-    private double above(double u, double v, double z) {
-        return (z - planeZ(u, v)) / Math.sqrt(1.0 + slopeU * slopeU + slopeV * slopeV);
-    }
-
-    private double lengthBefore() {
-        return Math.hypot(Math.hypot(reflectionU, reflectionV), from.z() - planeZ(reflectionU, reflectionV));
-    }
-
-    private double lengthAfter() {
-        return Math.hypot(Math.hypot(reflectionU - distance, reflectionV), to.z() - planeZ(reflectionU, reflectionV));
     }
 
     /** Whether a point belongs to the ground in the zone, so that the plane's reflection includes its own. */
@@ -326,22 +262,22 @@ public final class GroundPlane {
 
     /** Distance of the first point from the plane, above 0, m. */
     public double heightOfFirst() {
-        return heightOfFirst;
+        return plane.heightOfFirst();
     }
 
     /** Distance of the second point from the plane, above 0, m. */
     public double heightOfSecond() {
-        return heightOfSecond;
+        return plane.heightOfSecond();
     }
 
     /** Length of the path via the reflection point, m. */
     public double length() {
-        return lengthBefore() + lengthAfter();
+        return plane.lengthBefore() + plane.lengthAfter();
     }
 
     /** Sine of the elevation at which sound leaves the first point towards the reflection; negative downward. */
     public double rise() {
-        return (planeZ(reflectionU, reflectionV) - from.z()) / lengthBefore();
+        return plane.rise();
     }
 
     /** Standard deviation of the ground's distance from the fitted surface within the zone, m. */

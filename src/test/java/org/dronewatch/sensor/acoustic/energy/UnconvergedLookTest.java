@@ -3,9 +3,11 @@ package org.dronewatch.sensor.acoustic.energy;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.RotorTones;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -19,6 +21,7 @@ import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.world.NoiseSource;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -28,6 +31,7 @@ import org.junit.jupiter.api.Test;
  */
 class UnconvergedLookTest {
     private static final Position MICROPHONE = new Position(28, 2, 1.5);
+    private static final Position PLACE = new Position(2, 2, 1.5);
     private static final double THRESHOLD = -5;
 
     private static World rooms() {
@@ -41,10 +45,69 @@ class UnconvergedLookTest {
     }
 
     private static Drone drone() {
-        Position place = new Position(2, 2, 1.5);
+        return drone(DroneSettings.of(ModelSettings.of("none.obj"), new Hover(PLACE, 0.0)));
+    }
+
+    private static Drone drone(RotorTones tones) {
+        return drone(DroneSettings.of(ModelSettings.of("none.obj"), new Hover(PLACE, 0.0))
+                .withTones(tones));
+    }
+
+    private static Drone drone(DroneSettings settings) {
         TriangleMesh any = TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
-        DroneSettings settings = DroneSettings.of(ModelSettings.of("none.obj"), new Hover(place, 0.0));
-        return new Drone("drone", settings, KDTree.of(any)).move(place.toVector3d());
+        return new Drone("drone", settings, KDTree.of(any)).move(PLACE.toVector3d());
+    }
+
+    /** A line's figure is that on which the look is based; that of the octave says what the rays brought. */
+    @Test
+    void figuresOfTonesAreThoseOfTheDecision() {
+        World rooms = rooms();
+        Drone drone = drone(RotorTones.of(100));
+        AcousticSensor sensor = AcousticSettings.at(MICROPHONE)
+                .withPropagation(EnergyModel.DEFAULT
+                        .withRays(1000)
+                        .withDiffraction(Diffraction.OFF)
+                        .withCriterion(EnergyModel.Criterion.NARROW_BAND))
+                .create();
+        int unconverged = 0;
+        for (int seed = 0; seed < 12; seed++) {
+            Observation heard = sensor.observe(rooms, List.of(drone), Look.of(seed, "sensor", 0, 10.0))
+                    .get(0);
+            double best = heard.figures().entrySet().stream()
+                    .filter(figure -> figure.getKey().matches("tone_\\d+_snr_db"))
+                    .mapToDouble(Map.Entry::getValue)
+                    .max()
+                    .orElseThrow();
+            assertThat(best).as("seed %d", seed).isEqualTo(heard.value());
+            unconverged += heard.figures().get("converged") == 0.0 ? 1 : 0;
+        }
+        assertThat(unconverged).isGreaterThan(0);
+    }
+
+    /** The sound of a noise source that few rays reach is marked, in the background of every look. */
+    @Test
+    void aNoiseSourceThatHasNotConvergedMarksTheBackground() {
+        AcousticSensor sensor = AcousticSettings.at(MICROPHONE)
+                .withPropagation(EnergyModel.DEFAULT.withRays(1000).withDiffraction(Diffraction.OFF))
+                .create();
+        Look look = Look.of(1, "sensor", 0, 10.0);
+        int unconverged = 0;
+        for (int i = 0; i < 12; i++) {
+            // The rays depend on the name.
+            String name = "engine" + i;
+            World far = rooms().withNoiseSources(Map.of(name, NoiseSource.at(PLACE, 100)));
+            World near = rooms().withNoiseSources(Map.of(name, NoiseSource.at(new Position(27, 4, 1.5), 100)));
+            unconverged += mark(sensor, far, look) == 0.0 ? 1 : 0;
+            assertThat(mark(sensor, near, look)).isEqualTo(1.0);
+        }
+
+        assertThat(unconverged).isPositive();
+        assertThat(sensor.observe(rooms(), List.of(drone()), look).get(0).figures())
+                .doesNotContainKey("background_converged");
+    }
+
+    private static double mark(AcousticSensor sensor, World world, Look look) {
+        return sensor.observe(world, List.of(drone()), look).get(0).figures().get("background_converged");
     }
 
     /** However loud the few rays were: the exact paths decide, here none, and the look says how uncertain it is. */
