@@ -235,7 +235,7 @@ final class PlaceCommand implements Callable<Integer> {
             return shown.during(
                     "rates of detection, then routes",
                     search.looks(),
-                    progress -> search.found(limits, progress, round -> {}, main.interruption()::letFinish));
+                    progress -> search.found(limits, progress, round -> {}));
         } catch (InputException e) {
             throw PlacePlan.placed(given, e);
         }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BooleanSupplier;
+import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
@@ -19,56 +19,44 @@ final class RouteFigures {
     private final PlacePlan plan;
     private final FieldGrid grid;
     private final RouteRows rows;
-    private final BooleanSupplier isStopped;
 
-    RouteFigures(PlacePlan plan, FieldGrid grid, RouteRows rows, BooleanSupplier isStopped) {
+    RouteFigures(PlacePlan plan, FieldGrid grid, RouteRows rows) {
         this.plan = plan;
         this.grid = grid;
         this.rows = rows;
-        this.isStopped = isStopped;
     }
 
-    /**
-     * The figures.
-     *
-     * @param others names of the scene's own sensors that are no candidates
-     * @param isWhole whether all sensors were assessed
-     */
-    RoutePlacement of(CutResult cut, Set<String> others, boolean isWhole) {
-        List<Integer> chosen = cut.result().chosen();
-        List<WeakestRoute> past = rows.pastCandidates(chosen);
-        Map<String, Double> alone = new LinkedHashMap<>();
-        Map<String, Double> without = new LinkedHashMap<>();
-        List<PlaceStep> front = new ArrayList<>();
-        Optional<PresentLayout> present = Optional.empty();
-        if (!isStopped.getAsBoolean()) {
-            for (Integer one : chosen) {
-                String name = plan.candidates().get(one).name();
-                alone.put(name, value(cut.problem(), List.of(one)));
-                without.put(
-                        name,
-                        value(
-                                cut.problem(),
-                                chosen.stream()
-                                        .filter(other -> !other.equals(one))
-                                        .toList()));
-            }
-            front = front(cut);
-            present = present(others);
+    /** The figures; without those of parts of the layout and of the scene if this thread is interrupted. */
+    RoutePlacement of(CutResult cut) {
+        try {
+            return of(
+                    cut,
+                    alone(cut),
+                    without(cut),
+                    front(cut),
+                    present(),
+                    cut.result().complete());
+        } catch (CancellationException e) {
+            return of(cut, Map.of(), Map.of(), List.of(), Optional.empty(), false);
         }
-        double value = Math.min(cut.result().value(), past.get(0).exposure());
+    }
+
+    private RoutePlacement of(
+            CutResult cut,
+            Map<String, Double> alone,
+            Map<String, Double> without,
+            List<PlaceStep> front,
+            Optional<PresentLayout> present,
+            boolean isComplete) {
+        PlacementResult found = cut.result();
+        // These routes have been searched for already.
+        List<WeakestRoute> past = rows.pastCandidates(found.chosen());
+        double value = Math.min(found.value(), past.get(0).exposure());
         double lower = past.stream().mapToDouble(WeakestRoute::lower).min().orElse(0.0);
-        boolean isComplete = isWhole && cut.result().complete();
-        PlacementResult result = new PlacementResult(
-                chosen,
-                value,
-                isWhole ? cut.result().bound() : WeakestRouteSearch.ENOUGH,
-                cut.result().cost(),
-                isComplete);
         return new RoutePlacement(
                 plan,
                 grid,
-                result,
+                new PlacementResult(found.chosen(), value, found.bound(), found.cost(), isComplete),
                 past.get(0),
                 Math.min(lower, value),
                 alone,
@@ -80,14 +68,32 @@ final class RouteFigures {
                 isComplete);
     }
 
-    private Optional<PresentLayout> present(Set<String> others) {
+    private Map<String, Double> alone(CutResult cut) {
+        Map<String, Double> alone = new LinkedHashMap<>();
+        cut.result()
+                .chosen()
+                .forEach(one -> alone.put(plan.candidates().get(one).name(), value(cut.problem(), List.of(one))));
+        return alone;
+    }
+
+    private Map<String, Double> without(CutResult cut) {
+        Map<String, Double> without = new LinkedHashMap<>();
+        for (Integer lost : cut.result().chosen()) {
+            List<Integer> rest = cut.result().chosen().stream()
+                    .filter(other -> !other.equals(lost))
+                    .toList();
+            without.put(plan.candidates().get(lost).name(), value(cut.problem(), rest));
+        }
+        return without;
+    }
+
+    private Optional<PresentLayout> present() {
         Set<String> own = plan.present().enabledSensors().keySet();
-        boolean isAssessed = own.stream()
-                .allMatch(name -> others.contains(name)
-                        || plan.candidates().stream().anyMatch(one -> one.name().equals(name)));
-        return own.isEmpty() || !isAssessed
-                ? Optional.empty()
-                : rows.least(own).map(exposure -> new PresentLayout(own.size(), exposure));
+        return own.isEmpty() ? Optional.empty() : Optional.of(new PresentLayout(own.size(), counted(rows.past(own))));
+    }
+
+    private static double counted(List<WeakestRoute> routes) {
+        return Math.min(WeakestRouteSearch.ENOUGH, routes.get(0).exposure());
     }
 
     /** The exposure on the weakest route past some candidates; none is searched for if one without any is known. */

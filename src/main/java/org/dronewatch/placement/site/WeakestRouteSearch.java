@@ -80,31 +80,27 @@ public final class WeakestRouteSearch {
     }
 
     /**
-     * The best layout that this search finds.
+     * The best layout that this search finds; if this thread is interrupted, the best that was tried so far, and its
+     * interrupt status is kept.
      *
      * @param progress receives the number of cells that were assessed since the last call
-     * @param round receives the number of each layout that is tried
-     * @param assessed called when the sensors have been assessed, perhaps because this thread was interrupted; should
-     *     then clear its interrupt status
+     * @param round receives the number of layouts that were tried so far
      * @throws InputException when no layout complies with the conditions, or there is no route
-     * @throws CancellationException when this thread is interrupted before any candidate is assessed
+     * @throws CancellationException when this thread is interrupted before the first layout has been tried
      */
-    public RoutePlacement found(SolverLimits limits, IntConsumer progress, IntConsumer round, Runnable assessed) {
+    public RoutePlacement found(SolverLimits limits, IntConsumer progress, IntConsumer round) {
         List<SensorFields> known = new ArrayList<>();
-        boolean isWhole = assess(known, progress);
-        assessed.run();
-        LayoutRoutes routes = routes(known);
+        plan.candidates().forEach(one -> known.add(fields.of(one.name(), one.sensor(), progress)));
+        others().forEach((name, sensor) -> known.add(fields.of(name, sensor, progress)));
         RouteRows rows = new RouteRows(
-                routes,
-                known.stream().map(SensorFields::name).toList(),
+                routes(known),
                 plan.candidates().stream().map(SiteCandidate::name).toList());
         List<Candidate> candidates =
                 plan.candidates().stream().map(SiteCandidate::candidate).toList();
-        SolverLimits within = isWhole ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
         CutResult cut = new CuttingPlanes(candidates, conditions(), rows, solver, ENOUGH)
-                .solve(within, round)
-                .orElseThrow(() -> impossible());
-        return new RouteFigures(plan, fields.grid(), rows, within.isStopped()).of(cut, others().keySet(), isWhole);
+                .solve(limits, round)
+                .orElseThrow(this::impossible);
+        return new RouteFigures(plan, fields.grid(), rows).of(cut);
     }
 
     private InputException impossible() {
@@ -114,20 +110,6 @@ public final class WeakestRouteSearch {
                         .conditions()
                         .anyoneLost()
                         .map(loss -> "a probability of detection of " + Quantity.NUMBER.inWords(loss.fraction())));
-    }
-
-    /** Assesses all sensors; gives whether it was not interrupted after the first. */
-    private boolean assess(List<SensorFields> known, IntConsumer progress) {
-        try {
-            plan.candidates().forEach(one -> known.add(fields.of(one.name(), one.sensor(), progress)));
-            others().forEach((name, sensor) -> known.add(fields.of(name, sensor, progress)));
-            return true;
-        } catch (CancellationException e) {
-            if (known.isEmpty()) {
-                throw e;
-            }
-            return false;
-        }
     }
 
     private LayoutRoutes routes(List<SensorFields> known) {

@@ -26,9 +26,6 @@ public final class CuttingPlanes {
     /** The gap to which early rounds are solved: their layouts will change anyway. */
     private static final double EARLY_GAP = 0.1;
 
-    /** How long a first layout is looked for if the search was ended before it had one, s. */
-    private static final double QUICK = 2.0;
-
     private final List<Candidate> candidates;
     private final PlacementConditions conditions;
     private final RowOracle oracle;
@@ -57,10 +54,10 @@ public final class CuttingPlanes {
 
     /**
      * The best layout that is found within some limits; an interruption of this thread ends the search, too, and its
-     * interrupt status is kept. Empty if no layout complies, or none was found in time.
+     * interrupt status is kept. Empty if no layout complies.
      *
-     * @param round receives the number of each round
-     * @throws CancellationException when this thread is interrupted before the first row is found
+     * @param round receives the number of layouts that were given to the oracle so far
+     * @throws CancellationException when the search is ended before the oracle has answered for the first layout
      */
     public Optional<CutResult> solve(SolverLimits limits, IntConsumer round) {
         Search search = new Search(limits);
@@ -113,9 +110,8 @@ public final class CuttingPlanes {
                 List<Integer> layout = best.get().chosen();
                 boolean isNew = tried.add(layout);
                 if (isNew) {
-                    layouts.add(layout);
-                    round.accept(layouts.size());
                     cutUnlessInterrupted(layout);
+                    round.accept(layouts.size());
                 }
                 double value = rows.best(layouts).map(this::value).orElse(Double.NEGATIVE_INFINITY);
                 // What the oracle cannot cut in an accurately solved round is the best.
@@ -127,6 +123,7 @@ public final class CuttingPlanes {
         private void cutUnlessInterrupted(List<Integer> layout) {
             try {
                 cut(layout);
+                layouts.add(layout);
             } catch (CancellationException e) {
                 isInterrupted = true;
             }
@@ -139,8 +136,7 @@ public final class CuttingPlanes {
         Optional<CutResult> result() {
             PlacementProblem problem = rows.problem(enough);
             if (layouts.isEmpty() && !isProven) {
-                solver.solve(problem, new SolverLimits(1.0, QUICK, () -> false))
-                        .ifPresent(quick -> layouts.add(quick.chosen()));
+                throw new CancellationException("ended before the first layout was compared with routes");
             }
             return rows.best(layouts).map(layout -> {
                 double value = value(layout);

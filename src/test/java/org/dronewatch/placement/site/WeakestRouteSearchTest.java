@@ -1,6 +1,7 @@
 package org.dronewatch.placement.site;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -12,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.field.Course;
@@ -66,7 +67,7 @@ class WeakestRouteSearchTest {
     private static RoutePlacement found(PlacePlan plan) {
         Stage stage = plan.runner().stage(plan.present());
         return new WeakestRouteSearch(plan, stage, LayerStore.NONE, new ExactSolver())
-                .found(SolverLimits.NONE, cells -> {}, round -> {}, () -> {});
+                .found(SolverLimits.NONE, cells -> {}, round -> {});
     }
 
     /** The exposure on the weakest route past a layout, as {@code route} finds it for the layout as a scene. */
@@ -129,6 +130,32 @@ class WeakestRouteSearchTest {
         assertThat(placement.result().value()).isCloseTo(promised, within(1e-3 * promised));
     }
 
+    /** Each objective's layout is better on it than that of the other: the best coverage leaves a weaker route. */
+    @Test
+    void neitherObjectiveIsTheOther() throws IOException {
+        assumeTrue(LongForm.IS_ON, "finds two layouts");
+        PlacePlan against = plan("budget: 3\n");
+        RoutePlacement routes = found(against);
+        Path file = directory.resolve("ring.place.yaml");
+        Files.writeString(file, Files.readString(file).replace("objective: weakest-route", "objective: coverage"));
+        PlacePlan over = PlacePlan.read(file, runner -> {}, note -> {});
+        Stage stage = over.runner().stage(over.present());
+        SitePlacement coverage = new PlaceSearch(
+                        over, new CoveredCells(over, stage, LayerStore.NONE), new ExactSolver())
+                .found(SolverLimits.NONE, cells -> {}, () -> {});
+
+        double exposed = routes.result().value();
+        double exposedOfOther = exposure(
+                against,
+                routes,
+                against.runner().stage(against.present()),
+                coverage.result().chosen());
+        double covered = coverage.result().value();
+        double coveredOfOther = coverage.problem().value(routes.result().chosen());
+        assertThat(exposed).isGreaterThan(1.1 * exposedOfOther);
+        assertThat(covered).isGreaterThan(coveredOfOther);
+    }
+
     private static List<Integer> chosen(PlacePlan plan, int choice) {
         return IntStream.range(0, plan.candidates().size())
                 .filter(one -> (choice >> one & 1) == 1)
@@ -136,26 +163,37 @@ class WeakestRouteSearchTest {
                 .toList();
     }
 
-    /** Interrupted after half of the cells, the search chooses among the candidates that were assessed. */
+    /** Interrupted in the second round, the search gives the layout of the first. */
     @Test
     void anInterruptedSearchGivesTheBestSoFar() throws IOException {
-        PlacePlan plan = plan("budget: 6\n");
+        PlacePlan plan = plan("budget: 4\n");
         WeakestRouteSearch search =
                 new WeakestRouteSearch(plan, plan.runner().stage(plan.present()), LayerStore.NONE, new ExactSolver());
-        AtomicInteger left = new AtomicInteger((int) search.looks() / 2);
-        RoutePlacement placement = search.found(
-                SolverLimits.NONE,
-                some -> {
-                    if (left.addAndGet(-some) < 0) {
-                        Thread.currentThread().interrupt();
-                    }
-                },
-                round -> {},
-                Thread::interrupted);
+        RoutePlacement placement;
+        try {
+            placement = search.found(SolverLimits.NONE, cells -> {}, round -> Thread.currentThread()
+                    .interrupt());
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
 
         assertThat(placement.complete()).isFalse();
+        assertThat(placement.rounds()).isEqualTo(1);
         assertThat(placement.chosen()).isNotEmpty();
-        assertThat(placement.result().bound()).isEqualTo(WeakestRouteSearch.ENOUGH);
+        assertThat(placement.result().bound())
+                .isGreaterThanOrEqualTo(placement.result().value());
         assertThat(placement.weakest().seconds()).isPositive();
+        assertThat(placement.front()).isEmpty();
+    }
+
+    @Test
+    void withoutAnyLayoutTriedThereIsNone() throws IOException {
+        PlacePlan plan = plan("budget: 4\n");
+        WeakestRouteSearch search =
+                new WeakestRouteSearch(plan, plan.runner().stage(plan.present()), LayerStore.NONE, new ExactSolver());
+        SolverLimits stopped = new SolverLimits(0.0, 1.0, () -> true);
+
+        assertThatThrownBy(() -> search.found(stopped, cells -> {}, round -> {}))
+                .isInstanceOf(CancellationException.class);
     }
 }
