@@ -48,10 +48,7 @@ final class CameraBounds {
         if (picture.camera().isOutside(at.x(), at.y(), at.z(), radius)) {
             return unseen(picture, at, Cause.OUT_OF_VIEW);
         }
-        boolean isInvisible = picture.bounds(world, drone.silhouettes(), at)
-                .filter(PixelBounds::isInvisible)
-                .isPresent();
-        return isInvisible && isInOutline(picture, at)
+        return picture.isInvisible(world, drone.silhouettes(), at) && isInOutline(picture, at)
                 ? obstacle(at)
                         .flatMap(before -> unseen(
                                 picture, at, Cause.hiddenBy(before.model().role())))

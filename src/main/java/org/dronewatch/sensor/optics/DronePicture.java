@@ -17,6 +17,9 @@ import org.dronewatch.world.World;
  * keeps scratch memory for the drones: one thread at a time.
  */
 public final class DronePicture {
+    /** Above the rounding of distances in an image, which are of single precision. */
+    private static final double ROUNDING = 4e-6;
+
     private final CameraObject camera;
 
     private final SiteImages images;
@@ -106,6 +109,26 @@ public final class DronePicture {
             isBound = bounds.set(background(at, silhouettes.radius()), silhouettes, at);
         }
         return isBound ? Optional.of(bounds) : Optional.empty();
+    }
+
+    /**
+     * Whether the site certainly hides a level drone at a place, however it turns, or the drone lies between the rays
+     * of the pixels; false where no bounds are known. Parameters as above.
+     */
+    public boolean isInvisible(World world, SilhouetteTable silhouettes, Position at) {
+        Optional<PixelBounds> found = bounds(world, silhouettes, at);
+        return found.isPresent()
+                && (isHidden(world, silhouettes.radius(), at) || found.get().isInvisible());
+    }
+
+    /**
+     * Whether a few triangles certainly hide a drone from all pixels. A camera in a temporary pose need not trace the
+     * site then.
+     */
+    private boolean isHidden(World world, double radius, Position at) {
+        // A larger sphere makes up for distances of single precision in the image.
+        return !isAtRest
+                && new AreaBounds(camera, world).isHidden(at, radius + ROUNDING * at.distance(camera.position()));
     }
 
     /**
