@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Defaults;
+import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
@@ -16,8 +18,12 @@ import org.dronewatch.world.Ground;
  *
  * @param from position at time 0, m
  * @param legs 1 to 10,000 legs, each 1 mm or longer
+ * @param delay how long it waits at {@code from} before the first leg, with its nose towards that leg and its motors
+ *     running, 0 to 3600 s
  */
-public record RouteFlight(Position from, List<RouteLeg> legs) implements FlightPathSettings {
+public record RouteFlight(
+        Position from, List<RouteLeg> legs, @In(value = Quantity.DURATION, from = 0, to = 3600) double delay)
+        implements FlightPathSettings {
     /** Shorter horizontal distances have no direction, m. */
     private static final double VERTICAL = 1e-9;
 
@@ -28,7 +34,7 @@ public record RouteFlight(Position from, List<RouteLeg> legs) implements FlightP
      */
     public RouteFlight {
         legs = List.copyOf(Check.present("legs", legs));
-        Limits.check(RouteFlight.class, from, legs);
+        Limits.check(RouteFlight.class, from, legs, delay);
         if (legs.isEmpty() || legs.size() > MOST_WAYPOINTS) {
             throw new IllegalArgumentException("legs has " + legs.size() + " legs, needs 1 to " + MOST_WAYPOINTS);
         }
@@ -44,11 +50,22 @@ public record RouteFlight(Position from, List<RouteLeg> legs) implements FlightP
         }
     }
 
+    /** A flight that begins at once. */
+    @Defaults({"from", "legs"})
+    public static RouteFlight of(Position from, List<RouteLeg> legs) {
+        return new RouteFlight(from, legs, 0.0);
+    }
+
+    /** The same flight with another delay, s. */
+    public RouteFlight withDelay(double seconds) {
+        return new RouteFlight(from, legs, seconds);
+    }
+
     @Override
     public FlightPath create(double speed, double acceleration, Ground ground) {
         List<Leg> flown = new ArrayList<>();
         Position at = from;
-        double time = 0.0;
+        double time = delay;
         double heading = 0.0;
         OptionalDouble stopped = OptionalDouble.empty();
         for (RouteLeg leg : legs) {
@@ -57,6 +74,9 @@ public record RouteFlight(Position from, List<RouteLeg> legs) implements FlightP
             boolean isVertical = Math.hypot(vector.x(), vector.y()) < VERTICAL;
             heading = isVertical ? heading : StrictMath.atan2(vector.x(), vector.y());
             stopped = leg.powered() ? OptionalDouble.empty() : OptionalDouble.of(stopped.orElse(time));
+            if (flown.isEmpty() && delay > 0.0) {
+                flown.add(leg(0.0, at, new Position(0, 0, 0), heading, OptionalDouble.empty()));
+            }
             flown.add(leg(time, at, vector.times(fast / vector.length()), heading, stopped));
             time += vector.length() / fast;
             at = leg.to();
@@ -72,13 +92,13 @@ public record RouteFlight(Position from, List<RouteLeg> legs) implements FlightP
     }
 
     /**
-     * The time at which it arrives at the end, s.
+     * The time at which it arrives at the end, s since the start of the run.
      *
      * @param speed cruise speed, m/s
      */
     public double duration(double speed) {
         Position at = from;
-        double time = 0.0;
+        double time = delay;
         for (RouteLeg leg : legs) {
             time += at.distance(leg.to()) / leg.speed().orElse(speed);
             at = leg.to();

@@ -8,45 +8,90 @@ import java.util.OptionalDouble;
 
 /**
  * How exposed a drone is on a route as it is flown: by every look that the sensors take, where it is taken, and not by
- * cells of a field.
+ * cells of a field. The route begins at several moments of the slowest scan, each as likely as the others:
+ * probabilities are means over them.
  *
- * @param looks those that may detect the drone, in the order of time
- * @param bySensor the exposure to each sensor along the whole route, in the order of the scene
+ * @param flights for each of these moments, at least one, the looks that may detect the drone, in the order of time
+ * @param bySensor the exposure to each sensor along the whole route, {@linkplain #ofMean over all these flights},
+ *     in the order of the scene
  */
-public record FlownExposure(List<Step> looks, Map<String, Double> bySensor) {
+public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySensor) {
     /**
      * What a look adds to the exposure.
      *
-     * @param before time of the sensor's look before, at the earliest the start, s since the start
-     * @param time of the look, s since the start
+     * @param before time of the sensor's look before, at the earliest when the route begins, s since then
+     * @param time of the look, s since the route begins
      * @param exposure that it adds, {@code -ln(1 - p)} for an independent look, above 0
      */
-    public record Step(double before, double time, double exposure) {}
+    public record Step(double before, double time, double exposure) {
+        private double by(double until) {
+            return time <= until ? exposure : 0.0;
+        }
 
-    /** Copies the list and the map. */
-    public FlownExposure {
-        looks = List.copyOf(looks);
-        bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
+        private double spreadBy(double until) {
+            return time <= until ? exposure : Math.max(0.0, (until - before) / (time - before)) * exposure;
+        }
     }
 
-    /** The exposure to all looks up to a time, inclusive, s. */
+    /**
+     * Copies the lists and the map.
+     *
+     * @throws IllegalArgumentException without a flight
+     */
+    public FlownExposure {
+        flights = flights.stream().map(List::copyOf).toList();
+        bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
+        if (flights.isEmpty()) {
+            throw new IllegalArgumentException("0 flights: must be at least one");
+        }
+    }
+
+    /**
+     * The exposure to all looks up to a time, inclusive, s: {@code -ln} of the mean probability that they all miss the
+     * drone.
+     */
     public double until(double time) {
-        return looks.stream()
-                .filter(look -> look.time() <= time)
-                .mapToDouble(Step::exposure)
-                .sum();
+        return ofMean(flights.stream()
+                .mapToDouble(looks ->
+                        looks.stream().mapToDouble(look -> look.by(time)).sum())
+                .toArray());
     }
 
     /** The same if what a look adds were spread evenly over the time since the look before, for pictures. */
     double spreadUntil(double time) {
-        double sum = 0.0;
-        for (Step look : looks) {
-            double lasts = look.time() - look.before();
-            sum += look.time() <= time
-                    ? look.exposure()
-                    : Math.max(0.0, (time - look.before()) / lasts) * look.exposure();
+        return ofMean(flights.stream()
+                .mapToDouble(looks ->
+                        looks.stream().mapToDouble(look -> look.spreadBy(time)).sum())
+                .toArray());
+    }
+
+    /**
+     * The probability of a detection up to a time, inclusive, if looks came so often that the moment at which the route
+     * begins did not matter, as the search assumes: by the mean exposure. 0 to 1.
+     */
+    double detectionByFastLooks(double until) {
+        return -Math.expm1(-flights.stream()
+                .mapToDouble(looks ->
+                        looks.stream().mapToDouble(look -> look.by(until)).sum())
+                .average()
+                .orElseThrow());
+    }
+
+    /**
+     * The exposure that gives the mean probability of several flights, {@code -ln(mean of exp(-E))}.
+     *
+     * @param exposures E of each, at least one; they may be large
+     */
+    public static double ofMean(double[] exposures) {
+        double least = Double.POSITIVE_INFINITY;
+        for (double exposure : exposures) {
+            least = Math.min(least, exposure);
         }
-        return sum;
+        double missed = 0.0;
+        for (double exposure : exposures) {
+            missed += Math.exp(least - exposure);
+        }
+        return least - Math.log(missed / exposures.length);
     }
 
     /** The probability that the drone is detected up to a time, inclusive, 0 to 1. */
@@ -57,13 +102,21 @@ public record FlownExposure(List<Step> looks, Map<String, Double> bySensor) {
     /** The median time of the first detection among the flights on which there is one, s; empty if there is none. */
     public OptionalDouble medianDetection() {
         double wanted = 0.5 * detection(Double.POSITIVE_INFINITY);
-        double sum = 0.0;
-        for (Step look : looks) {
-            sum += look.exposure();
-            if (-Math.expm1(-sum) >= wanted) {
-                return OptionalDouble.of(look.time());
+        double[] times = flights.stream()
+                .flatMap(List::stream)
+                .mapToDouble(Step::time)
+                .sorted()
+                .toArray();
+        int low = 0;
+        int high = times.length - 1;
+        while (low < high) {
+            int middle = (low + high) / 2;
+            if (detection(times[middle]) >= wanted) {
+                high = middle;
+            } else {
+                low = middle + 1;
             }
         }
-        return OptionalDouble.empty();
+        return times.length == 0 ? OptionalDouble.empty() : OptionalDouble.of(times[low]);
     }
 }

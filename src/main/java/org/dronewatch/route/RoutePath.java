@@ -57,7 +57,7 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
                 at = to;
             }
         }
-        return legs.isEmpty() ? Optional.empty() : Optional.of(new RouteFlight(points.get(0), legs));
+        return legs.isEmpty() ? Optional.empty() : Optional.of(RouteFlight.of(points.get(0), legs));
     }
 
     /** This path, continued by another that begins where it ends. */

@@ -65,6 +65,41 @@ public record SectorRoute(
                 || Math.abs(inTime(response) - route.detection()) > MISJUDGED;
     }
 
+    /**
+     * Whether the search would also misjudge the route if it knew each look's place exactly, because a slow sensor may
+     * look before the drone comes into sight or after it has gone.
+     *
+     * @param response as above
+     */
+    public boolean isMisjudgedForScans(double response) {
+        return flown.isPresent()
+                && (isApart(flown.get(), Double.POSITIVE_INFINITY)
+                        || response > 0.0 && isApart(flown.get(), critical(response)));
+    }
+
+    private static boolean isApart(FlownExposure looks, double until) {
+        return Math.abs(looks.detectionByFastLooks(until) - looks.detection(until)) > MISJUDGED / 2;
+    }
+
+    /**
+     * Whether the search would also misjudge the route if sensors looked all the time, because it knows cells only at
+     * their middle.
+     *
+     * @param response as above
+     */
+    public boolean isMisjudgedForCells(double response) {
+        return flown.isPresent()
+                && (isApart(flown.get(), Double.POSITIVE_INFINITY, searched.detection())
+                        || isApart(
+                                flown.get(),
+                                response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY,
+                                route.detection()));
+    }
+
+    private static boolean isApart(FlownExposure looks, double until, double estimate) {
+        return Math.abs(looks.detectionByFastLooks(until) - estimate) > MISJUDGED / 2;
+    }
+
     /** By sensor, the exposure along the whole route: as it is flown if that is known. */
     public Map<String, Double> sensors() {
         return flown.map(FlownExposure::bySensor).orElse(bySensor);

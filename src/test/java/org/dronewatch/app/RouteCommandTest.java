@@ -80,6 +80,7 @@ class RouteCommandTest {
                         "cell_m",
                         "cells_per_side",
                         "heights_m",
+                        "begins_s",
                         "origin",
                         "routes",
                         "complete");

@@ -23,7 +23,7 @@ class RouteFlightTest {
 
     /** 30 m north at 5 m/s, 40 m east at 20 m/s, then a glide of 50 m at cruise speed, 10 m/s. */
     private static final RouteFlight ROUTE =
-            new RouteFlight(START, List.of(leg(0, 30, 100, 5), leg(40, 30, 100, 20), glide(40, 0, 60)));
+            RouteFlight.of(START, List.of(leg(0, 30, 100, 5), leg(40, 30, 100, 20), glide(40, 0, 60)));
 
     @Test
     void fliesEachLegAtItsOwnSpeedWithoutStopping() {
@@ -41,8 +41,20 @@ class RouteFlightTest {
     }
 
     @Test
+    void waitsWhereItBegins() {
+        RouteFlight later = RouteFlight.of(START, List.of(leg(40, 0, 100, 20))).withDelay(3.0);
+        FlightPath path = later.create(10, 2, Ground.NONE);
+
+        assertThat(path.at(2.9).position()).isEqualTo(START);
+        assertThat(path.at(2.9).velocity()).isEqualTo(new Position(0, 0, 0));
+        assertThat(path.at(2.9).heading()).isEqualTo(Math.PI / 2);
+        assertThat(path.at(4.0).position().distance(new Position(20, 0, 100))).isLessThan(1e-12);
+        assertThat(later.duration(10)).isCloseTo(5, within(1e-12));
+    }
+
+    @Test
     void countsTheTimeSinceItsMotorsStopped() {
-        RouteFlight further = new RouteFlight(START, List.of(leg(0, 30, 100, 5), glide(0, 60, 90), glide(0, 90, 80)));
+        RouteFlight further = RouteFlight.of(START, List.of(leg(0, 30, 100, 5), glide(0, 60, 90), glide(0, 90, 80)));
         FlightPath path = further.create(10, 2, Ground.NONE);
         double gliding = 2 * Math.hypot(30, 10) / 10;
 
@@ -63,13 +75,13 @@ class RouteFlightTest {
     @Test
     void rejectsWhatCannotBeFlown() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new RouteFlight(START, List.of()))
+                .isThrownBy(() -> RouteFlight.of(START, List.of()))
                 .withMessage("legs has 0 legs, needs 1 to 10000");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new RouteFlight(START, List.of(glide(0, 30, 100))))
+                .isThrownBy(() -> RouteFlight.of(START, List.of(glide(0, 30, 100))))
                 .withMessage("leg 1 without power ends at 100.0 m: must be below its beginning at 100.0 m");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new RouteFlight(START, List.of(leg(0, 0, 100, 5))))
+                .isThrownBy(() -> RouteFlight.of(START, List.of(leg(0, 0, 100, 5))))
                 .withMessageContaining("length of leg 1");
     }
 }

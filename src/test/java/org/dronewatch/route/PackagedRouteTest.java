@@ -166,7 +166,7 @@ class PackagedRouteTest {
                 double speed = flown.speed() * (0.5 + random.nextDouble());
                 legs.add(new RouteLeg(anywhere(field, random), Optional.of(speed), true));
             }
-            flights.add(new RouteFlight(anywhere(field, random), legs));
+            flights.add(RouteFlight.of(anywhere(field, random), legs));
         }
         return flights;
     }

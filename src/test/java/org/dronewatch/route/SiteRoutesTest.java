@@ -195,7 +195,10 @@ class SiteRoutesTest {
         RouteSurvey flown = searched.with(
                 searched.routes().stream()
                         .map(route -> route.with(new FlownExposure(
-                                route.sector() == 3 ? List.of() : List.of(new FlownExposure.Step(0.0, 1.0, 3.0)),
+                                List.of(
+                                        route.sector() == 3
+                                                ? List.of()
+                                                : List.of(new FlownExposure.Step(0.0, 1.0, 3.0))),
                                 Map.of("round", route.sector() == 3 ? 0.0 : 3.0))))
                         .toList(),
                 true);

@@ -7,6 +7,7 @@ import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteBegins;
 import org.dronewatch.route.proof.RouteProof;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -39,6 +40,9 @@ final class RouteFile {
         root.put("cells_per_side", inputs.grid().columns());
         ArrayNode heights = root.putArray("heights_m");
         inputs.grid().heights().forEach(height -> heights.add(Numbers.rounded(height)));
+        ArrayNode begins = root.putArray("begins_s");
+        RouteBegins.of(inputs.settings().enabledSensors().values())
+                .forEach(begin -> begins.add(Numbers.rounded(begin)));
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode routes = root.putArray("routes");
         survey.routes().forEach(route -> add(routes.addObject(), route, results, inputs));

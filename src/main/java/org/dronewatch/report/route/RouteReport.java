@@ -52,9 +52,10 @@ final class RouteReport {
                 "The routes",
                 introduction()
                         + table()
-                        + words.withoutAlert(results)
+                        + Stream.of(words.begins(survey), words.withoutAlert(results))
+                                .flatMap(Optional::stream)
                                 .map(text -> Html.plain("p", text))
-                                .orElse("")
+                                .reduce("", String::concat)
                         + Stream.of(words.tooShort(survey), words.misjudged(survey))
                                 .flatMap(Optional::stream)
                                 .map(text -> Html.plain("p", "Warning: " + text + "."))

@@ -14,6 +14,8 @@ import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.setting.PlainText;
 
 /** Routes in words, for those who decide. */
 final class RouteWords {
@@ -40,16 +42,47 @@ final class RouteWords {
                 .filter(route -> route.isMisjudged(survey.response()))
                 .map(RouteWords::sector)
                 .toList();
-        double cell = inputs.grid().cell();
         return sectors.isEmpty()
                 ? Optional.empty()
-                : Optional.of("the search in cells of " + Numbers.text(cell) + " m misjudges the "
+                : Optional.of("the search in cells of "
+                        + Numbers.text(inputs.grid().cell()) + " m misjudges the "
                         + (sectors.size() == 1 ? "route" : "routes") + " from the "
                         + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
                         + ": in flight, the chance of a detection, or of one in time, differs by more than 20 points"
-                        + (2 * inputs.grid().columns() > FieldGrid.MOST_CELLS
-                                ? ""
-                                : "; try --cell " + Numbers.text(0.5 * cell) + "m"));
+                        + causes(survey));
+    }
+
+    /** Why the search misjudges routes, and what to try. */
+    private String causes(RouteSurvey survey) {
+        List<SectorRoute> routes = survey.routes().stream()
+                .filter(route -> route.isMisjudged(survey.response()))
+                .toList();
+        Optional<String> slowest =
+                RouteBegins.slowest(inputs.settings().enabledSensors()).map(PlainText::value);
+        String scan =
+                slowest.isPresent() && routes.stream().anyMatch(route -> route.isMisjudgedForScans(survey.response()))
+                        ? ", because the search assumes that '" + slowest.get()
+                                + "' may look at any moment, and it only does so every " + period()
+                        : "";
+        boolean isCells = routes.stream().anyMatch(route -> route.isMisjudgedForCells(survey.response()));
+        boolean isFiner = isCells && 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;
+        return scan
+                + (isFiner ? "; try --cell " + Numbers.text(0.5 * inputs.grid().cell()) + "m" : "");
+    }
+
+    /** States over which moments the figures of the flights are means; empty if all sensors look often. */
+    Optional<String> begins(RouteSurvey survey) {
+        boolean isFlown =
+                survey.routes().stream().anyMatch(route -> route.flown().isPresent());
+        return RouteBegins.slowest(inputs.settings().enabledSensors())
+                .filter(sensor -> isFlown)
+                .map(sensor -> "All figures of flights are means over " + RouteBegins.MOST
+                        + " flights of each route, which begin at moments spread over the " + period() + " in which '"
+                        + PlainText.value(sensor) + "' scans once.");
+    }
+
+    private String period() {
+        return number(RouteBegins.period(inputs.settings().enabledSensors().values())) + " s";
     }
 
     /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */

@@ -4,8 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.route.PathTask;
+import org.dronewatch.route.ResponseTime;
+import org.dronewatch.route.Sensing;
+import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.sensor.Chance;
 
 /**
@@ -31,6 +36,22 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
         boolean isKnown = alert.rule() instanceof AlertRule.AnySensor
                 && (looks == 1 || isIndependent && looks <= ConfirmedMisses.MOST_LOOKS);
         return isKnown ? Optional.of(ofAnySensor(schedule, alert)) : Optional.empty();
+    }
+
+    /**
+     * The probability that an alert is raised in time: what is left of the flight after it is one task.
+     *
+     * @param end of the flight, s since the start of the run
+     */
+    double inTime(double end, ResponseTime response) {
+        return IntStream.range(0, times.size())
+                .mapToDouble(i -> {
+                    double left = end - times.get(i);
+                    List<PathTask> tasks =
+                            List.of(new PathTask(1.0, 0.0, 0.0), new PathTask(0.0, left, FlownRoute.SPREAD * left));
+                    return probabilities.get(i) * new TimelyDetection(tasks, Sensing.END, 1.0, response).interruption();
+                })
+                .sum();
     }
 
     private static AlertChances ofAnySensor(LookSchedule schedule, AlertSettings alert) {

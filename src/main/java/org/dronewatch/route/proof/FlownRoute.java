@@ -1,17 +1,17 @@
 package org.dronewatch.route.proof;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.FlownExposure;
-import org.dronewatch.route.PathTask;
 import org.dronewatch.route.ResponseTime;
-import org.dronewatch.route.Sensing;
 import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
@@ -19,10 +19,13 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.statistics.Proportion;
+import org.dronewatch.world.World;
 
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
- * taken. Positioners only search, since what they follow depends on chance. Immutable and thread-safe.
+ * taken. The route begins at several moments of the slowest scan, each as likely as the others ({@link RouteBegins}):
+ * all figures are means over them. Positioners only search, since what they follow depends on chance. Immutable and
+ * thread-safe.
  */
 public final class FlownRoute {
     /** The standard deviation of the time that is left, and of the response, as a fraction of the mean: assumed. */
@@ -31,24 +34,39 @@ public final class FlownRoute {
     /** A probability that is estimated from random rays is the mean of this many estimates, of 32 traces each. */
     public static final int ESTIMATES = 16;
 
-    private final SceneSettings settings;
-    private final ModelCache models;
-    private final Stage stage;
-    private final LookSchedule schedule;
+    /** The route as it is flown from one of the moments on. */
+    private record Flight(SceneSettings settings, World world, LookSchedule schedule) {
+        double detection() {
+            return 1.0 - schedule.missed(settings.run().duration());
+        }
 
-    private FlownRoute(SceneSettings settings, ModelCache models, Stage stage, int estimates) {
-        this.settings = settings;
+        double detection(int sensor) {
+            return 1.0 - schedule.missed(sensor, settings.run().duration());
+        }
+    }
+
+    private final ModelCache models;
+    private final List<String> sensors;
+    private final List<Flight> flights = new ArrayList<>();
+
+    private FlownRoute(SceneSettings settings, ModelCache models, int estimates) {
         this.models = models;
-        this.stage = stage;
-        this.schedule = LookSchedule.of(settings, stage, estimates);
+        this.sensors = List.copyOf(settings.enabledSensors().keySet());
+        List<Double> begins = RouteBegins.of(settings.enabledSensors().values());
+        for (double begin : begins) {
+            SceneSettings later = RouteScene.later(settings, begin);
+            Stage stage = new Stage(later, models, later.run().seed());
+            int each = Math.max(1, estimates / begins.size());
+            flights.add(new Flight(later, stage.world(), LookSchedule.of(later, stage, each)));
+        }
     }
 
     /**
      * Assesses all looks along a route, on the {@link Workers} of the calling thread.
      *
-     * @param scene with one drone, such as a {@link RouteScene}; its cues are ignored
+     * @param scene with one drone, which flies a route, such as a {@link RouteScene}; its cues are ignored
      * @param models of the scene
-     * @throws IllegalArgumentException if the scene has not exactly one drone
+     * @throws IllegalArgumentException if the scene has not exactly one drone, or it flies no route
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models) {
@@ -59,33 +77,38 @@ public final class FlownRoute {
      * The same with more or fewer estimates.
      *
      * @param estimates of a look's probability, where it is estimated from random rays, as those of microphones in the
-     *     level model are; at least 1
+     *     level model are; at least 1, and shared among the moments at which the route begins
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models, int estimates) {
         int drones = scene.individualDrones().size();
         if (drones != 1) {
             throw new IllegalArgumentException(drones + " drones: must be 1 on a route");
         }
-        SceneSettings settings = RouteScene.withoutCues(scene);
-        return new FlownRoute(
-                settings, models, new Stage(settings, models, settings.run().seed()), estimates);
+        return new FlownRoute(RouteScene.withoutCues(scene), models, estimates);
     }
 
     /** The probability that a run detects the drone, 0 to 1. */
     public double detection() {
-        return 1.0 - schedule.missed(settings.run().duration());
+        return flights.stream().mapToDouble(Flight::detection).average().orElseThrow();
     }
 
     /** The same by sensor, as if each were the only one. */
     public Map<String, Double> bySensor() {
-        List<String> names = List.copyOf(settings.enabledSensors().keySet());
-        Map<String, Double> bySensor = new LinkedHashMap<>();
-        for (int sensor = 0; sensor < names.size(); sensor++) {
-            bySensor.put(
-                    names.get(sensor),
-                    1.0 - schedule.missed(sensor, settings.run().duration()));
+        return means((flight, sensor) -> flight.detection(sensor));
+    }
+
+    private Map<String, Double> means(ToDoubleBiFunction<Flight, Integer> figure) {
+        Map<String, Double> means = new LinkedHashMap<>();
+        for (int sensor = 0; sensor < sensors.size(); sensor++) {
+            int one = sensor;
+            means.put(
+                    sensors.get(sensor),
+                    flights.stream()
+                            .mapToDouble(flight -> figure.applyAsDouble(flight, one))
+                            .average()
+                            .orElseThrow());
         }
-        return bySensor;
+        return means;
     }
 
     /**
@@ -93,7 +116,19 @@ public final class FlownRoute {
      * at most, as in the search.
      */
     public FlownExposure exposure() {
-        return LookExposure.of(schedule, List.copyOf(settings.enabledSensors().keySet()));
+        List<LookExposure> each = flights.stream()
+                .map(flight -> LookExposure.of(flight.schedule()))
+                .toList();
+        Map<String, Double> bySensor = new LinkedHashMap<>();
+        for (int sensor = 0; sensor < sensors.size(); sensor++) {
+            int one = sensor;
+            bySensor.put(
+                    sensors.get(sensor),
+                    FlownExposure.ofMean(each.stream()
+                            .mapToDouble(exposure -> exposure.bySensor().get(one))
+                            .toArray()));
+        }
+        return new FlownExposure(each.stream().map(LookExposure::steps).toList(), bySensor);
     }
 
     /**
@@ -108,25 +143,22 @@ public final class FlownRoute {
      */
     public OptionalDouble interruption(double response) {
         ResponseTime force = new ResponseTime(response, SPREAD * response);
-        return AlertChances.of(schedule, settings.alert())
-                .map(alerts ->
-                        OptionalDouble.of(IntStream.range(0, alerts.times().size())
-                                .mapToDouble(i -> {
-                                    double left = settings.run().duration()
-                                            - alerts.times().get(i);
-                                    List<PathTask> tasks = List.of(
-                                            new PathTask(1.0, 0.0, 0.0), new PathTask(0.0, left, SPREAD * left));
-                                    double inTime = new TimelyDetection(tasks, Sensing.END, 1.0, force).interruption();
-                                    return alerts.probabilities().get(i) * inTime;
-                                })
-                                .sum()))
-                .orElse(OptionalDouble.empty());
+        double sum = 0.0;
+        for (Flight flight : flights) {
+            Optional<AlertChances> alerts =
+                    AlertChances.of(flight.schedule(), flight.settings().alert());
+            if (alerts.isEmpty()) {
+                return OptionalDouble.empty();
+            }
+            sum += alerts.get().inTime(flight.settings().run().duration(), force);
+        }
+        return OptionalDouble.of(sum / flights.size());
     }
 
     /**
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the same for any number of them.
-     * Run {@code i} has the seed {@link RouteProof#seed}. One in twenty is repeated by a
-     * {@link org.dronewatch.run.RunSession}.
+     * Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of {@link RouteBegins} in
+     * turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
      *
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread
@@ -138,23 +170,43 @@ public final class FlownRoute {
             throw new IllegalArgumentException(runs + " runs: must be 1 or more");
         }
         boolean[] isDetected = new boolean[runs];
-        Workers.forEach(runs, () -> new SeededFlights(schedule, stage.world()), (flights, run) -> {
-            long seed = RouteProof.seed(settings, run);
-            Optional<Observation> detected = flights.firstDetection(seed);
-            if (run % RouteProof.PLAIN == 0) {
-                check(detected, seed);
-            }
-            isDetected[run] = detected.isPresent();
-            progress.accept(1);
-        });
+        Workers.forEach(
+                runs,
+                () -> flights.stream()
+                        .map(flight -> new SeededFlights(flight.schedule(), flight.world()))
+                        .toList(),
+                (seeded, run) -> {
+                    SceneSettings settings = ofRun(run).settings();
+                    long seed = RouteProof.seed(settings, run);
+                    Optional<Observation> detected =
+                            seeded.get(run % flights.size()).firstDetection(seed);
+                    if (RouteProof.isPlain(run)) {
+                        check(detected, settings, seed);
+                    }
+                    isDetected[run] = detected.isPresent();
+                    progress.accept(1);
+                });
         int count =
                 (int) IntStream.range(0, runs).filter(run -> isDetected[run]).count();
-        return new RouteProof(detection(), bySensor(), new Proportion(count, runs), (runs - 1) / RouteProof.PLAIN + 1);
+        int plain = (int) IntStream.range(0, runs).filter(RouteProof::isPlain).count();
+        return new RouteProof(predicted(runs), bySensor(), new Proportion(count, runs), plain);
     }
 
-    private void check(Optional<Observation> replayed, long seed) {
+    private Flight ofRun(int run) {
+        return flights.get(run % flights.size());
+    }
+
+    /** The probability that one of so many runs detects the drone: some moments may have a run more than others. */
+    private double predicted(int runs) {
+        double[] each = flights.stream().mapToDouble(Flight::detection).toArray();
+        return IntStream.range(0, Math.min(runs, each.length))
+                .mapToDouble(begin -> each[begin] * ((runs - 1 - begin) / each.length + 1) / runs)
+                .sum();
+    }
+
+    private void check(Optional<Observation> replayed, SceneSettings settings, long seed) {
         Optional<Observation> plain = RouteProof.plain(settings, seed, models);
-        if (!isSame(replayed, plain)) {
+        if (!isSame(replayed, plain, settings)) {
             throw new IllegalStateException("the run with seed " + seed + " first detects the drone " + plain
                     + ", but its looks alone " + replayed);
         }
@@ -164,12 +216,12 @@ public final class FlownRoute {
      * Whether the same look detects the drone first: with the same values, too, where chance is drawn for each look.
      * Of the looks of observers, only what the next ones depend on is replayed.
      */
-    private boolean isSame(Optional<Observation> replayed, Optional<Observation> plain) {
+    private static boolean isSame(Optional<Observation> replayed, Optional<Observation> plain, SceneSettings settings) {
         return replayed.map(Observation::look).equals(plain.map(Observation::look))
-                && (replayed.filter(this::isDrawnPerLook).isEmpty() || replayed.equals(plain));
+                && (replayed.filter(look -> isDrawnPerLook(look, settings)).isEmpty() || replayed.equals(plain));
     }
 
-    private boolean isDrawnPerLook(Observation look) {
+    private static boolean isDrawnPerLook(Observation look, SceneSettings settings) {
         return settings.sensors().get(look.sensor()).chance() == Chance.PER_LOOK;
     }
 }

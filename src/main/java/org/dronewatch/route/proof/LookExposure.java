@@ -1,27 +1,30 @@
 package org.dronewatch.route.proof;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import org.dronewatch.route.FieldExposure;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorSettings;
 
-/** Adds up what the looks of a flight contribute to its exposure. */
-final class LookExposure {
-    private LookExposure() {}
+/**
+ * What the looks of a flight contribute to its exposure.
+ *
+ * @param steps what each look adds, in the order of time
+ * @param bySensor the sum for each sensor, in the order of the scene
+ */
+record LookExposure(List<FlownExposure.Step> steps, List<Double> bySensor) {
+    LookExposure {
+        steps = List.copyOf(steps);
+        bySensor = List.copyOf(bySensor);
+    }
 
-    /**
-     * The exposure, {@code -ln} of the probability that all looks have missed.
-     *
-     * @param names of the sensors, in the order of the scene
-     */
-    static FlownExposure of(LookSchedule schedule, List<String> names) {
-        double[] sums = new double[names.size()];
+    /** The exposure, {@code -ln} of the probability that all looks have missed. */
+    static LookExposure of(LookSchedule schedule) {
+        double[] sums = new double[schedule.sensors().size()];
         List<List<ScheduledLook>> taken = new ArrayList<>();
-        names.forEach(name -> taken.add(new ArrayList<>()));
+        schedule.sensors().forEach(sensor -> taken.add(new ArrayList<>()));
         List<FlownExposure.Step> steps = new ArrayList<>();
         for (ScheduledLook look : schedule.looks()) {
             if (look.probability() > 0.0) {
@@ -31,17 +34,13 @@ final class LookExposure {
                         ? before - Math.log1p(-Math.min(FieldExposure.HIGHEST, look.probability()))
                         : ofEncounters(taken.get(look.number()), look, sensor);
                 if (now > before) {
-                    double since = Math.max(0.0, look.time() - 1.0 / sensor.rate());
-                    steps.add(new FlownExposure.Step(since, look.time(), now - before));
+                    double time = look.time() - schedule.begin();
+                    steps.add(new FlownExposure.Step(Math.max(0.0, time - 1.0 / sensor.rate()), time, now - before));
                     sums[look.number()] = now;
                 }
             }
         }
-        Map<String, Double> bySensor = new LinkedHashMap<>();
-        for (int sensor = 0; sensor < sums.length; sensor++) {
-            bySensor.put(names.get(sensor), sums[sensor]);
-        }
-        return new FlownExposure(steps, bySensor);
+        return new LookExposure(steps, Arrays.stream(sums).boxed().toList());
     }
 
     private static double ofEncounters(List<ScheduledLook> taken, ScheduledLook look, SensorSettings<?> sensor) {

@@ -17,6 +17,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Mounted;
@@ -25,15 +26,18 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * All looks that a run takes at its only drone, each assessed exactly where it is taken: at the time, the position, the
- * heading and the speed of the run, and with the pointing of a positioner that only searches. Immutable.
+ * heading and the speed of the run, and with the pointing of a positioner that only searches. Looks before the route
+ * begins, while the drone waits, do not count. Immutable.
  */
 final class LookSchedule {
     private final List<SensorSettings<?>> sensors;
     private final List<ScheduledLook> looks;
+    private final double begin;
 
-    private LookSchedule(List<SensorSettings<?>> sensors, List<ScheduledLook> looks) {
+    private LookSchedule(List<SensorSettings<?>> sensors, List<ScheduledLook> looks, double begin) {
         this.sensors = List.copyOf(sensors);
         this.looks = List.copyOf(looks);
+        this.begin = begin;
     }
 
     /**
@@ -48,6 +52,7 @@ final class LookSchedule {
         FlightPath path = stage.flight(drone.id());
         List<String> names = List.copyOf(settings.enabledSensors().keySet());
         List<SensorSettings<?>> sensors = List.copyOf(settings.enabledSensors().values());
+        double begin = RouteScene.begin(settings);
         List<ScheduledLook> taken = new ArrayList<>();
         for (int sensor = 0; sensor < sensors.size(); sensor++) {
             SensorSettings<?> one = sensors.get(sensor);
@@ -61,12 +66,15 @@ final class LookSchedule {
                 OptionalDouble left = Double.isFinite(speed)
                         ? EmissionTime.of(path, one.position(), speed, time)
                         : OptionalDouble.of(time);
-                if (left.isPresent()) {
-                    taken.add(new ScheduledLook(sensor, look, drone.at(path.at(left.getAsDouble())), 0.0, true));
+                boolean counts = time >= begin;
+                // What an observer sees of the drone before decides which encounter follows.
+                if (left.isPresent() && (counts || one.chance() == Chance.PER_ENCOUNTER)) {
+                    taken.add(
+                            new ScheduledLook(sensor, look, drone.at(path.at(left.getAsDouble())), 0.0, true, counts));
                 }
             }
         }
-        return new LookSchedule(sensors, assessed(taken, names, sensors, stage, estimates));
+        return new LookSchedule(sensors, assessed(taken, names, sensors, stage, estimates), begin);
     }
 
     private static List<ScheduledLook> assessed(
@@ -97,7 +105,7 @@ final class LookSchedule {
             sum += assess(assessor, look, estimate).probability();
         }
         double mean = isEstimated ? sum / estimates : sum;
-        return new ScheduledLook(look.number(), look.look(), look.drone(), mean, isEstimated);
+        return new ScheduledLook(look.number(), look.look(), look.drone(), mean, isEstimated, look.counts());
     }
 
     /** The first with the rays of the look itself, the others with those of other seeds. */
@@ -107,6 +115,11 @@ final class LookSchedule {
         String drone = look.drone().id();
         return assessor.assess(
                 look.drone(), its.pointing(), Draws.stream(seed, its.sensor(), drone, its.index(), RaySensor.RAYS));
+    }
+
+    /** When the route begins, s since the start of the run. */
+    double begin() {
+        return begin;
     }
 
     /** The looks in order of time. */
@@ -120,10 +133,10 @@ final class LookSchedule {
     }
 
     /**
-     * The probability that no sensor has detected the drone by a time: of looks whose chances are independent
-     * {@code prod(1 - p)}, and of each encounter with an observer the mean over all draws.
+     * The probability that no sensor has detected the drone on the route by a time: of looks whose chances are
+     * independent {@code prod(1 - p)}, and of each encounter with an observer the mean over all draws.
      *
-     * @param until s, inclusive
+     * @param until s since the start of the run, inclusive
      */
     double missed(double until) {
         return IntStream.range(0, sensors.size())

@@ -13,7 +13,7 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorSettings;
 
-/** The probability that none of the looks of one sensor detects a drone. */
+/** The probability that none of the looks of one sensor detects a drone on its route. */
 final class MissedLooks {
     private MissedLooks() {}
 
@@ -41,7 +41,11 @@ final class MissedLooks {
         for (ScheduledLook scheduled : looks) {
             Look look = scheduled.look().withEncounters(before);
             Encounter now = look.encounter(scheduled.drone().id(), sensor.rate());
-            encounters.computeIfAbsent(now.index(), index -> new ArrayList<>()).add(scheduled);
+            if (scheduled.counts()) {
+                encounters
+                        .computeIfAbsent(now.index(), index -> new ArrayList<>())
+                        .add(scheduled);
+            }
             before = Encounters.after(
                     look, sensor.rate(), List.of(observation(scheduled, Double.POSITIVE_INFINITY, sensor)));
         }

@@ -2,6 +2,7 @@ package org.dronewatch.route.proof;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
@@ -21,7 +22,7 @@ import org.dronewatch.statistics.Proportion;
  * chance. The looks of programs that find spots in the images of thermal cameras share frames, so that they are not
  * independent: for these, the prediction is too high.
  *
- * @param predicted probability that a run detects the drone, 0 to 1
+ * @param predicted probability that one of these runs detects the drone, 0 to 1
  * @param bySensor the same by sensor, as if it were the only one
  * @param detections runs that detected it, of all runs
  * @param plain how many of these, evenly spread, a plain run repeated
@@ -57,6 +58,14 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
         return FlownRoute.of(scene, models).prove(runs, progress);
     }
 
+    /**
+     * Whether a run is repeated as a plain run: one in each {@link #PLAIN}, further on each time, so that all
+     * moments at which a route begins have their turn.
+     */
+    static boolean isPlain(int run) {
+        return run % PLAIN == run / PLAIN % PLAIN;
+    }
+
     /** Runs on this thread alone, as the runs are shared among the threads. */
     static Optional<Observation> plain(SceneSettings settings, long seed, ModelCache models) {
         try (Workers alone = new Workers(1)) {
@@ -65,15 +74,20 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
     }
 
     /**
-     * The number of runs with the same seeds that detect the drone with all cues: positioners follow what their own
+     * The number of runs with the same seeds, and the same moments at which the route begins, that detect the drone
+     * with all cues: positioners follow what their own
      * sensors see, and other sensors, or false alarms, cue them. Each is a plain run.
      *
      * @param scene parameters as above
      */
     public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
+        List<SceneSettings> begun = RouteBegins.of(scene.enabledSensors().values()).stream()
+                .map(begin -> RouteScene.later(scene, begin))
+                .toList();
         boolean[] isDetected = new boolean[runs];
         Workers.forEach(runs, run -> {
-            isDetected[run] = plain(scene, seed(scene, run), models).isPresent();
+            isDetected[run] = plain(begun.get(run % begun.size()), seed(scene, run), models)
+                    .isPresent();
             progress.accept(1);
         });
         int count =

@@ -27,6 +27,32 @@ public final class RouteScene {
     }
 
     /**
+     * The same route, begun later: the drone waits where it begins.
+     *
+     * @param scene with one drone
+     * @param delay in addition, s
+     * @throws IllegalArgumentException if the drone does not fly a {@link RouteFlight}
+     */
+    static SceneSettings later(SceneSettings scene, double delay) {
+        if (delay == 0.0) {
+            return scene;
+        }
+        Map.Entry<String, DroneSettings> drone =
+                scene.individualDrones().entrySet().iterator().next();
+        if (!(drone.getValue().flight() instanceof RouteFlight flight)) {
+            throw new IllegalArgumentException("drone '" + drone.getKey() + "' does not fly a route");
+        }
+        return of(scene, drone.getKey(), flight.withDelay(flight.delay() + delay));
+    }
+
+    /** When the route of a scene with one drone begins, s since the start of the run. */
+    static double begin(SceneSettings scene) {
+        return scene.individualDrones().values().iterator().next().flight() instanceof RouteFlight flight
+                ? flight.delay()
+                : 0.0;
+    }
+
+    /**
      * A scene in which such drones fly several routes at the same time, until the last arrives. It is for watching and
      * proves none of the routes, since positioners turn to one drone at a time.
      *

@@ -3,6 +3,7 @@ package org.dronewatch.route.proof;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.run.Frame;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
@@ -15,8 +16,8 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
 /**
- * Runs of a schedule of looks with other seeds, only up to the first detection, and only those looks that can detect
- * the drone. Each of these is the look of a run with the same seed. Scratch memory of one thread.
+ * Runs of a schedule of looks with other seeds, only up to the first detection on the route, and only those looks that
+ * can detect the drone. Each of these is the look of a run with the same seed. Scratch memory of one thread.
  */
 final class SeededFlights {
     private final LookSchedule schedule;
@@ -36,7 +37,7 @@ final class SeededFlights {
         Arrays.fill(encounters, Encounters.NONE);
         return schedule.looks().stream()
                 .filter(ScheduledLook::mayDetect)
-                .map(scheduled -> detection(scheduled, seed))
+                .map(scheduled -> detection(scheduled, seed).filter(seen -> scheduled.counts()))
                 .flatMap(Optional::stream)
                 .findFirst();
     }
@@ -66,9 +67,11 @@ final class SeededFlights {
     /** The same by a plain run. */
     static Optional<Observation> firstDetectionOfRun(SceneSettings settings, long seed, ModelCache models) {
         try (RunSession session = new RunSession(settings, seed, models)) {
+            double begin = RouteScene.begin(settings);
             while (session.nextTime().isPresent()) {
-                Optional<Observation> detection = detection(session.advance().observations());
-                if (detection.isPresent()) {
+                Frame frame = session.advance();
+                Optional<Observation> detection = detection(frame.observations());
+                if (detection.isPresent() && frame.time() >= begin) {
                     return detection;
                 }
             }

@@ -79,7 +79,7 @@ class RouteProofTest {
         for (int leg = 0; leg < 3; leg++) {
             legs.add(new RouteLeg(anywhere(random), Optional.of(6.0 + 10.0 * random.nextDouble()), true));
         }
-        return RouteScene.of(site.settings(), FieldSite.DRONE, new RouteFlight(anywhere(random), legs));
+        return RouteScene.of(site.settings(), FieldSite.DRONE, RouteFlight.of(anywhere(random), legs));
     }
 
     private RouteProof proof(SceneSettings scene, int runs) {
@@ -117,12 +117,21 @@ class RouteProofTest {
     void exposureIsThatOfTheLooks() {
         SceneSettings scene = RouteScene.withoutCues(randomFlight(new SplittableRandom(8)));
         FlownRoute flown = FlownRoute.of(scene, models);
-        LookSchedule looks =
-                LookSchedule.of(scene, new Stage(scene, models, scene.run().seed()), FlownRoute.ESTIMATES);
+        List<Double> begins = RouteBegins.of(scene.enabledSensors().values());
+        List<LookSchedule> looks = begins.stream()
+                .map(begin -> RouteScene.later(scene, begin))
+                .map(later -> LookSchedule.of(
+                        later, new Stage(later, models, later.run().seed()), 2))
+                .toList();
         FlownExposure exposure = flown.exposure();
 
+        assertThat(begins).hasSize(RouteBegins.MOST);
         for (double time : new double[] {3.0, 10.0, 17.5, 1000.0}) {
-            assertThat(exposure.detection(time)).isCloseTo(1.0 - looks.missed(time), within(1e-5));
+            double missed = looks.stream()
+                    .mapToDouble(one -> one.missed(one.begin() + time))
+                    .average()
+                    .orElseThrow();
+            assertThat(exposure.detection(time)).isCloseTo(1.0 - missed, within(1e-5));
         }
         exposure.bySensor().forEach((sensor, sum) -> assertThat(-Math.expm1(-sum))
                 .as(sensor)

@@ -1,0 +1,55 @@
+package org.dronewatch.route.proof;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.positioner.SearchPattern;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * When a route begins. Nobody knows at which moment of a scan an attacker comes, and between two looks of a slow sensor
+ * a drone flies far. So the route begins at several moments, spread evenly over the longest period after which a sensor
+ * looks the same way again: of its looks, or of the search of its positioner.
+ */
+public final class RouteBegins {
+    /** The most moments. */
+    public static final int MOST = 8;
+
+    /** All sensors that look at least this often miss a drone no longer than the cells of a search are long, s. */
+    private static final double SHORT = 0.5;
+
+    private RouteBegins() {}
+
+    /** The moments, from 0, s since the start of the run; 0 alone if all sensors look often. */
+    public static List<Double> of(Collection<SensorSettings<?>> sensors) {
+        double period = period(sensors);
+        int count = period > SHORT ? MOST : 1;
+        return IntStream.range(0, count).mapToObj(i -> i * period / count).toList();
+    }
+
+    /** The longest period of a sensor, s; 0 without sensors. */
+    public static double period(Collection<SensorSettings<?>> sensors) {
+        return sensors.stream().mapToDouble(RouteBegins::period).max().orElse(0.0);
+    }
+
+    /** The name of the sensor with the longest period; empty if all sensors look often. */
+    public static Optional<String> slowest(Map<String, SensorSettings<?>> sensors) {
+        double longest = period(sensors.values());
+        return sensors.entrySet().stream()
+                .filter(sensor -> longest > SHORT && period(sensor.getValue()) == longest)
+                .map(Map.Entry::getKey)
+                .findFirst();
+    }
+
+    private static double period(SensorSettings<?> sensor) {
+        double searching = Mounted.positioner(sensor)
+                .map(PositionerSettings::search)
+                .map(SearchPattern::period)
+                .orElse(0.0);
+        return Math.max(1.0 / sensor.rate(), searching);
+    }
+}

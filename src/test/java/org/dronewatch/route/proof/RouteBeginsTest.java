@@ -1,0 +1,98 @@
+package org.dronewatch.route.proof;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.flight.RouteFlight;
+import org.dronewatch.flight.RouteLeg;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.ModelCache;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A certain radar that scans every 5 s: where a drone begins decides nothing, since it may begin at any moment. */
+class RouteBeginsTest {
+    /** It sees for certain up to 80 m, high above the boxes of the site. */
+    private static final String RADAR =
+            """
+              slow: {kind: radar, position: [0, 0, 100], rate: 0.2, minRange: 1, maxRange: 80, elevationWidth: 90 deg,
+                minSpeed: 0 m/s, budget: {range: 5000, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+            """;
+
+    private static final double SPEED = 20.0;
+
+    @TempDir
+    private Path directory;
+
+    private SceneSettings scene(String sensors, double from) throws IOException {
+        FieldSite site = FieldSite.in(directory, sensors);
+        RouteLeg leg = new RouteLeg(new Position(0, 40, 100), Optional.of(SPEED), true);
+        return RouteScene.of(
+                site.settings(), FieldSite.DRONE, RouteFlight.of(new Position(0, from, 100), List.of(leg)));
+    }
+
+    private FlownRoute flown(SceneSettings scene) {
+        return FlownRoute.of(scene, models(scene));
+    }
+
+    private ModelCache models(SceneSettings scene) {
+        return new SceneRunner(new SceneFile(directory.resolve("site.yaml"))).load(scene);
+    }
+
+    /** The drone is in range for 40 m, or 2 s of 5 s, so that two in five are detected, to an eighth. */
+    @Test
+    void theChanceOfALookDoesNotDependOnTheLengthOfTheRoute() throws IOException {
+        for (double from : new double[] {100, 120, 140, 160, 180}) {
+            FlownRoute flown = flown(scene(RADAR, from));
+
+            assertThat(flown.detection()).as("from %s m", from).isCloseTo(0.4, within(1.0 / RouteBegins.MOST));
+            assertThat(flown.exposure().detection(1000.0)).isCloseTo(flown.detection(), within(1e-5));
+            double seconds = (from - 40) / SPEED;
+            assertThat(flown.exposure().medianDetection().orElseThrow()).isBetween(seconds - 2.0, seconds);
+            double alert = flown.interruption(0.0).orElseThrow();
+            assertThat(alert).isCloseTo(flown.detection(), within(1e-3));
+        }
+    }
+
+    @Test
+    void runsBeginAtTheseMomentsInTurn() throws IOException {
+        SceneSettings scene = scene(RADAR, 160);
+        try (Workers workers = new Workers(2)) {
+            RouteProof proof = workers.call(() -> RouteProof.of(scene, models(scene), 161, done -> {}));
+
+            assertThat(proof.predicted() * 161).isCloseTo(proof.detections().count(), within(1e-3));
+            assertThat(proof.detections().of()).isEqualTo(161);
+            assertThat(proof.plain()).isEqualTo(8);
+        }
+    }
+
+    /** Before it begins, the drone waits in range: what the radar sees then is not on the route. */
+    @Test
+    void whatIsSeenBeforeTheRouteBeginsDoesNotCount() throws IOException {
+        FlownRoute flown = flown(scene(RADAR, 60));
+
+        assertThat(flown.detection()).isCloseTo(1.0 / SPEED * 20 / 5, within(1.0 / RouteBegins.MOST));
+    }
+
+    @Test
+    void spreadsThemOverTheLongestPeriod() throws IOException {
+        String fast = RADAR.replace("rate: 0.2", "rate: 4");
+        SceneSettings often = scene(fast, 160);
+        SceneSettings both = scene(fast.replace("slow", "fast") + RADAR, 160);
+
+        assertThat(RouteBegins.of(often.enabledSensors().values())).containsExactly(0.0);
+        assertThat(RouteBegins.slowest(often.enabledSensors())).isEmpty();
+        assertThat(RouteBegins.of(both.enabledSensors().values()))
+                .containsExactly(0.0, 0.625, 1.25, 1.875, 2.5, 3.125, 3.75, 4.375);
+        assertThat(RouteBegins.slowest(both.enabledSensors())).contains("slow");
+    }
+}
