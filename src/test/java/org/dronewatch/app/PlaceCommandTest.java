@@ -153,6 +153,7 @@ class PlaceCommandTest {
                 "objective: warning-time                          | 'objective warning-time: the scene protects no zone'",
                 "warning: best                                    | 'warning: ''best'' is not one of [worst, mean]'",
                 "conditions: {anyoneLost: {warning: 20 s}}        | 'conditions.anyoneLost: needs ''atLeast'' alone'",
+                "conditions: {base: [0, 0, -5]}                  | 'candidates.radar: none of its places has a line of sight'",
                 "objective: weakest-route and fold                | 'conditions.fold: has no meaning for the objective'",
             })
     void namesWhatIsWrong(String line, String message) throws IOException {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.dronewatch.geo.LocalPlace;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.Candidate;
@@ -24,6 +25,7 @@ import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
+import org.dronewatch.world.Visibility;
 
 /** The sensors that a placement file offers, at each of their places and with each of their aims. */
 final class CandidatesOnSite {
@@ -37,6 +39,7 @@ final class CandidatesOnSite {
     private final Kinds kinds;
     private final Path directory;
     private final Places places;
+    private final Predicate<Position> link;
     private final List<SiteCandidate> all = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
 
@@ -46,6 +49,7 @@ final class CandidatesOnSite {
         this.kinds = kinds;
         this.directory = directory;
         this.places = new Places(present.world(), () -> runner.world(present).newGround());
+        this.link = link(settings, present, runner);
         settings.keep().forEach(this::keep);
         settings.candidates().forEach(this::offer);
     }
@@ -69,7 +73,11 @@ final class CandidatesOnSite {
             throw new InputException(OFFERS + name + ": has no place: needs 'places', a 'line' or an 'area'");
         }
         int width = String.valueOf(positions.size()).length();
+        int before = all.size();
         for (int place = 0; place < positions.size(); place++) {
+            if (!link.test(positions.get(place))) {
+                continue;
+            }
             SensorSettings<?> sensor = sensor(OFFERS + name, offer.sensor(), positions.get(place));
             String number = String.format(Locale.ROOT, "%s-%0" + width + "d", name, place + 1);
             for (int aim = 0; aim < offer.aims(); aim++) {
@@ -79,6 +87,20 @@ final class CandidatesOnSite {
                 add(OFFERS + name, new SiteCandidate(candidate, turned(OFFERS + name, sensor, aim, offer.aims())));
             }
         }
+        if (all.size() == before) {
+            throw new InputException(OFFERS + name + ": none of its places has a line of sight to conditions.base");
+        }
+    }
+
+    /** Which places have a line of sight to the base station: all if there is none. */
+    private static Predicate<Position> link(PlaceSettings settings, SceneSettings present, SceneRunner runner) {
+        return settings.conditions()
+                .base()
+                .<Predicate<Position>>map(base -> {
+                    Visibility visibility = new Visibility(runner.world(present));
+                    return place -> visibility.isFree(place, base);
+                })
+                .orElse(place -> true);
     }
 
     private List<Position> positions(String path, OfferSettings offer) {

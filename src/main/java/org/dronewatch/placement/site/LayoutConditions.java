@@ -1,6 +1,7 @@
 package org.dronewatch.placement.site;
 
 import java.util.Optional;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -12,17 +13,21 @@ import org.dronewatch.setting.Quantity;
  * @param atMost maximum number of its sensors, including those that are kept; any number by default
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default
  * @param anyoneLost what must remain covered after the loss of the sensor whose loss is worst
+ * @param base position of a base station: places without a line of sight to it, as for a radio link, are left out, m;
+ *     any place by default
  */
 public record LayoutConditions(
         @In(value = Quantity.NUMBER, from = 1, to = 1000) Optional<Integer> atMost,
         @In(value = Quantity.NUMBER, from = 1, to = 10) int fold,
-        Optional<LossSettings> anyoneLost) {
+        Optional<LossSettings> anyoneLost,
+        Optional<Position> base) {
     /** No condition. */
     @Defaults
-    public static final LayoutConditions NONE = new LayoutConditions(Optional.empty(), 1, Optional.empty());
+    public static final LayoutConditions NONE =
+            new LayoutConditions(Optional.empty(), 1, Optional.empty(), Optional.empty());
 
     /** Checks the limits. */
     public LayoutConditions {
-        Limits.check(LayoutConditions.class, atMost, fold, anyoneLost);
+        Limits.check(LayoutConditions.class, atMost, fold, anyoneLost, base);
     }
 }

@@ -264,6 +264,16 @@ class PlaceSearchTest {
         assertThat(east.y()).isCloseTo(0.0, within(1e-12));
     }
 
+    /** Behind the building, which is 30 m high, a base station on a mast has no link to the middle of the site. */
+    @Test
+    void placesWithoutALineOfSightToTheBaseAreLeftOut() throws IOException {
+        List<String> names = plan("budget: 5\nconditions: {base: [0, 100, 40]}\n").candidates().stream()
+                .map(SiteCandidate::name)
+                .toList();
+
+        assertThat(names).contains("radar-2", "radio-1", "radio-7", "eye-1-0").doesNotContain("radar-1", "radio-4");
+    }
+
     private static void assertPosition(SiteCandidate candidate, double x, double y, double z) {
         Position position = candidate.sensor().position();
         assertThat(position.x()).isCloseTo(x, within(1e-9));
