@@ -16,8 +16,6 @@ import org.dronewatch.sound.OctaveBands;
  * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: the Rayleigh criterion
  *     gives the coherent fraction of the reflected wave, {@code exp(-2 (k s cos t)^2)}
  * @param turbulence turbulence of the air
- * @param leastSeparation minimum distance between the two paths that is assumed when their coherence in turbulence is
- *     computed, m, 0 or more
  */
 public record GroundInterference(
         GroundImpedance ground,
@@ -27,26 +25,12 @@ public record GroundInterference(
         double sourceHeight,
         double receiverHeight,
         double unevenness,
-        TurbulentCoherence turbulence,
-        double leastSeparation) {
+        TurbulentCoherence turbulence) {
     /** In each part of a band Q and coherence are taken as constant; the phase of the path difference is integrated. */
     private static final int PARTS = 24;
 
     /** Decades of an octave band (IEC 61260-1, base ten). */
     private static final double OCTAVE = 0.3;
-
-    /** Interference with straight rays, or rays that bend down, whose distance follows from their heights. */
-    public GroundInterference(
-            GroundImpedance ground,
-            double soundSpeed,
-            double direct,
-            double reflected,
-            double sourceHeight,
-            double receiverHeight,
-            double unevenness,
-            TurbulentCoherence turbulence) {
-        this(ground, soundSpeed, direct, reflected, sourceHeight, receiverHeight, unevenness, turbulence, 0.0);
-    }
 
     /**
      * The mean energy in a band.
@@ -85,7 +69,7 @@ public record GroundInterference(
         double size = q.absolute();
         double difference = reflected - direct;
         double uneven = unevenness * cosine;
-        double apart = Math.max(leastSeparation, TurbulentCoherence.separation(sourceHeight, receiverHeight));
+        double apart = TurbulentCoherence.separation(sourceHeight, receiverHeight);
         double coherence =
                 Math.exp(-waveNumber * waveNumber * (turbulence.exponent(direct, apart) + 2.0 * uneven * uneven));
         double phase = waveNumber * difference + Math.atan2(q.im(), q.re());

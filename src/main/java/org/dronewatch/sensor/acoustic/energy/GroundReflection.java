@@ -35,12 +35,12 @@ final class GroundReflection {
 
     /**
      * Where sound bends up, direct and reflected ray come ever closer towards the border of the shadow, and coincide
-     * there. Turbulence, which makes rays wander, still keeps them from being perfectly coherent: they count as at
-     * least this fraction of the distance at which they would pass each other in still air. From the parabolic equation
-     * in turbulent air, which gives 0.15 to 0.19 in five cases of heights, gradient and frequency
+     * there. Turbulence, which makes rays wander, still keeps them apart: they count as at least this fraction of the
+     * distance at which they would pass each other in still air, and both ends as no lower above the ground. From the
+     * parabolic equation in turbulent air, which gives 0.16 to 0.21 in five cases of heights, gradient and frequency
      * (BorderSeparationTest).
      */
-    private static final double LEAST_SEPARATION = 0.18;
+    private static final double LEAST_SEPARATION = 0.19;
 
     private final boolean isCoherent;
     private final GroundPlane plane;
@@ -112,15 +112,38 @@ final class GroundReflection {
             return 1.0 + reflected;
         }
         GroundImpedance ground = impedance == null ? GroundImpedance.RIGID : impedance;
-        return new GroundInterference(
-                        ground, air.soundSpeed(), length, length, 0.0, 0.0, 0.0, turbulence, leastSeparation())
-                .inBand(band, 1.0, reflected);
+        // Rays that graze the ground leave and arrive at one angle, and the distances are as the roots of the heights.
+        double source = Math.sqrt(Math.max(0.0, plane.firstOverGround()));
+        double sensor = Math.sqrt(Math.max(0.0, plane.secondOverGround()));
+        double scale =
+                leastSeparation() > 0.0 ? leastSeparation() / TurbulentCoherence.separation(source, sensor) : 0.0;
+        return between(ground, length, scale * source, scale * sensor, 0.0).inBand(band, 1.0, reflected);
     }
 
     /** How far apart direct and reflected sound are at least, m: only where it bends up. */
     private double leastSeparation() {
         double apart = TurbulentCoherence.separation(plane.firstOverGround(), plane.secondOverGround());
         return bendsUp && apart > 0.0 ? LEAST_SEPARATION * apart : 0.0;
+    }
+
+    /** Interference at given heights above the plane that reflects. */
+    private GroundInterference between(
+            GroundImpedance ground, double straight, double source, double sensor, double unevenness) {
+        double reflected = Math.sqrt(straight * straight + 4.0 * source * sensor);
+        return new GroundInterference(
+                ground, air.soundSpeed(), straight, reflected, source, sensor, unevenness, turbulence);
+    }
+
+    /** The interference above the plane found last, with rays at least {@link #leastSeparation} apart. */
+    private GroundInterference interference(GroundImpedance ground, double straight, double length) {
+        double source = plane.heightOfFirst();
+        double sensor = plane.heightOfSecond();
+        double raised = leastSeparation() / TurbulentCoherence.separation(source, sensor);
+        // The ground is as even as it is at the angle at which sound arrives.
+        return raised > 1.0
+                ? between(ground, straight, raised * source, raised * sensor, plane.unevenness() / raised)
+                : new GroundInterference(
+                        ground, air.soundSpeed(), straight, length, source, sensor, plane.unevenness(), turbulence);
     }
 
     /**
@@ -148,16 +171,8 @@ final class GroundReflection {
         double cosine = (plane.heightOfFirst() + plane.heightOfSecond()) / length;
         int material = plane.material();
         GroundImpedance impedance = materials.get(material).groundImpedance().orElse(null);
-        GroundInterference interference = new GroundInterference(
-                impedance == null ? GroundImpedance.RIGID : impedance,
-                air.soundSpeed(),
-                straight,
-                length,
-                plane.heightOfFirst(),
-                plane.heightOfSecond(),
-                plane.unevenness(),
-                turbulence,
-                leastSeparation());
+        GroundInterference interference =
+                interference(impedance == null ? GroundImpedance.RIGID : impedance, straight, length);
         double others = 0.0;
         double together = 0.0;
         for (int band = 0; band < BANDS; band++) {

@@ -93,6 +93,23 @@ class ShadowBorderTest {
         }
     }
 
+    /** Once rays are as close as turbulence lets them come, every band falls with distance. */
+    @ParameterizedTest
+    @CsvSource({"5, 1.5", "10, 1.5", "30, 4"})
+    void nothingRisesTowardsTheBorder(double source, double receiver) {
+        double border = Math.sqrt(2 / CURVATURE) * (Math.sqrt(source) + Math.sqrt(receiver));
+        World world = RefractionTest.flat(GRASS, RefractionTest.withGradient(-CURVATURE * SPEED));
+        EnergyReading before = null;
+        for (double share = 0.94; share < 1.05; share += 0.01) {
+            Position drone = new Position(share * border, 0, source);
+            EnergyReading here = RefractionTest.read(MODEL, world, drone, new Position(0, 0, receiver));
+            for (int band = 0; before != null && band < OctaveBands.COUNT; band++) {
+                assertThat(here.level(band)).as("%.2f, band %d", share, band).isLessThan(before.level(band));
+            }
+            before = here;
+        }
+    }
+
     /** From metre to metre through the border no band falls by more than the curve of edges alone. */
     @Test
     void noBandFallsSteeplyThroughTheBorder() {
