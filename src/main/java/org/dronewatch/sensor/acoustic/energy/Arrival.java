@@ -11,6 +11,8 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 final class Arrival {
     private final SpecularLeg leg = new SpecularLeg();
 
+    private final EnteredSolids solids = new EnteredSolids();
+
     private static final int LEGS = Connections.FROM_TARGET + 1;
 
     /** The inverse densities of the last legs, the one that ends here first. */
@@ -39,6 +41,7 @@ final class Arrival {
         ends = both;
         receiver = ofStart;
         isFromStart = true;
+        solids.clear();
         Arrays.fill(inverseDensities, Connections.NEVER);
         Arrays.fill(throughWalls, false);
         leg.begin(ray);
@@ -97,6 +100,11 @@ final class Arrival {
     /** Records that the ray passed through a wall. */
     void passThrough() {
         leg.passThrough();
+    }
+
+    /** The solids within which the ray is. */
+    EnteredSolids solids() {
+        return solids;
     }
 
     /** The leg since the ray left the start or was scattered last. */

@@ -102,7 +102,6 @@ final class BackwardRay {
         energy.fill(ends, ray.directionZ);
         ray.travelled = 0.0;
         ray.order = 0;
-        ray.medium = AcousticRay.AIR;
         fromMirror = false;
         arrival.start(ends, ofStart, ray);
     }
@@ -200,15 +199,16 @@ final class BackwardRay {
         ray.order++;
         double cosine = -along();
         arrival.meet(distance, cosine, ray.order);
-        if (ray.medium == material) {
+        if (arrival.solids().leave(material)) {
             // Out of a solid: its loss was applied on entry.
-            ray.medium = AcousticRay.AIR;
             arrival.passThrough();
             ray.standOff(normal, -1.0);
             return;
         }
         if (energy.drawTransmission(material, cosine, random)) {
-            ray.medium = surfaces.isSheet(material) ? ray.medium : material;
+            if (!surfaces.isSheet(material)) {
+                arrival.solids().enter(material);
+            }
             arrival.passThrough();
             ray.standOff(normal, -1.0);
         } else {

@@ -65,15 +65,16 @@ final class ConnectingLeg {
      *
      * @param x of the end from which it is traced, m
      * @param toX of the other end, m
-     * @param medium at the end from which it is traced
+     * @param solids within which the end lies from which it is traced
      * @param curvature of sound on it, 1/m
      */
-    boolean isOpen(double x, double y, double z, double toX, double toY, double toZ, int medium, double curvature) {
+    boolean isOpen(
+            double x, double y, double z, double toX, double toY, double toZ, EnteredSolids solids, double curvature) {
         if (!isStraight) {
             return true;
         }
         traced++;
-        return walls.trace(x, y, z, toX, toY, toZ, medium, curvature);
+        return walls.trace(x, y, z, toX, toY, toZ, solids, curvature);
     }
 
     /**

@@ -93,7 +93,7 @@ final class DiffuseConnection {
             return;
         }
         double cosine = leg.cosineAtBeginning(normal);
-        if (!(cosine > 0.0) || !isOpen(ray, images[0], images[1], images[2])) {
+        if (!(cosine > 0.0) || !isOpen(ray, arrival.solids(), images[0], images[1], images[2])) {
             return;
         }
         double distance = leg.length();
@@ -120,9 +120,9 @@ final class DiffuseConnection {
                 ends.ofTarget(), imagesOfEnd, image, ray.originX, ray.originY, ray.originZ, wallOfRay, wallOfEnd);
     }
 
-    private boolean isOpen(AcousticRay ray, double toX, double toY, double toZ) {
+    private boolean isOpen(AcousticRay ray, EnteredSolids solids, double toX, double toY, double toZ) {
         double curvature = ends.curvature(ray.originX - toX, ray.originY - toY, ray.originZ - toZ);
-        return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, ray.medium, curvature);
+        return leg.isOpen(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, solids, curvature);
     }
 
     private void join(
@@ -138,7 +138,7 @@ final class DiffuseConnection {
         }
         double here = leg.cosineAtBeginning(normal);
         double there = leg.cosineAtEnd(point.normal);
-        if (!(here > 0.0 && there > 0.0) || !isOpen(ray, point.x, point.y, point.z)) {
+        if (!(here > 0.0 && there > 0.0) || !isOpen(ray, arrival.solids(), point.x, point.y, point.z)) {
             return;
         }
         double distance = leg.length();
@@ -193,7 +193,7 @@ final class DiffuseConnection {
         double curvature = ends.curvature(start.x() - point.x, start.y() - point.y, start.z() - point.z);
         if (!(cosine > 0.0)
                 || !leg.isOpen(
-                        start.x(), start.y(), start.z(), point.x, point.y, point.z, AcousticRay.AIR, curvature)) {
+                        start.x(), start.y(), start.z(), point.x, point.y, point.z, EnteredSolids.NONE, curvature)) {
             return;
         }
         double distance = leg.length();

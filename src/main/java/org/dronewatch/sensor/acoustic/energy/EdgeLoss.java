@@ -41,6 +41,9 @@ final class EdgeLoss {
      */
     private static final double NEARLY_AS_SHORT = 0.1;
 
+    /** The square root of 3. */
+    private static final double SHORT_DETOUR = 1.7320508;
+
     /** Up to this bend, in degrees, a surface is flat: coordinates of single precision are not exactly in a plane. */
     private static final double FLAT = 0.1;
 
@@ -114,6 +117,21 @@ final class EdgeLoss {
                 past[band] = Math.min(past[band], left + (1.0 - left) * through);
             }
         }
+    }
+
+    /**
+     * What is left of sound that spreads over a long detour. The methods of diffraction let it spread over the straight
+     * line, and limit the attenuation. That holds for barriers, whose detours are short: up to {@value #SHORT_DETOUR}
+     * times the straight line (20 lg of which is the 4.77 dB of the shadow boundary) nothing is changed. From there on
+     * sound spreads over the path, so that it is never louder than what has come as far through open air.
+     *
+     * @param straight length of the straight line, above 0, m
+     * @param path length of the path round the edges, m
+     * @return 0 to 1
+     */
+    static double overDetour(double straight, double path) {
+        double left = Math.min(1.0, SHORT_DETOUR * straight / path);
+        return left * left;
     }
 
     /** How far the path found last is one over the bulge of smooth ground, and not over edges: 0 to 1. */

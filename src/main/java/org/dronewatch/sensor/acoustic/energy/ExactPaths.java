@@ -4,7 +4,6 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
-import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
@@ -73,7 +72,7 @@ final class ExactPaths {
                 sensor.x(),
                 sensor.y(),
                 sensor.z(),
-                AcousticRay.AIR,
+                EnteredSolids.NONE,
                 straightOn);
         ground.find(source, sensor, walls.isFree(), straightOn);
         specular.bend(curvature);
@@ -161,8 +160,9 @@ final class ExactPaths {
             edges.findNear(position, sensor, straightOn);
         }
         for (int band = 0; band < BANDS; band++) {
-            // The edges' loss is relative to what would arrive by the straight path; only the air attenuates over the
-            // longer one. Transmitted energy is not available for diffraction: both together never exceed the sound in
+            // The edges' loss is relative to what would arrive by the straight path. The air attenuates over the longer
+            // one, and sound spreads over it where the detour is long. Transmitted energy is not available for
+            // diffraction: both together never exceed the sound in
             // the open.
             double left = isGrazing ? edges.past(band) : edges.round(band);
             if (isAlongGround) {
@@ -173,7 +173,8 @@ final class ExactPaths {
                     * source.fraction(band)
                     * source.factor(band, edges.path().sinElevation())
                     * air.left(band, length)
-                    / (4.0 * Math.PI * straight * straight);
+                    / (4.0 * Math.PI * straight * straight)
+                    * EdgeLoss.overDetour(straight, length);
         }
         diffracted.add(length, heard);
     }

@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
-import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.ArcLine;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
@@ -21,8 +20,7 @@ final class WallTransmission {
     private final double[] passed = new double[BANDS];
     private boolean free;
 
-    /** The material within which the path is. */
-    private int within;
+    private final EnteredSolids within = new EnteredSolids();
 
     WallTransmission(World world, BandSurfaces surfaces) {
         this.visibility = Visibility.ofClearPoints(world);
@@ -32,7 +30,7 @@ final class WallTransmission {
     /**
      * Follows the arc of sound between two points through all that obstructs it.
      *
-     * @param medium number of the material in which the path begins, or {@link AcousticRay#AIR}
+     * @param solids within which the path begins
      * @param curvature of sound on it, either way, 1/m; 0 for a straight line
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this path
      */
@@ -43,11 +41,11 @@ final class WallTransmission {
             double toX,
             double toY,
             double toZ,
-            int medium,
+            EnteredSolids solids,
             double curvature) {
         Arrays.fill(passed, 1.0);
         free = true;
-        within = medium;
+        within.copy(solids);
         if (curvature == 0.0) {
             return passesPiece(fromX, fromY, fromZ, toX, toY, toZ);
         }
@@ -84,13 +82,13 @@ final class WallTransmission {
             if (!surfaces.transmits(material)) {
                 return false;
             }
-            if (within == material) {
-                within = AcousticRay.AIR;
-            } else {
+            if (!within.leave(material)) {
                 for (int band = 0; band < BANDS; band++) {
                     passed[band] *= surfaces.transmitted(material, band);
                 }
-                within = surfaces.isSheet(material) ? within : material;
+                if (!surfaces.isSheet(material)) {
+                    within.enter(material);
+                }
             }
             found = visibility.findNext();
         }

@@ -3,12 +3,16 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import org.dronewatch.world.Visibility;
 
 /**
- * Where walls meet, rounding decides on which side of the other walls a point in one of them lies. This class tests
- * points slightly away from there. One per thread.
+ * Where walls meet, rounding decides on which side of the other walls a point in one of them lies, and where two
+ * surfaces of one plane lie upon each other, which of them is met. This class tests points slightly away from there, or
+ * moved to the nearest point of a grid. One per thread.
  */
 final class Corners {
     /** How far away, as a multiple of the planes' tolerance. */
     static final double BESIDE = 30.0;
+
+    /** Points per metre of the grid, a power of two: about a micrometre. */
+    private static final double GRID = 1 << 20;
 
     private final WallPlanes planes;
     private final Visibility visibility;
@@ -54,6 +58,30 @@ final class Corners {
     /** The part of a vector that is not longer than a step, nor than half of it. */
     private static double part(double step, double x, double y, double z) {
         return Math.min(0.5, step / Math.sqrt(x * x + y * y + z * z));
+    }
+
+    /**
+     * Of several triangles that lie upon each other in one plane, the same one for all paths that are reflected at a
+     * point, from either end: rounding would make that a matter of the direction.
+     *
+     * @param triangle one of them
+     * @param wall the plane
+     * @param x of the point, m
+     * @param seenX of a point on the side from which the plane is seen, m
+     */
+    int uppermost(int triangle, int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
+        double off = Math.copySign(BESIDE * planes.tolerance(), planes.height(wall, seenX, seenY, seenZ));
+        double nx = off * planes.normal(wall, 0);
+        double ny = off * planes.normal(wall, 1);
+        double nz = off * planes.normal(wall, 2);
+        boolean found = visibility.findFirstAlong(
+                onGrid(x) + nx, onGrid(y) + ny, onGrid(z) + nz, -2.0 * nx, -2.0 * ny, -2.0 * nz, 1.0);
+        return found && planes.wallOf(visibility.triangle()) == wall ? visibility.triangle() : triangle;
+    }
+
+    /** The nearest multiple of a length that is far above the rounding of a point and far below the tolerance. */
+    private static double onGrid(double coordinate) {
+        return Math.rint(coordinate * GRID) / GRID;
     }
 
     /**

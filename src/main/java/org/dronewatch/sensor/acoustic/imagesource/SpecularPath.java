@@ -217,7 +217,9 @@ public final class SpecularPath {
         int triangle = visibility.triangle();
         int met = planes.wallOf(triangle);
         if (met == to) {
-            return triangle;
+            return planes.isMixed(to)
+                    ? corners.uppermost(triangle, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
+                    : triangle;
         }
         if (met == WallPlanes.NONE || !planes.meet(met, to)) {
             return -1;

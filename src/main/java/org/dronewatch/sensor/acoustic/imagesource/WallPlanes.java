@@ -50,6 +50,7 @@ public final class WallPlanes {
     private final double[] bounds;
     private final int[] triangleOf;
     private final int[] wallOf;
+    private final boolean[] isMixed;
     private final double tolerance;
 
     /** The planes of a world, found once. */
@@ -87,6 +88,7 @@ public final class WallPlanes {
         this.planes = grouping.planes();
         this.triangleOf = grouping.triangles();
         this.bounds = bounds(mesh);
+        this.isMixed = mixed(mesh);
     }
 
     private static double size(TriangleMesh mesh) {
@@ -117,6 +119,22 @@ public final class WallPlanes {
             }
         }
         return boxes;
+    }
+
+    private boolean[] mixed(TriangleMesh mesh) {
+        boolean[] isOfSeveral = new boolean[triangleOf.length];
+        for (int triangle = 0; triangle < wallOf.length; triangle++) {
+            int wall = wallOf[triangle];
+            if (wall != NONE && mesh.material(triangle) != mesh.material(triangleOf[wall])) {
+                isOfSeveral[wall] = true;
+            }
+        }
+        return isOfSeveral;
+    }
+
+    /** Whether the triangles in a plane are of several materials: some may lie upon others. */
+    public boolean isMixed(int wall) {
+        return isMixed[wall];
     }
 
     /** The number of planes that reflect. */

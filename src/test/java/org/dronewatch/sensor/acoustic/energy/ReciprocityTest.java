@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Sound takes every path both ways (Helmholtz): a drone that sounds alike in all directions and a microphone may change
- * places. Random places in six sites; among them drones that have landed and microphones on walls. A hundred pairs in
+ * places. Random places in six sites; among them drones that have landed and microphones on walls. Seventy pairs in
  * the build, two hundred in the long form.
  */
 class ReciprocityTest {

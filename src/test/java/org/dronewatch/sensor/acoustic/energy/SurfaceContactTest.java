@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 
 import java.util.List;
@@ -23,6 +24,7 @@ class SurfaceContactTest {
     private static final EnergyModel MODEL = EnergyModel.DEFAULT.withRays(4000).withAccuracy(0.0);
     private static final Position GROUND = new Position(3, 5, 0);
     private static final Position ABOVE = new Position(30, 0, 20);
+    private static final long SEED = 20261126;
     private static final double TWICE = 10 * Math.log10(2);
 
     private static double level(World world, Position source, Position sensor) {
@@ -87,6 +89,27 @@ class SurfaceContactTest {
                     .as("standard error %.3f dB", reading.standardError())
                     .isCloseTo(gain, within(4 * reading.standardError() + 1e-3));
         }
+    }
+
+    /** Surfaces of two materials in one plane, as gravel that is flush with its roof: one counts, both ways. */
+    @Test
+    void ofTwoSurfacesUponEachOtherOneReflectsEitherWay() {
+        SurfaceMaterial slab = SurfaceMaterial.uniform("slab", 0.1, 0);
+        SurfaceMaterial gravel = SurfaceMaterial.uniform("gravel", 0.6, 0);
+        World roof = Sites.world(
+                List.of(Sites.square(50, 141.6), Sites.wall(2, 141.6, -11, 13, -9, 17)), List.of(slab, gravel));
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = 0; i < 60; i++) {
+            Position one = above(random);
+            Position other = above(random);
+            assertThat(read(roof, other, one).mirrored().get(LOWEST))
+                    .as("pair %d of seed %d", i, SEED)
+                    .isCloseTo(read(roof, one, other).mirrored().get(LOWEST), withinPercentage(1e-6));
+        }
+    }
+
+    private static Position above(SplittableRandom random) {
+        return new Position(random.nextDouble(-9, 9), random.nextDouble(-7, 7), 141.6 + random.nextDouble(1, 20));
     }
 
     @Test
