@@ -40,10 +40,8 @@ final class EndSearch {
 
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
-
     /** Maximum number of image sources from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
-
     /** Maximum number of image sources that join scattered sound to an end. */
     private static final int MOST_JOINED = 64;
 
