@@ -42,6 +42,7 @@ final class CandidatesOnSite {
     private final Predicate<Position> link;
     private final List<SiteCandidate> all = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
+    private final Set<String> kept = new HashSet<>();
 
     CandidatesOnSite(PlaceSettings settings, SceneSettings present, SceneRunner runner, Kinds kinds, Path directory) {
         this.settings = settings;
@@ -64,7 +65,10 @@ final class CandidatesOnSite {
             throw new InputException("keep: there is no enabled sensor '" + PlainText.value(id) + "'; "
                     + Spelling.closestMatches(id, sensors.keySet()));
         }
-        add("keep", new SiteCandidate(new Candidate(id, 0.0, "", "", true), sensors.get(id)));
+        // Kept sensors may stand together; whatever is exclusive may not join them.
+        String place = sensors.get(id).position().toString();
+        String taken = kept.add(place) ? place : "";
+        add("keep", new SiteCandidate(new Candidate(id, 0.0, "", taken, true), sensors.get(id)));
     }
 
     private void offer(String name, OfferSettings offer) {

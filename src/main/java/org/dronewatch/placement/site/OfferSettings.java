@@ -19,8 +19,8 @@ import org.dronewatch.setting.file.Node;
  * @param area places within a polygon, such as a roof
  * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
  *     each place, 1 to 72; 1 by default
- * @param exclusive whether at most one such sensor, of all candidates, may stand at a place; {@code false} by
- *     default
+ * @param exclusive whether at most one such sensor, of all candidates and of the sensors that are kept, may stand at a
+ *     place; {@code false} by default
  * @param atLeast minimum number of them in the layout; 0 by default
  * @param atMost maximum number of them in the layout; any number by default
  */

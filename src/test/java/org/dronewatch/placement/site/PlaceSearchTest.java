@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -262,6 +263,23 @@ class PlaceSearchTest {
                 .from(new Position(0, 0, 0));
         assertThat(east.x()).isCloseTo(1.0, within(1e-12));
         assertThat(east.y()).isCloseTo(0.0, within(1e-12));
+    }
+
+    /** The sensor that is kept stands where the first radar would. */
+    @Test
+    void anExclusivePlaceIsTakenByASensorThatIsKept() throws IOException {
+        Path file = PlacedSite.in(directory, "budget: 2\nkeep: [round]\n");
+        String text = Files.readString(file);
+        List<Boolean> isAllowed = new ArrayList<>();
+        for (String exclusive : List.of("false", "true")) {
+            Files.writeString(file, text.replace("price: 2\n", "price: 2\n    exclusive: " + exclusive + "\n"));
+            PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
+            assertThat(plan.candidates().subList(0, 2).stream().map(SiteCandidate::name))
+                    .containsExactly("round", "radar-1");
+            isAllowed.add(found(plan).problem().isAllowed(List.of(0, 1)));
+        }
+
+        assertThat(isAllowed).containsExactly(true, false);
     }
 
     /** Behind the building, which is 30 m high, a base station on a mast has no link to the middle of the site. */
