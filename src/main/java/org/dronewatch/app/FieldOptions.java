@@ -213,7 +213,7 @@ final class FieldOptions {
                 return one;
             }
         }
-        throw new InputException(option + " " + PlainText.value(given) + ": must be " + known);
+        throw new InputException((option + " " + PlainText.value(given)).strip() + ": must be " + known);
     }
 
     private static Optional<Double> optional(Object value) {

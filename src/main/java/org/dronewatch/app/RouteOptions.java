@@ -150,8 +150,7 @@ final class RouteOptions {
                         FieldOptions.word(MODES, word.strip(), FlightMode.values(), "powered, glide or powered,glide"))
                 .toList();
         if (!asked.equals(asked.stream().distinct().sorted().toList())) {
-            throw new InputException(
-                    MODES + " " + PlainText.value(modes) + ": must be powered, glide or powered,glide");
+            throw new InputException(asked(MODES, modes) + ": must be powered, glide or powered,glide");
         }
         return Optional.of(asked);
     }

@@ -57,12 +57,16 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
                 .toArray());
     }
 
-    /** The same if what a look adds were spread evenly over the time since the look before, for pictures. */
+    /**
+     * The mean exposure if what a look adds were spread evenly over the time since the look before, for pictures of
+     * where a drone is exposed.
+     */
     double spreadUntil(double time) {
-        return ofMean(flights.stream()
+        return flights.stream()
                 .mapToDouble(looks ->
                         looks.stream().mapToDouble(look -> look.spreadBy(time)).sum())
-                .toArray());
+                .average()
+                .orElseThrow();
     }
 
     /**

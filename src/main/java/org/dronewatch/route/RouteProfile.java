@@ -68,7 +68,7 @@ public record RouteProfile(List<RoutePoint> points) {
     RouteProfile with(FlownExposure flown) {
         return new RouteProfile(points.stream()
                 .map(point -> point.withExposure(
-                        point == end() ? flown.until(Double.POSITIVE_INFINITY) : flown.spreadUntil(point.time())))
+                        point == end() ? flown.spreadUntil(Double.POSITIVE_INFINITY) : flown.spreadUntil(point.time())))
                 .toList());
     }
 

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.sensor.Cause;
 
 /**
@@ -100,6 +102,11 @@ public record SectorRoute(
         return Math.abs(looks.detectionByFastLooks(until) - estimate) > MISJUDGED / 2;
     }
 
+    /** The probability that it is detected up to a time, inclusive, s since it begins; 0 to 1. */
+    public double detectionUntil(double time) {
+        return flown.map(looks -> looks.detection(time)).orElseGet(() -> -Math.expm1(-searched.exposureUntil(time)));
+    }
+
     /** By sensor, the exposure along the whole route: as it is flown if that is known. */
     public Map<String, Double> sensors() {
         return flown.map(FlownExposure::bySensor).orElse(bySensor);
@@ -117,7 +124,15 @@ public record SectorRoute(
 
     /** Where it begins, turns and ends. */
     public List<RoutePoint> corners() {
-        return searched.points().stream().filter(RoutePoint::isCorner).toList();
+        List<RoutePoint> corners =
+                searched.points().stream().filter(RoutePoint::isCorner).toList();
+        // The flight has no leg that is shorter than a leg can be, and neither has this list.
+        return IntStream.range(0, corners.size())
+                .filter(i -> i == corners.size() - 1
+                        || corners.get(i).position().distance(corners.get(i + 1).position())
+                                >= FlightPathSettings.SHORTEST)
+                .mapToObj(corners::get)
+                .toList();
     }
 
     /** The last moment at which a detection leaves the time that a response takes, s since the start; 0 or more. */

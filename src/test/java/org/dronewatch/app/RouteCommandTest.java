@@ -279,6 +279,7 @@ class RouteCommandTest {
                 "--modes=powered,glide|2",
                 "--modes=glide,powered|2",
                 "--modes=swim|2",
+                "--modes=|2",
                 "--stopped=1.1|2",
                 "--proof=0|2",
                 "--drone=two|2",
@@ -298,6 +299,7 @@ class RouteCommandTest {
         assertThat(other.code()).as(other.err()).isEqualTo(code);
         assertThat(other.out().contains("no detection can be in time")).isEqualTo(option.equals("--response=100"));
         if (code == 2) {
+            assertThat(other.err()).doesNotContain(" : ");
             assertThat(other.complaints()).hasSize(1);
             assertThat(other.err()).doesNotContain("--set alert");
             assertThat(directory.resolve(name)).doesNotExist();

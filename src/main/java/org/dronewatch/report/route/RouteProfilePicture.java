@@ -34,8 +34,9 @@ final class RouteProfilePicture {
                 .toArray();
         double[] flight =
                 points.stream().mapToDouble(point -> point.position().z()).toArray();
+        // The probabilities of the table: looks count when they are taken, and are not spread as on the plan.
         double[] detected = points.stream()
-                .mapToDouble(point -> -100.0 * Math.expm1(-point.exposure()))
+                .mapToDouble(point -> 100.0 * route.detectionUntil(point.time()))
                 .toArray();
         XYSeries below = chart.addSeries("ground", distances, ground);
         below.setMarker(SeriesMarkers.NONE).setLineColor(GROUND).setFillColor(GROUND);

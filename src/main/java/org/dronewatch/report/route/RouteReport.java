@@ -47,7 +47,7 @@ final class RouteReport {
      */
     void write(OutputStream target, Collection<Figure> figures, Map<String, String> provenance) throws IOException {
         Page page = new Page(target, inputs.scene() + ": route report", inputs.scene() + ": weakest routes");
-        page.verdict(words.weakest(survey));
+        page.verdict(words.weakest(results));
         page.section(
                 "The routes",
                 introduction()
@@ -85,6 +85,10 @@ final class RouteReport {
                         + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"
                         + " cell; 'time left' is the time between the typical (median) first detection and the drone's"
                         + " arrival"
+                        + (results.timely().isEmpty()
+                                ? ""
+                                : "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"
+                                        + " where the times of the flight and of the response vary by 30 %")
                         + (RouteWords.mayGlide(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
                         + ". No route can have less exposure"
                         + " in the search than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"

@@ -53,7 +53,7 @@ public final class RouteTable {
         }
         lines.add("");
         RouteWords words = new RouteWords(inputs);
-        lines.add(words.weakest(survey));
+        lines.add(words.weakest(results));
         words.begins(survey).ifPresent(lines::add);
         words.withoutAlert(results).ifPresent(lines::add);
         words.tooShort(survey).ifPresent(text -> lines.add("warning: " + text));

@@ -2,10 +2,12 @@ package org.dronewatch.report.route;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.Numbers;
@@ -26,9 +28,11 @@ final class RouteWords {
     }
 
     /** The weakest of all routes in a sentence or two. */
-    String weakest(RouteSurvey survey) {
+    String weakest(RouteResults results) {
+        RouteSurvey survey = results.survey();
         return survey.weakest()
-                .map(route -> "The weakest route comes " + from(route, survey) + ": " + detected(route) + ".")
+                .map(route -> "The weakest route comes " + from(route, survey) + ": " + detected(route)
+                        + inTime(route, results) + ".")
                 .orElseGet(() -> survey.routes().isEmpty()
                         ? "No route leads to " + inputs.targetInWords() + "."
                         : "No route is the weakest, because all begin where they end: the area in which they begin is at "
@@ -102,9 +106,9 @@ final class RouteWords {
      * States that it is not known whether an alert comes in time; empty if it is known, or if no response is required.
      */
     Optional<String> withoutAlert(RouteResults results) {
-        return inputs.response() > 0.0
-                        && results.timely().isEmpty()
-                        && !results.survey().routes().isEmpty()
+        boolean isFlight = results.survey().routes().stream()
+                .anyMatch(route -> route.route().seconds() > 0.0);
+        return inputs.response() > 0.0 && results.timely().isEmpty() && isFlight
                 ? Optional.of("The probability that an alert comes in time cannot be computed "
                         + (inputs.isCued()
                                 ? "where sensors on positioners count as cued: flights have no cues."
@@ -154,12 +158,35 @@ final class RouteWords {
         if (route.mostExposedTo().isEmpty()) {
             return "no sensor detects the drone on it";
         }
-        String sensor = route.mostExposedTo().get();
-        String by = route.sensors().size() == 1
-                ? "by " + sensor
-                : route.share(sensor) > 0.995 ? "only by " + sensor : "mostly by " + sensor;
         return "the drone is detected with a probability of " + percent(route.detection()) + ", typically "
-                + when(route) + "; " + by;
+                + when(route) + "; " + by(route);
+    }
+
+    /** The sensor that contributes most, and the next one if it contributes no more than half. */
+    private static String by(SectorRoute route) {
+        String sensor = route.mostExposedTo().orElseThrow();
+        if (route.sensors().size() == 1) {
+            return "by " + sensor;
+        }
+        if (route.share(sensor) > 0.5) {
+            return (route.share(sensor) > 0.995 ? "only by " : "mostly by ") + sensor;
+        }
+        return "by "
+                + route.sensors().keySet().stream()
+                        .sorted(Comparator.comparingDouble(one -> -route.share(one)))
+                        .limit(2)
+                        .map(one -> one + " (" + percent(route.share(one)) + ")")
+                        .collect(Collectors.joining(" and "));
+    }
+
+    /** The probabilities that decide which route is the weakest, and whether it is met in time. */
+    private String inTime(SectorRoute route, RouteResults results) {
+        if (inputs.response() == 0.0 || route.mostExposedTo().isEmpty()) {
+            return "";
+        }
+        Double alert = results.timely().get(route.sector());
+        return ". It is detected in time with a probability of " + percent(route.inTime(inputs.response()))
+                + (alert == null ? "" : ", and an alert comes in time with a probability of " + percent(alert));
     }
 
     /** When the drone is typically detected, compared with the response. */

@@ -1,0 +1,139 @@
+package org.dronewatch.report.route;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.fusion.ProtectedZone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.route.FlownExposure;
+import org.dronewatch.route.RouteMode;
+import org.dronewatch.route.RoutePath;
+import org.dronewatch.route.RoutePoint;
+import org.dronewatch.route.RouteProfile;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.TimeToGo;
+import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A route of 30 s with one look after 10 s, which is in time for a response of 15 s, and what is said of it. */
+class RouteWordsTest {
+    private static final Position START = new Position(0, 300, 30);
+    private static final Position END = new Position(0, 0, 30);
+
+    @TempDir
+    private Path directory;
+
+    private FieldSite site;
+    private RouteInputs inputs;
+
+    @BeforeEach
+    void load() throws IOException {
+        site = FieldSite.in(
+                directory,
+                """
+                  slow: {kind: radar, position: [0, 0, 4], rate: 0.2, minRange: 1, maxRange: 100, elevationWidth: 90 deg,
+                    budget: {range: 500, crossSection: 0.01}, minSpeed: 0 m/s}
+                """);
+        SceneSettings settings = SettingsForm.with(
+                site.settings(), "alert", site.settings().alert().withProtectedZone(ProtectedZone.at(END), 15.0));
+        inputs = new RouteInputs(
+                "site",
+                FieldSite.DRONE,
+                settings,
+                site.stage().protection(),
+                new FieldGrid(0.0, 0.0, 600.0, 20.0, List.of(30.0)),
+                FieldTerms.Turning.SEARCH,
+                Optional.empty(),
+                Optional.empty());
+    }
+
+    private static SectorRoute route(
+            Map<String, Double> bySensor, double searched, List<List<FlownExposure.Step>> flown) {
+        RoutePath path = new RoutePath(List.of(START, END), List.of(0));
+        RouteProfile profile = new RouteProfile(List.of(
+                new RoutePoint(0, 0, START, 30, 0, 0, true), new RoutePoint(30, 300, END, 30, 0, searched, true)));
+        return new SectorRoute(
+                0,
+                new WeakestRoute(path, searched, 0, 30),
+                profile,
+                bySensor,
+                Map.of(),
+                Optional.of(new FlownExposure(flown, bySensor)));
+    }
+
+    private RouteResults results(SectorRoute route, Map<Integer, Double> timely) {
+        RouteSurvey survey = new RouteSurvey(
+                List.of(route), List.of(new RouteMode("powered", 10, 3, 3, Double.POSITIVE_INFINITY)), END, 15.0, true);
+        TimeToGo times = null;
+        return new RouteResults(survey, times, Map.of(), timely, true);
+    }
+
+    private static FlownExposure.Step look(double time, double exposure) {
+        return new FlownExposure.Step(time - 5.0, time, exposure);
+    }
+
+    @Test
+    void theVerdictStatesWhatDecides() {
+        Map<String, Double> three = new LinkedHashMap<>();
+        three.put("a", 0.30);
+        three.put("b", 0.44);
+        three.put("c", 0.26);
+        SectorRoute route = route(three, 1.0, List.of(List.of(look(10.0, 0.5), look(20.0, 0.5))));
+        String verdict = new RouteWords(inputs).weakest(results(route, Map.of(0, 0.3)));
+
+        assertThat(verdict)
+                .contains("; by b (44 %) and a (30 %)")
+                .contains(
+                        "detected in time with a probability of 39 %, and an alert comes in time with a probability of 30 %");
+        three.put("b", 0.60);
+        assertThat(new RouteWords(inputs)
+                        .weakest(results(
+                                route(three, 1.0, route.flown().orElseThrow().flights()), Map.of())))
+                .contains("mostly by b. It is detected in time with a probability of 39 %.");
+    }
+
+    /** Half of the flights are surely detected in time, and half of them surely not. */
+    @Test
+    void namesTheScanWhereItIsTheCause() {
+        SectorRoute scan =
+                route(Map.of("slow", 20.0), 10.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
+        SectorRoute cells = route(Map.of("slow", 20.0), 0.0, List.of(List.of(look(14.0, 20.0))));
+
+        assertThat(scan.inTime(15.0)).isCloseTo(0.5, within(1e-6));
+        assertThat(warning(scan))
+                .contains("'slow' may look at any moment", "every 5 s")
+                .doesNotContain("--cell");
+        assertThat(warning(cells)).contains("try --cell 10m").doesNotContain("slow");
+    }
+
+    private String warning(SectorRoute route) {
+        return new RouteWords(inputs)
+                .misjudged(results(route, Map.of()).survey())
+                .orElseThrow();
+    }
+
+    /** What the profile draws meets the line of the latest detection in time where the table says. */
+    @Test
+    void theProfileShowsTheProbabilitiesOfTheTable() {
+        SectorRoute route =
+                route(Map.of("slow", 2.0), 10.0, List.of(List.of(look(16.0, 2.0)), List.of(look(14.0, 2.0))));
+
+        assertThat(route.detectionUntil(route.critical(15.0))).isEqualTo(route.inTime(15.0));
+        assertThat(route.detectionUntil(13.9)).isZero();
+        assertThat(route.detectionUntil(30.0)).isEqualTo(route.detection());
+    }
+}
