@@ -46,6 +46,8 @@ final class RunTabs extends JTabbedPane {
         this.placing = new PlacingPanel(layout, coverage, selection);
         world.onPointed(coverage::point);
         world.setGrip(new SensorGrip(world, placing.mover()));
+        world.setOverlay(state -> layout.in(state, placing.note()));
+        layout.listen(world::redraw);
         addTab("Sensors", tables.sensors());
         addTab("Drones", tables.drones());
         addTab("Sound rays", rayPanel);

@@ -12,7 +12,6 @@ import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SiteLines;
-import org.dronewatch.render.SiteState;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
@@ -82,7 +81,6 @@ final class ViewerPane extends JPanel {
             changed = true;
         });
         playback.listen(() -> changed = true);
-        layout.listen(() -> changed = true);
         placing().onTold(status::write);
 
         down = Divided.split(JSplitPane.VERTICAL_SPLIT, cameras, tabs, 0.6);
@@ -129,8 +127,7 @@ final class ViewerPane extends JPanel {
 
     private void showTime() {
         double time = playback.time();
-        SiteState recorded = viewed.state(time, selected(), rays());
-        world().show(layout.in(recorded, placing().note()));
+        world().show(viewed.state(time, selected(), rays()));
         if (time != shownTime) {
             shownTime = time;
             cameras.show(time);

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -42,12 +43,14 @@ final class WorldPanel extends JPanel {
     private transient Orbit orbit;
     private transient WorldSettings site;
     private transient Optional<Cut> cut = Optional.empty();
+    private transient SiteState recorded;
     private transient SiteState state;
     private transient SiteStyle style = SiteStyle.DEFAULT;
     private transient Consumer<String> selection = id -> {};
     private transient Consumer<String> hint = text -> {};
     private transient Consumer<Optional<Position>> pointed = place -> {};
     private transient Grip grip = Grip.NONE;
+    private transient UnaryOperator<SiteState> overlay = UnaryOperator.identity();
 
     /** What is moved by the mouse in place of the view. */
     interface Grip {
@@ -140,10 +143,23 @@ final class WorldPanel extends JPanel {
         look(false);
     }
 
+    /** Takes what changes each state before it is drawn, as by sensors that were moved. */
+    void setOverlay(UnaryOperator<SiteState> other) {
+        overlay = other;
+    }
+
     /** Shows another state. */
     void show(SiteState next) {
-        state = next;
-        renderer.draw(next, style.withScale(density() * Scaled.factor()));
+        recorded = next;
+        redraw();
+    }
+
+    /** Draws the state anew: the overlay changes it in another way. */
+    void redraw() {
+        if (recorded != null) {
+            state = overlay.apply(recorded);
+            renderer.draw(state, style.withScale(density() * Scaled.factor()));
+        }
     }
 
     SiteStyle style() {
@@ -152,9 +168,7 @@ final class WorldPanel extends JPanel {
 
     void setStyle(SiteStyle other) {
         style = other;
-        if (state != null) {
-            show(state);
-        }
+        redraw();
     }
 
     Orbit orbit() {
