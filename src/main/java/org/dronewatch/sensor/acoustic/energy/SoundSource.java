@@ -8,6 +8,9 @@ import org.dronewatch.sound.Levels;
 
 /** The sound source of a drone: its position, sound power levels and directivity. */
 public final class SoundSource {
+    /** The radius of a small drone, m. */
+    private static final double SIZE = 0.1;
+
     private final Position position;
     private final double[] power;
     private final EmissionPattern pattern;
@@ -81,12 +84,14 @@ public final class SoundSource {
     }
 
     /**
-     * Intensity in a band over the source's power, 1/m2: spread over the sphere and attenuated by the air.
+     * Intensity in a band over the source's power, 1/m2: spread over the sphere and attenuated by the air. Nearer than
+     * {@value #SIZE} m it does not increase any more: a drone is not a point.
      *
      * @param rise sine of the elevation at which the sound leaves
      * @param length length of the path, m
      */
     double spread(Air air, int band, double rise, double length) {
-        return fraction(band) * factor(band, rise) * air.left(band, length) / (4.0 * Math.PI * length * length);
+        double radius = Math.max(SIZE, length);
+        return fraction(band) * factor(band, rise) * air.left(band, length) / (4.0 * Math.PI * radius * radius);
     }
 }

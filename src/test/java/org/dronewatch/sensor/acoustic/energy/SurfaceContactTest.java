@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
+import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -110,6 +111,13 @@ class SurfaceContactTest {
 
     private static Position above(SplittableRandom random) {
         return new Position(random.nextDouble(-9, 9), random.nextDouble(-7, 7), 141.6 + random.nextDouble(1, 20));
+    }
+
+    @Test
+    void aDroneAtTheMicrophoneIsNoLouderThanAtItsOwnRadius() {
+        double near = level(Sites.open(), ABOVE, new Position(30, 0.1, 20));
+        assertThat(near).isCloseTo(LW - 10 * Math.log10(4 * Math.PI * 0.01), within(0.01));
+        assertThat(level(Sites.open(), ABOVE, ABOVE)).isCloseTo(near, within(0.01));
     }
 
     @Test
