@@ -71,7 +71,7 @@ public final class FrontSearch {
         return solver.solve(new PlacementProblem(problem.table(), problem.objective(), conditions), limits);
     }
 
-    /** Without layouts that a cheaper one equals; a bound for more money holds for less, too. */
+    /** Without layouts that cover nothing or that a cheaper one equals; a bound for more money holds for less, too. */
     private List<FrontPoint> points(List<SitePlacement> layouts, List<Double> budgets) {
         double[] bounds = new double[layouts.size()];
         double least = Double.POSITIVE_INFINITY;
@@ -86,7 +86,10 @@ public final class FrontSearch {
                     points.isEmpty() ? null : points.get(points.size() - 1).layout();
             boolean isLast = at == layouts.size() - 1;
             SitePlacement bounded = layouts.get(at).within(bounds[at]);
-            if (before == null || bounded.result().value() > before.result().value()) {
+            boolean isBetter = before == null
+                    ? bounded.value() > 0.0
+                    : bounded.result().value() > before.result().value();
+            if (isBetter || before == null && isLast) {
                 points.add(point(budgets.get(at), before, bounded, sectors));
             } else if (isLast) {
                 points.set(points.size() - 1, closing(points.get(points.size() - 1), bounded));
