@@ -19,11 +19,15 @@ import org.dronewatch.scene.SceneRunner;
 
 /** Flies the routes that were found: every look along them is assessed and, if asked for, many seeds are run. */
 final class RouteFlights {
+    /** The most runs of each route with cues: all of these are whole runs, which take long. */
+    private static final int MOST_CUED = 100;
+
     private final SceneRunner runner;
     private final RouteInputs inputs;
     private final Interruption interruption;
     private final TaskProgress shown;
     private final Map<Integer, FlownRoute> flown = new LinkedHashMap<>();
+    private final Map<Integer, SceneSettings> scenes = new LinkedHashMap<>();
     private final Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
     private final Map<Integer, Double> timely = new LinkedHashMap<>();
 
@@ -59,6 +63,7 @@ final class RouteFlights {
                 }
                 return all;
             });
+            flyWithCues(runs);
         } catch (CancellationException e) {
             if (!interruption.happened() || assessed.isEmpty()) {
                 throw e;
@@ -68,6 +73,20 @@ final class RouteFlights {
         return new RouteResults(survey.with(assessed, true), times, proofs, timely, survey.isComplete());
     }
 
+    /** Flies some of the proved flights again with cues, if these can make a difference. */
+    private void flyWithCues(int runs) {
+        int cued = RouteProof.hasCues(inputs.settings()) ? Math.min(runs, MOST_CUED) : 0;
+        if (cued > 0) {
+            shown.during("flights with cues", (long) cued * proofs.size(), progress -> {
+                proofs.replaceAll((sector, proof) -> {
+                    SceneSettings scene = scenes.get(sector);
+                    return proof.with(RouteProof.withCues(scene, runner.load(scene), cued, progress));
+                });
+                return cued;
+            });
+        }
+    }
+
     private SectorRoute assess(SectorRoute route, RouteSurvey survey, int estimates) {
         Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
         if (scene.isEmpty()) {
@@ -75,6 +94,7 @@ final class RouteFlights {
         }
         FlownRoute flight = FlownRoute.of(scene.get(), runner.load(scene.get()), estimates);
         flown.put(route.sector(), flight);
+        scenes.put(route.sector(), scene.get());
         if (inputs.isCued()) {
             // Flights have no cues: where positioners count as cued, the search alone knows what they see.
             return route;

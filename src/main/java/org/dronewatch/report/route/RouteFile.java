@@ -88,6 +88,10 @@ final class RouteFile {
         node.put("high", Numbers.rounded(proof.interval().high()));
         node.put("predicted", Numbers.rounded(proof.predicted()));
         node.put("agrees", proof.agrees());
+        proof.cued().ifPresent(cued -> {
+            node.put("cued_runs", cued.of());
+            node.put("cued_k", cued.count());
+        });
     }
 
     private static void add(ObjectNode node, RoutePoint point, RouteSurvey survey) {

@@ -175,14 +175,18 @@ final class RouteReport {
                         RouteWords.percent(proof.interval().low()) + " to "
                                 + RouteWords.percent(proof.interval().high()),
                         RouteWords.percent(proof.predicted()),
-                        proof.agrees() ? "yes" : "no"));
+                        proof.agrees() ? "yes" : "no",
+                        proof.cued()
+                                .map(cued -> cued.count() + " of " + cued.of())
+                                .orElse("-")));
             }
         }
         return Html.plain(
                         "p",
                         "Each route was flown with many seeds, with sensors on positioners only searching. The"
-                                + " prediction follows from all looks at the drone during such a flight.")
-                + Html.table(List.of("from", "detected", "99 % interval", "predicted", "agrees"), rows);
+                                + " prediction follows from all looks at the drone during such a flight. Where sensors are on positioners,"
+                                + " up to 100 of these runs are repeated with all cues.")
+                + Html.table(List.of("from", "detected", "99 % interval", "predicted", "agrees", "with cues"), rows);
     }
 
     private List<String> scope(SensorTables sensors) {

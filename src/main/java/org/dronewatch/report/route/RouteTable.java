@@ -13,7 +13,8 @@ import org.dronewatch.route.SiteRoutes;
 /** The table of the weakest routes, one for each sector, and the weakest of all in words. */
 public final class RouteTable {
     private static final String ROW = "%-11s  %8s  %16s  %11s  %8s  %8s  %10s";
-    private static final String PROOF = "%-11s  %16s  %22s  %10s  %s";
+    private static final String PROOF = "%-11s  %16s  %22s  %10s  %6s";
+    private static final String CUED = "  %12s";
     private static final String IN_TIME = "  %10s  %13s";
     private static final String GLIDE = "  %10s";
     private static final String ALERT = "  %13s";
@@ -98,17 +99,24 @@ public final class RouteTable {
 
     private static List<String> proofs(RouteResults results) {
         List<String> lines = new ArrayList<>();
-        lines.add("flown with many seeds, positioners searching:");
-        lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees"));
+        boolean isCued = results.proofs().values().stream()
+                .anyMatch(proof -> proof.cued().isPresent());
+        lines.add("flown with many seeds, positioners searching" + (isCued ? ", and with cues:" : ":"));
+        lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees")
+                + (isCued ? text(CUED, "with cues") : ""));
         results.proofs()
                 .forEach((sector, proof) -> lines.add(text(
-                        PROOF,
-                        RouteWords.sector(sector),
-                        proof.detections().count() + " of " + proof.detections().of(),
-                        RouteWords.percent(proof.interval().low()) + " to "
-                                + RouteWords.percent(proof.interval().high()),
-                        RouteWords.percent(proof.predicted()),
-                        proof.agrees() ? "yes" : "no")));
+                                PROOF,
+                                RouteWords.sector(sector),
+                                proof.detections().count() + " of "
+                                        + proof.detections().of(),
+                                RouteWords.percent(proof.interval().low()) + " to "
+                                        + RouteWords.percent(proof.interval().high()),
+                                RouteWords.percent(proof.predicted()),
+                                proof.agrees() ? "yes" : "no")
+                        + proof.cued()
+                                .map(cued -> text(CUED, cued.count() + " of " + cued.of()))
+                                .orElse("")));
         return lines;
     }
 

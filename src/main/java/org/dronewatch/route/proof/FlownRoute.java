@@ -189,7 +189,7 @@ public final class FlownRoute {
         int count =
                 (int) IntStream.range(0, runs).filter(run -> isDetected[run]).count();
         int plain = (int) IntStream.range(0, runs).filter(RouteProof::isPlain).count();
-        return new RouteProof(predicted(runs), bySensor(), new Proportion(count, runs), plain);
+        return new RouteProof(predicted(runs), bySensor(), new Proportion(count, runs), plain, Optional.empty());
     }
 
     private Flight ofRun(int run) {

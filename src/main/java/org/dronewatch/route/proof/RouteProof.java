@@ -26,8 +26,10 @@ import org.dronewatch.statistics.Proportion;
  * @param bySensor the same by sensor, as if it were the only one
  * @param detections runs that detected it, of all runs
  * @param plain how many of these, evenly spread, a plain run repeated
+ * @param cued with all cues, runs that detected it, of the first of these runs; empty if none were flown
  */
-public record RouteProof(double predicted, Map<String, Double> bySensor, Proportion detections, int plain) {
+public record RouteProof(
+        double predicted, Map<String, Double> bySensor, Proportion detections, int plain, Optional<Proportion> cued) {
     /** The confidence of the interval. */
     public static final double CONFIDENCE = 0.99;
 
@@ -93,6 +95,11 @@ public record RouteProof(double predicted, Map<String, Double> bySensor, Proport
         int count =
                 (int) IntStream.range(0, runs).filter(run -> isDetected[run]).count();
         return new Proportion(count, runs);
+    }
+
+    /** The same proof, with what {@link #withCues} has counted. */
+    public RouteProof with(Proportion flownWithCues) {
+        return new RouteProof(predicted, bySensor, detections, plain, Optional.of(flownWithCues));
     }
 
     /** Whether cues can make a difference at all: whether a sensor is on a positioner. */

@@ -23,8 +23,10 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.TimeToGo;
 import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -104,6 +106,21 @@ class RouteWordsTest {
                         .weakest(results(
                                 route(three, 1.0, route.flown().orElseThrow().flights()), Map.of())))
                 .contains("mostly by b. It is detected in time with a probability of 39 %.");
+    }
+
+    @Test
+    void theTableStatesTheProofWithCues() {
+        SectorRoute route = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
+        RouteProof proof = new RouteProof(0.6, Map.of("slow", 0.6), new Proportion(31, 50), 3, Optional.empty());
+        RouteResults results = results(route, Map.of());
+        RouteResults without = new RouteResults(results.survey(), results.times(), Map.of(0, proof), Map.of(), true);
+        RouteResults with = new RouteResults(
+                results.survey(), results.times(), Map.of(0, proof.with(new Proportion(33, 50))), Map.of(), true);
+
+        assertThat(RouteTable.lines(without, inputs)).noneMatch(line -> line.contains("with cues"));
+        assertThat(RouteTable.lines(with, inputs))
+                .anyMatch(line -> line.endsWith("agrees     with cues"))
+                .anyMatch(line -> line.contains("31 of 50") && line.endsWith("33 of 50"));
     }
 
     /** Half of the flights are surely detected in time, and half of them surely not. */
