@@ -55,7 +55,7 @@ final class PlacingPanel extends JPanel {
         this.mover = new SensorMover(layout, this::tell);
         JPanel rows = new JPanel(new GridLayout(0, 1));
         rows.add(CoverageForm.row(
-                CoverageForm.named("Sensor", sensors, "The sensor that is placed"), sensors, undo, reset, save));
+                CoverageForm.named("Sensor", sensors, "The sensor that is placed"), sensors, undo, reset));
         rows.add(CoverageForm.row(
                 CoverageForm.named("East (m)", east, "Distance east of the origin"),
                 east,
@@ -67,7 +67,8 @@ final class PlacingPanel extends JPanel {
                 CoverageForm.named("Azimuth (deg)", azimuth, "Direction of the axis, clockwise from north"),
                 azimuth,
                 CoverageForm.named("Tilt (deg)", tilt, "Angle of the axis above the horizon, negative below it"),
-                tilt));
+                tilt,
+                save));
         JPanel texts = new JPanel(new BorderLayout(0, Scaled.px(4)));
         texts.setBorder(BorderFactory.createEmptyBorder(Scaled.px(4), Scaled.px(8), 0, Scaled.px(8)));
         texts.add(said, BorderLayout.NORTH);

@@ -13,6 +13,7 @@ import javax.imageio.ImageIO;
 import org.dronewatch.app.Main;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.viewer.PaintedWindow;
 
@@ -98,6 +99,17 @@ final class DocPictures {
                             List.of("10, 30", "400", "8"),
                             0,
                             Optional.of("microphone"),
+                            WIDTH,
+                            HEIGHT),
+                    true),
+            new DocPicture(
+                    "viewer-placing",
+                    directory -> PaintedWindow.placing(
+                            new SceneRunner(scene("multi-sensor")).set("sensors.microphone.enabled", "false"),
+                            "multi-sensor",
+                            List.of("10", "400", "4"),
+                            "south-east-2",
+                            List.of(60.0, -45.0, 12.0),
                             WIDTH,
                             HEIGHT),
                     true));

@@ -53,6 +53,28 @@ public final class PaintedWindow {
         return at(0.0, runner, scene.name(), width, paintedHeight, List.of(compute, choose, point));
     }
 
+    /**
+     * Computes the coverage of a scene, which runs for a moment only, moves a sensor, and paints the window with the
+     * coverage that was drawn anew.
+     *
+     * @param form the heights, the side and the cell, as the user writes them
+     * @param to where the sensor is moved: east, north, above what is below it, m
+     */
+    public static BufferedImage placing(
+            SceneRunner runner, String title, List<String> form, String sensor, List<Double> to, int width, int height)
+            throws Exception {
+        Step compute = pane -> {
+            pane.coverage().form().set(form.get(0), form.get(1), form.get(2));
+            pane.showCoverage();
+        };
+        Step move = pane -> {
+            pane.tabs().setSelectedComponent(pane.placing());
+            pane.select(sensor);
+            pane.placing().mover().place(to.get(0), to.get(1), to.get(2));
+        };
+        return at(0.0, runner.set("run.duration", "0.2 s"), title, width, height, List.of(compute, move));
+    }
+
     /** What a user does, on the event thread. */
     private interface Step {
         void on(ViewerPane pane);
