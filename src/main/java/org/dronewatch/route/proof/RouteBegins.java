@@ -1,6 +1,7 @@
 package org.dronewatch.route.proof;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -38,11 +39,10 @@ public final class RouteBegins {
 
     /** The name of the sensor with the longest period; empty if all sensors look often. */
     public static Optional<String> slowest(Map<String, SensorSettings<?>> sensors) {
-        double longest = period(sensors.values());
         return sensors.entrySet().stream()
-                .filter(sensor -> longest > SHORT && period(sensor.getValue()) == longest)
-                .map(Map.Entry::getKey)
-                .findFirst();
+                .filter(sensor -> period(sensor.getValue()) > SHORT)
+                .max(Comparator.comparingDouble(sensor -> period(sensor.getValue())))
+                .map(Map.Entry::getKey);
     }
 
     private static double period(SensorSettings<?> sensor) {
