@@ -99,7 +99,7 @@ public record Variation(
 
     /** A value with its unit, and with as many digits as are needed to repeat a case by hand. */
     private static String written(Quantity quantity, double value) {
-        // Angles are the only ones shown in another unit than they are kept in.
+        // Angles are the only ones shown in a unit other than that in which they are kept.
         double shown = quantity.unit().equals(quantity.displayUnit()) ? value : Math.toDegrees(value);
         BigDecimal rounded = new BigDecimal(shown).round(WRITTEN).stripTrailingZeros();
         return (rounded.toPlainString() + " " + quantity.displayUnit()).strip();

@@ -15,13 +15,13 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * The rates at which one sensor of a detection field detects a drone in one mode of flight. A sensor whose looks are
  * independent has the rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One
- * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see
- * {@link Chance#hazard}): the resulting probability of detection is not too low. Where levels are interpolated, a
- * probability between 0 and 1 stands for what is not known about a place, and all looks there have the same outcome: as
- * many of them count as independent as the drone passes distances between traced positions.
+ * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see {@link
+ * Chance#hazard}): the resulting probability of detection is not too low. Where levels are interpolated, a probability
+ * between 0 and 1 stands for what is not known about a place, and all looks there have the same outcome: they count as
+ * independent only once per distance between traced positions.
  *
- * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds is
- * asked which fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
+ * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds
+ * states what fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
  * heading on which the same fraction passes in the middle of the cell, or between those on which less and more of it
  * does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
  */

@@ -81,8 +81,8 @@ final class PlacingPanel extends JPanel {
     }
 
     private void listen(Consumer<String> selection) {
-        undo.setToolTipText("Takes the last move back");
-        reset.setToolTipText("Puts all sensors back to where the scene has them; can be undone");
+        undo.setToolTipText("Undoes the last move");
+        reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
         undo.addActionListener(e -> undo());
         reset.addActionListener(e -> layout.reset());
@@ -208,9 +208,9 @@ final class PlacingPanel extends JPanel {
         }
     }
 
-    /** Takes the last move back. */
+    /** Undoes the last move. */
     void undo() {
-        tell(layout.undo() ? "The last move was taken back" : "There is no move to take back");
+        tell(layout.undo() ? "The last move was undone" : "There is no move to undo");
     }
 
     /** The settings of the displayed run, with its sensors as the user has put them; null before there is a run. */

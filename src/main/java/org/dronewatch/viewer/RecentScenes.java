@@ -40,7 +40,7 @@ final class RecentScenes {
         return scenes;
     }
 
-    /** Puts a file to the front. */
+    /** Moves a file to the front. */
     synchronized void add(Path scene) {
         Path whole = scene.toAbsolutePath().normalize();
         List<Path> scenes = list();

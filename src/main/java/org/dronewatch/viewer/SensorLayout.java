@@ -60,12 +60,12 @@ final class SensorLayout {
         listeners.forEach(Runnable::run);
     }
 
-    /** Whether there is a move that can be taken back. */
+    /** Whether there is a move that can be undone. */
     boolean isUndoable() {
         return before.stream().anyMatch(last -> !last.sensors().equals(settings.sensors()));
     }
 
-    /** Takes the last move back; whether there was one. */
+    /** Undoes the last move; whether there was one. */
     boolean undo() {
         while (!before.isEmpty()) {
             SceneSettings last = before.pop();

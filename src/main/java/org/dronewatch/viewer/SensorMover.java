@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * nothing. For the event thread.
  */
 final class SensorMover {
-    /** Positions are rounded to centimetres, directions to tenths of a degree: nothing is installed more exactly. */
+    /** Positions are rounded to centimetres, directions to tenths of a degree: nothing is installed more precisely. */
     private static final double IN_A_METRE = 100.0;
 
     private static final double IN_A_DEGREE = 10.0;
@@ -116,7 +116,7 @@ final class SensorMover {
                         () -> told.accept(obstacle()));
     }
 
-    /** Puts the selected sensor to a place, at a height above what is below it there, m. */
+    /** Moves the selected sensor to a place, at a height above what is below it there, m. */
     void place(double x, double y, double above) {
         if (movable().isEmpty()) {
             told.accept(obstacle());
@@ -217,7 +217,7 @@ final class SensorMover {
         told.accept(
                 Mounted.positioner(sensor).isPresent()
                         ? "'" + id
-                                + "' is on a positioner that turns it to the drone: its own direction is only where it starts"
+                                + "' is on a positioner that turns it to the drone: its own direction is only its starting direction"
                         : String.format(
                                 Locale.ROOT,
                                 "'%s' points to %.1f degrees, tilted by %+.1f degrees",

@@ -52,7 +52,7 @@ final class SiteRenderer implements AutoCloseable {
         backdrop = null;
     }
 
-    /** Shows the site from elsewhere; while it moves, only as finely as is fluid. */
+    /** Shows the site from elsewhere; while it moves, only as finely as keeps the motion smooth. */
     void look(Wish wish, boolean moving) {
         SitePicture painting = picture;
         if (painting != null) {

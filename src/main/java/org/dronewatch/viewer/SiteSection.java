@@ -16,7 +16,7 @@ import org.dronewatch.render.Orbit;
 final class SiteSection extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** What is looked at from near fills this fraction of what matters, and at least this many metres. */
+    /** A view from near shows this fraction of the site's extent. */
     private static final double NEAR = 0.12;
 
     private static final double NEAREST = 4.0;

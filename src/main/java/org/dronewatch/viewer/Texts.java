@@ -76,7 +76,7 @@ final class Texts {
         return value == Double.NEGATIVE_INFINITY ? "no signal" : (value(value) + " " + unit).strip();
     }
 
-    /** A speed of playing. */
+    /** A playback speed. */
     static String speed(double factor) {
         return factor == Double.POSITIVE_INFINITY
                 ? "as fast as possible"

@@ -43,7 +43,7 @@ class TextsTest {
         Origin known = Origin.at(Math.toRadians(45), Math.toRadians(10)).withHeight(0.0);
         assertThat(Texts.place(place, at(known)))
                 .startsWith("east 788.5 m, north 1111.3 m, up 60.0 m; 45.0")
-                .containsPattern("45\\.0(0999|1000)\\d\u00b0 N, 10\\.01000\\d\u00b0 E, 60\\.1 m above the sea");
+                .containsPattern("45\\.0(0999|1000)\\d\u00b0 N, 10\\.01000\\d\u00b0 E, 60\\.1 m above sea level");
         Origin south = Origin.at(Math.toRadians(-45), Math.toRadians(-10));
         assertThat(Texts.place(place, at(south))).contains("\u00b0 S, ").endsWith("\u00b0 W");
         assertThat(Texts.place(place, WorldSettings.EMPTY)).isEqualTo(Texts.place(place));

@@ -128,8 +128,8 @@ final class ExcessMap {
     }
 
     /**
-     * The value at a position, m; empty outside the area of the traced positions, and where only few of them are as
-     * much in sight, or hidden, as this one.
+     * The value at a position, m; empty outside the area of the traced positions, and where too few of them are in
+     * sight, or hidden, as this one is.
      */
     Optional<Estimate> at(Position at, boolean isInSight) {
         return in(isInSight ? inSight : hidden, at);

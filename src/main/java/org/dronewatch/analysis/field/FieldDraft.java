@@ -14,9 +14,9 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * The field of a scene at one height while some of its sensors are moved or turned: only these are assessed anew, in
- * blocks of cells that become ever smaller; what the others detect is taken from the field before. In the end all cells
- * are those of {@link FieldAssessment}, with two exceptions: an inbound drone flies to the place of the field before,
- * and of signals that could be interpolated only what arrives along exact paths counts ({@link #reduced}).
+ * blocks of cells that become ever smaller; what the others detect is taken from the previous field. In the end all
+ * cells are those of {@link FieldAssessment}, with two exceptions: an inbound drone flies to the target of the previous
+ * field, and of signals that could be interpolated only what arrives along exact paths counts ({@link #reduced}).
  *
  * <p>For one thread, which may have {@link Workers}; the same for any number of them.
  */
@@ -39,7 +39,7 @@ public final class FieldDraft {
     /**
      * A draft of which nothing has been assessed yet.
      *
-     * @param before the request for the field before
+     * @param before the request for the previous field
      * @param field that field, with this height
      * @param height its number
      * @param moved the same scene with sensors of the same names, some of which are moved or turned

@@ -31,7 +31,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which states the
  *     direction of north
  * @param role its role on the site, by which reports name the obstacles that hide drones; heights in the wind's profile
- *     are measured from terrain, where a model is; of no effect for a drone's model
+ *     are measured from models of terrain, if there are any; of no effect for a drone's model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,

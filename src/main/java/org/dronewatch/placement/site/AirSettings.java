@@ -22,7 +22,7 @@ import org.dronewatch.setting.Quantity;
  *     default
  * @param covered the probability with which a sensor covers a cell, above 0 and at most 1; 0.5 by default
  * @param within time in which a sensor has to detect the drone, s; one look by default
- * @param heading {@code any}: every cell counts by an eighth on each of eight headings; {@code inbound}: every cell
+ * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell
  *     counts on the heading towards the protected zone. {@code any} by default
  * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or search for it,
  *     {@code search}; {@code cued} by default, and {@code search} for {@code weakest-route}

@@ -14,7 +14,7 @@ import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.solver.CutResult;
 import org.dronewatch.route.WeakestRoute;
 
-/** What is stated of a layout that was found: routes are searched for past each part of it. */
+/** What is stated about a layout that was found: routes are searched for past each part of it. */
 final class RouteFigures {
     private final PlacePlan plan;
     private final FieldGrid grid;

@@ -14,7 +14,7 @@ import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.WeakestRoute;
 import org.dronewatch.setting.InputException;
 
-/** The weakest route from each direction past a layout, by what it is exposed to each candidate. */
+/** The weakest route from each direction past a layout, by its exposure to each candidate. */
 final class RouteRows implements RowOracle {
     private final LayoutRoutes routes;
     private final List<String> candidates;

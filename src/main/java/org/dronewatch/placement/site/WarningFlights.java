@@ -40,8 +40,8 @@ final class WarningFlights {
         this.stage = stage;
         this.store = store;
         if (stage.protection().isEmpty()) {
-            throw new InputException("objective warning-time: the scene protects no zone of which drones could be"
-                    + " detected before they reach it");
+            throw new InputException(
+                    "objective warning-time: the scene protects no zone for which a warning could" + " be given");
         }
         this.grid = cells();
     }

@@ -71,7 +71,7 @@ public final class WeakestRouteSearch {
         return fields.looks() * (plan.candidates().size() + others().size());
     }
 
-    /** The scene's own sensors that are no candidates, by their names. */
+    /** The scene's own sensors that are not candidates, by their names. */
     private Map<String, SensorSettings<?>> others() {
         Map<String, SensorSettings<?>> others =
                 new LinkedHashMap<>(plan.present().enabledSensors());

@@ -33,7 +33,8 @@ final class CutRows {
 
     /**
      * The problem with these rows. No layout reaches more than the bound in all of them, so that greater values of a
-     * single candidate count as equal to it: this makes relaxations tighter, and no layout with less better.
+     * single candidate count as equal to it: this makes relaxations tighter, and does not make a layout of less value
+     * the better one.
      *
      * @param bound of the best value, 0 or more
      */

@@ -4,7 +4,7 @@ import org.dronewatch.placement.solver.Gains.Form;
 
 /**
  * Decides whether a part of the search can be left out, because nothing in it is better than what was found by more
- * than the gap that was asked for. If all gains are multiples of a unit, bounds are rounded down to one.
+ * than the gap that was asked for. If all gains are multiples of a unit, bounds are rounded down to such a multiple.
  */
 final class Cutoff {
     private static final double ROUNDING = 1e-9;

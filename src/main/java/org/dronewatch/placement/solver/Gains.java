@@ -7,7 +7,7 @@ import org.dronewatch.placement.PlacementProblem;
 
 /**
  * A problem in the form that all searches share: gains of 0 or more, the greater the better, with the weights of the
- * rows in them. Impacts become what is saved of the impact where no candidate detects anything; probabilities become
+ * rows in them. Impacts become the reduction of the impact where no candidate detects anything; probabilities become
  * -ln(1 - p), which add up. Immutable and thread-safe.
  */
 final class Gains {

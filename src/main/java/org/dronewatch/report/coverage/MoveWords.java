@@ -10,7 +10,7 @@ public final class MoveWords {
     /** How much of a picture has been assessed. */
     public enum Fineness {
         /** One cell in each of several blocks. */
-        COARSE("coarse", " This is a coarse picture, finer ones follow."),
+        COARSE("coarse", " This is a coarse picture; finer ones follow."),
         /** All cells along the borders of what is covered. */
         FINE("fine", " Cells are exact along the borders of what is covered; the rest follows."),
         /** All cells. */

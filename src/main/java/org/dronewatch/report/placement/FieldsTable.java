@@ -74,9 +74,10 @@ final class FieldsTable {
         double north = gap.y() - grid.north();
         double distance = Math.hypot(east, north);
         String where = distance < grid.cell()
-                ? "in the middle of the air"
+                ? "in the middle of the area"
                 : PlaceTable.text(
-                        "%.0f m %s of the middle of the air", distance, CompassPoint.of(StrictMath.atan2(east, north)));
+                        "%.0f m %s of the middle of the area",
+                        distance, CompassPoint.of(StrictMath.atan2(east, north)));
         return "The layout's largest gap is " + PlaceTable.text("%.1f ha", gap.area() / HECTARE) + " at "
                 + Numbers.text(worst.get().height()) + " m above the ground, " + where + ", mainly "
                 + (gap.cause() == Cause.DETECTED

@@ -131,7 +131,7 @@ final class PlaceReport {
         }
         return Html.plain(
                         "p",
-                        "Each row is the best layout that was found for its cost, in a search of its own; a dearer layout"
+                        "Each row is the best layout that was found for its cost, in a separate search; a dearer layout"
                                 + " need not contain a cheaper one. 'At most' is what no layout for that money can exceed."
                                 + " The change states what is bought, and the part of the air, seen from its middle,"
                                 + " in which most is gained.")
@@ -200,7 +200,7 @@ final class PlaceReport {
                 + " m above the ground: what is smaller than a cell may be missed.");
         items.add(
                 best.headings() > 1
-                        ? "Unless stated otherwise, a cell counts by an eighth for each of eight headings of the drone."
+                        ? "Unless stated otherwise, each of eight headings of the drone counts as an eighth of a cell."
                         : "The drone flies towards the protected zone.");
         items.add("Only the drone '" + plan.drone() + "' flies, level and at its cruise speed; sensors on positioners "
                 + (air.terms().pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));

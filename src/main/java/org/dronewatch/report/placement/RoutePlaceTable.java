@@ -57,7 +57,7 @@ public final class RoutePlaceTable {
         placement.without().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
                 .ifPresent(worst -> lines.add("Without " + worst.getKey()
-                        + ", whose loss is worst, it is detected with " + detected(worst.getValue()) + "."));
+                        + ", whose loss is worst, the drone is detected with " + detected(worst.getValue()) + "."));
         return lines;
     }
 

@@ -97,7 +97,7 @@ final class RouteWords {
         return longest.isPresent() && longest.getAsDouble() < inputs.response()
                 ? Optional.of("no detection can be in time, because each route takes " + seconds(longest)
                         + " at most, and the response " + number(inputs.response())
-                        + " s: let the routes begin farther away by a larger --side, if the site extends that far, or by"
+                        + " s: let the routes begin farther away with a larger --side, if the site extends that far, or by"
                         + " --launch")
                 : Optional.empty();
     }

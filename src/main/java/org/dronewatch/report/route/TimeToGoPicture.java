@@ -103,7 +103,7 @@ final class TimeToGoPicture {
         sheet.caption("The time that the drone needs to reach " + inputs.targetInWords() + " by the fastest route"
                 + (inputs.response() > 0.0
                         ? "; once it is inside the red line, an alert comes too late for the response."
-                        : ": an alert must come earlier than that by the time of the response."));
+                        : ": an alert must come at least the response time before that."));
         return sheet;
     }
 

@@ -13,14 +13,14 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * When a route begins. Nobody knows at which moment of a scan an attacker comes, and between two looks of a slow sensor
- * a drone flies far. So the route begins at several moments, spread evenly over the longest period after which a sensor
- * looks the same way again: of its looks, or of the search of its positioner.
+ * a drone flies a long way. So the route begins at several moments, spread evenly over the longest period after which a
+ * sensor looks the same way again: of its looks, or of the search of its positioner.
  */
 public final class RouteBegins {
     /** The most moments. */
     public static final int MOST = 8;
 
-    /** All sensors that look at least this often miss a drone no longer than the cells of a search are long, s. */
+    /** Between two looks this far apart or less, a drone hardly leaves a cell of the search, s. */
     private static final double SHORT = 0.5;
 
     private RouteBegins() {}

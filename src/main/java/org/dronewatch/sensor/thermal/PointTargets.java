@@ -31,7 +31,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * <p>The frame rate is the program's own: how often a run looks at what it has found, the camera's {@code rate},
  * changes neither the threshold nor what it finds. A look detects a drone if the program has confirmed it in any frame
- * since the look before.
+ * since the previous look.
  *
  * @param falseAlarmsPerHour accepted number of false alarms per hour that noise causes, 1e-6 to 1e9, which the camera
  *     also raises in a run unless {@code falseAlarms} gives the rate for all causes. Of the thresholds that cause this

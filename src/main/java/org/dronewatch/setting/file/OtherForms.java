@@ -9,7 +9,7 @@ import org.dronewatch.setting.AsNumbers;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Reads values that are written in another form than their own, see
+ * Reads values that are written in a form other than their own, see
  * {@link Kinds#with(Class, Class, java.util.function.Function)}.
  */
 final class OtherForms {
