@@ -175,7 +175,7 @@ public final class BuildingLoader {
         BuildingParts parts = new BuildingParts(buildings);
         SolidMesh solids = new SolidMesh();
         int count = buildings.size();
-        String what = String.format(Locale.ROOT, "buildings: raising %,d buildings", count);
+        String what = String.format(Locale.ROOT, "buildings: extruding %,d buildings", count);
         try (LongTask task = LongTask.begin(what, count, count > MANY, progress)) {
             for (Building building : buildings) {
                 site.build(building, parts, solids);

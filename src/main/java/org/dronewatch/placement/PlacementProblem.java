@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Candidates, an objective, and conditions. Immutable; for all threads. */
+/** Candidates, an objective, and conditions. Immutable; thread-safe. */
 public final class PlacementProblem {
     /** The greatest probability that counts. */
     public static final double CERTAIN = 1.0 - 1e-6;

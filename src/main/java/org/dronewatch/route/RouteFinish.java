@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
  * straight legs allow, not only legs between posts. One thread at a time.
  */
 final class RouteFinish {
-    /** How far behind the edge of a zone a route ends, so that rounding leaves it inside, m. */
+    /** How far inside the edge of a zone a route ends, so that rounding leaves it inside, m. */
     private static final double INSIDE = 0.05;
 
     /** Each shortening brings forward the moment from which the drone hurries; it soon hardly moves. */

@@ -12,7 +12,7 @@ import org.dronewatch.parallel.Workers;
 final class RouteSearch {
     private static final int NONE = -1;
 
-    /** How many states are settled between two looks at the thread's interrupt status. */
+    /** How many states are settled between two checks of the thread's interrupt status. */
     private static final int PATIENCE = 1 << 16;
 
     private final RouteProblem problem;

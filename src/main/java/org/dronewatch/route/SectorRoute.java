@@ -52,7 +52,11 @@ public record SectorRoute(
         return flown.map(looks -> looks.detection(Double.POSITIVE_INFINITY)).orElse(searched.detection());
     }
 
-    /** The probability that it is detected early enough for a response, 0 to 1; 0 s if none is required. */
+    /**
+     * The probability that it is detected early enough for a response, 0 to 1.
+     *
+     * @param response time that the response takes, s; 0 if none is required
+     */
     public double inTime(double response) {
         return flown.map(looks -> looks.detection(response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY))
                 .orElse(route.detection());
@@ -60,7 +64,9 @@ public record SectorRoute(
 
     /**
      * Whether the probability of the search and that of the flight differ by more than 20 points: of a detection, or of
-     * one that is early enough for a response; 0 s if none is required.
+     * one that is early enough for a response.
+     *
+     * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudged(double response) {
         return Math.abs(detection() - searched.detection()) > MISJUDGED

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /** The aim of a sensor: a position at which it points, or a direction. */
-public sealed interface Aim {
+public sealed interface Aim permits Aim.Direction, Aim.Target {
     /** The least distance from a sensor to the point at which it aims, m. */
     double NEAREST = 0.001;
 

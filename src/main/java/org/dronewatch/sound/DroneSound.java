@@ -32,7 +32,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
     }
 
     /**
-     * Sound power levels by octave band without weighting, dB re 1 pW, of this spectrum at another loudness.
+     * Sound power levels by octave band without weighting, dB re 1 pW, of this spectrum at another level.
      *
      * @param aWeighted A-weighted sound power level of all bands together, dB re 1 pW
      */

@@ -53,7 +53,7 @@ final class CoverageDrafting implements AutoCloseable {
         thread.ask(outdated -> new Drawing(before, height, off, moved, target, outdated).draw());
     }
 
-    /** Nothing has been moved any more. */
+    /** No sensor is displaced any longer. */
     void stop() {
         thread.ask(outdated -> {});
     }

@@ -18,7 +18,7 @@ import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.report.coverage.CellWords;
 
-/** A check box for each sensor of a coverage, and beside it whether it detects the drone in the pointed cell. */
+/** A check box for each sensor of a coverage, and whether it detects the drone in the cell under the pointer. */
 final class CoverageSwitches extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final String NONE = " ";

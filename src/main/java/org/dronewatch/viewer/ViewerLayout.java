@@ -11,7 +11,7 @@ import java.util.Properties;
 
 /**
  * How the user has arranged the window, kept in a small file from one time to the next. A file that cannot be read or
- * written is not an error: the window is then as at first.
+ * written is not an error: the window then has its default layout.
  */
 final class ViewerLayout {
     private static final int LARGEST_FILE = 10_000;

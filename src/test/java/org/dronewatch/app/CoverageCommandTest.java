@@ -138,7 +138,7 @@ class CoverageCommandTest {
                 "%.1f", 100 * json.get("heights").get(0).get("covered_share").asDouble());
         assertThat(outcome.out().lines()).anyMatch(line -> line.matches(" +2 m +2\\d\\d +" + covered + " .*"));
         assertThat(outcome.out())
-                .contains("clear line of sight at a height or below")
+                .contains("clear line of sight at or below a height")
                 .contains("any of them")
                 .contains("largest gap:")
                 .contains("no longer covered without a sensor");

@@ -199,7 +199,7 @@ class CoveragePanelTest {
                 panel.compute();
                 return null;
             });
-            assertThat(panel.isIdle()).isTrue();
+            settle(() -> true);
             assertThat(panel.message()).contains(wrong.get(3)).doesNotContain("\n");
             assertThatExceptionOfType(InputException.class)
                     .isThrownBy(() -> panel.form().inputs());

@@ -9,7 +9,7 @@ import org.dronewatch.placement.KindLimits;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementProblem;
 
-/** The conditions of a problem by index, without the one about losses. Immutable; for all threads. */
+/** The conditions of a problem by index, without the one about losses. Immutable; thread-safe. */
 final class Rules {
     final int size;
     final double[] cost;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * Adds candidates and swaps pairs by trying each, for objectives and conditions of which no more is known than how
- * good a choice is.
+ * Adds candidates and swaps pairs by trying each, for objectives and conditions of which only the value of a choice
+ * is known.
  */
 final class TrialSearch {
     private final Incumbent incumbent;

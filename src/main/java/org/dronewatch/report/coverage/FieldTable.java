@@ -87,7 +87,7 @@ public final class FieldTable {
     public static List<String> visible(VisibleHeights visible) {
         List<Double> heights = visible.grid().heights();
         List<String> lines = new ArrayList<>();
-        lines.add("clear line of sight at a height or below, in % of the area with ground:");
+        lines.add("clear line of sight at or below a height, in % of the area with ground:");
         StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
         heights.forEach(height -> header.append(text(HEIGHT, metres(height))));
         lines.add(header.toString());
@@ -114,7 +114,7 @@ public final class FieldTable {
             line.append(text(HEIGHT, percent(detectable.count(height), detectable.columns())));
         }
         List<String> lines = new ArrayList<>();
-        lines.add("detected at a height or below, in % of the area with ground:");
+        lines.add("detected at or below a height, in % of the area with ground:");
         lines.add(header.toString().stripTrailing());
         lines.add(line.toString());
         if (detectable.coveredAgain() > 0) {

@@ -46,8 +46,8 @@ final class FrontWords {
         String heights = Numbers.text(gain.lowest())
                 + (gain.lowest() < gain.highest() ? " to " + Numbers.text(gain.highest()) : "");
         String before = percent(gain.before());
-        return (gain.isClosed() ? "closes the " : "adds most in the ") + CompassPoint.of(gain.bearing()) + " at "
-                + heights + " m (" + before + " before, " + percent(gain.after()) + " now)";
+        return (gain.isClosed() ? "closes the gap in the " : "adds most in the ") + CompassPoint.of(gain.bearing())
+                + " at " + heights + " m (" + before + " before, " + percent(gain.after()) + " now)";
     }
 
     /** {@code a, b and c}. */

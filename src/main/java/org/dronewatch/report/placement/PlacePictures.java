@@ -49,7 +49,7 @@ final class PlacePictures {
         figures.put(
                 FRONT,
                 Figure.of(
-                        "What the best layouts cover over what they cost, and the most that any layout could cover.",
+                        "Coverage of the best layouts versus their cost, and the most that any layout could cover.",
                         Charts.picture(new FrontPicture(results.front()).chart())));
         if (results.fields().isPresent()) {
             LayoutFields fields = results.fields().get();

@@ -25,7 +25,7 @@ final class PlaceWords {
     /** What the layout covers, how much better any could be, what less money buys, today, and after a loss. */
     String verdict() {
         if (best.chosen().isEmpty()) {
-            return "No sensor is worth its price within the budget.";
+            return "No sensor that the budget allows covers anything.";
         }
         List<String> sentences = new ArrayList<>();
         int sensors = best.chosen().size();

@@ -53,11 +53,13 @@ public final class RoutePlaceTable {
                 .present()
                 .ifPresent(own -> lines.add("Past the scene's own " + own.sensors()
                         + (own.sensors() == 1 ? " sensor" : " sensors")
-                        + ", the drone is detected with " + detected(own.value()) + " on the weakest route."));
+                        + ", the drone is detected with a probability of " + detected(own.value())
+                        + " on the weakest route."));
         placement.without().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
                 .ifPresent(worst -> lines.add("Without " + worst.getKey()
-                        + ", whose loss is worst, the drone is detected with " + detected(worst.getValue()) + "."));
+                        + ", whose loss is worst, the drone is detected with a probability of "
+                        + detected(worst.getValue()) + "."));
         return lines;
     }
 
@@ -67,8 +69,8 @@ public final class RoutePlaceTable {
         if (value == 0.0) {
             return "A route past the layout remains on which no sensor detects the drone: " + along(route) + ".";
         }
-        return "On the weakest route past the layout, the drone is detected with " + detected(value) + " (exposure "
-                + exposure(value) + "): " + along(route) + ".";
+        return "On the weakest route past the layout, the drone is detected with a probability of " + detected(value)
+                + " (exposure " + exposure(value) + "): " + along(route) + ".";
     }
 
     private static String along(WeakestRoute route) {
@@ -83,9 +85,10 @@ public final class RoutePlaceTable {
                 + placement.routes() + " routes compared)";
         return bound <= value
                 ? "No layout within the budget has a weakest route that is more exposed" + search + "."
-                : "No layout within the budget has a weakest route with more than " + detected(bound) + " (exposure "
-                        + exposure(bound) + ", a gap of "
-                        + (value == 0.0 ? "any size" : text("%.1f %%", 100.0 * (bound / value - 1.0))) + ")" + search
+                : "No layout within the budget detects the drone on its weakest route with a probability of more than "
+                        + detected(bound) + " (exposure "
+                        + exposure(bound)
+                        + (value == 0.0 ? "" : text(", a gap of %.1f %%", 100.0 * (bound / value - 1.0))) + ")" + search
                         + ".";
     }
 

@@ -64,7 +64,7 @@ public final class WarningPlaceTable {
     }
 
     private static String warning(WarningPlacement placement, double seconds) {
-        return (isWorst(placement) ? "a worst warning of " : "a mean warning of ") + seconds(seconds);
+        return (isWorst(placement) ? "a shortest warning of " : "a mean warning of ") + seconds(seconds);
     }
 
     private static String worth(WarningPlacement placement) {

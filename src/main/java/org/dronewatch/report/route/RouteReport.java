@@ -196,7 +196,7 @@ final class RouteReport {
                 + " m in cells of " + number(inputs.grid().cell()) + " m, at heights of "
                 + number(inputs.grid().heights().get(0)) + " to "
                 + number(inputs.grid().heights().get(inputs.grid().heights().size() - 1))
-                + " m above the ground. A route meets nothing solid, but what hides a drone and is smaller than a cell may"
+                + " m above the ground. Routes avoid everything solid, but what hides a drone and is smaller than a cell may"
                 + " be missed.");
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");

@@ -196,7 +196,7 @@ public final class FlownRoute {
         return flights.get(run % flights.size());
     }
 
-    /** The probability that one of so many runs detects the drone: some moments may have a run more than others. */
+    /** The mean probability that a run detects the drone, over so many runs: some moments may have one run more. */
     private double predicted(int runs) {
         double[] each = flights.stream().mapToDouble(Flight::detection).toArray();
         return IntStream.range(0, Math.min(runs, each.length))

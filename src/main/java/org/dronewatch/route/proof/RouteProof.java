@@ -22,7 +22,7 @@ import org.dronewatch.statistics.Proportion;
  * chance. The looks of programs that find spots in the images of thermal cameras share frames, so that they are not
  * independent: for these, the prediction is too high.
  *
- * @param predicted probability that one of these runs detects the drone, 0 to 1
+ * @param predicted mean probability that a run detects the drone, 0 to 1
  * @param bySensor the same by sensor, as if it were the only one
  * @param detections runs that detected it, of all runs
  * @param plain how many of these, evenly spread, a plain run repeated

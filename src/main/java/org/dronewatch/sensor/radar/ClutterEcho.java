@@ -41,7 +41,7 @@ final class ClutterEcho {
     }
 
     /**
-     * The radar cross-section that is left behind the filters, m2.
+     * The radar cross-section that is left after the filters, m2.
      *
      * @param azimuth of the drone, clockwise from north, rad
      * @param range of the drone, above 0, m

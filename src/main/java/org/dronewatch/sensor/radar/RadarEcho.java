@@ -20,9 +20,9 @@ final class RadarEcho {
      *
      * @param signal signal-to-noise ratio of its echo before the notch, dB; minus infinity without an echo
      * @param passed what the notch lets pass of it, 0 dB or less
-     * @param clutter ratio of the clutter behind the filters to the noise, dB; minus infinity without clutter
+     * @param clutter ratio of the clutter after the filters to the noise, dB; minus infinity without clutter
      * @param groundReflection what the reflection from the ground contributes to the signal, both ways, dB
-     * @param edgeLoss what the edges of the site take of it, both ways, dB
+     * @param edgeLoss what the edges of the site take from it, both ways, dB
      */
     record Received(double signal, double passed, double clutter, double groundReflection, double edgeLoss) {
         private static final Received NOTHING =
@@ -128,7 +128,7 @@ final class RadarEcho {
         return drone.isPowered() ? drone.settings().radar().rotorFraction() : 0.0;
     }
 
-    /** Radar cross-section of the clutter in a drone's resolution cell behind the filters, m2; 0 without any. */
+    /** Radar cross-section of the clutter in a drone's resolution cell after the filters, m2; 0 without any. */
     private double clutter(Drone drone, double range) {
         if (clutter.isEmpty()) {
             return 0.0;

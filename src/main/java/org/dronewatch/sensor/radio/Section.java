@@ -13,7 +13,7 @@ import org.dronewatch.world.World;
 /**
  * The section of a site in a plane through two points: the straight pieces in which the plane cuts triangles, in
  * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the
- * mesh share a point; those that hang together on one side of the line are one body there, so that the two sides of a
+ * mesh share a point; those that are connected on one side of the line form one body there, so that the two sides of a
  * valley with an antenna in it are two. A plane through corners is taken for one an infinitesimal distance beside it.
  * One per thread.
  */

@@ -19,14 +19,14 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the image sources that matter between a sensor and a source. Rays from either end find them, and purely
- * specular paths are constructed from them. In the open, where few rays pass an end, those are also kept by whose
- * reflections most of the sound that is scattered near one end reaches the other. One per thread.
+ * specular paths are constructed from them. In the open, where few rays pass an end, image sources are also kept whose
+ * reflections carry most of the sound that is scattered near one end to the other. One per thread.
  */
 final class EndSearch {
     private static final int RAYS_OF_SENSOR = 4000;
     private static final int RAYS_OF_SOURCE = 1000;
 
-    /** Rays of the source for a sheltered sensor: sound that comes in through a door comes over few image sources. */
+    /** Rays of the source for a sheltered sensor: sound that comes in through a door comes from few image sources. */
     private static final int RAYS_OF_SOURCE_TO_SHELTER = 4000;
 
     /**
