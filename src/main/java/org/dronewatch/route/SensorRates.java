@@ -84,7 +84,7 @@ final class SensorRates {
         }
     }
 
-    /** Over which distance it remains unknown which level arrives: between traced positions; 0 if it is known, m. */
+    /** The distance between traced positions, over which the level stays equally unknown; 0 if it is known, m. */
     private double unknownOver() {
         InterpolationError error = field.interpolated().get(field.sensors().get(sensor));
         if (error == null) {

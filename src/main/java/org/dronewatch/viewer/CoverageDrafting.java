@@ -18,7 +18,7 @@ final class CoverageDrafting implements AutoCloseable {
     /** The first picture is not made finer if that is expected to take longer than this, s. */
     private static final double FIRST = 0.02;
 
-    /** Between two pictures of the same layout pass at least this long, s. */
+    /** The least time between two pictures of the same layout, s. */
     private static final double PAUSE = 0.1;
 
     private static final double NANO = 1e-9;

@@ -15,12 +15,12 @@ final class Scaled {
 
     private Scaled() {}
 
-    /** A length in Swing's pixels of one on a screen of normal density. */
+    /** Converts a length on a screen of normal density to Swing's pixels. */
     static int px(int normal) {
         return UIScale.scale(normal);
     }
 
-    /** A size in Swing's pixels of one on a screen of normal density. */
+    /** Converts a size on a screen of normal density to Swing's pixels. */
     static Dimension size(int width, int height) {
         return new Dimension(px(width), px(height));
     }

@@ -1,8 +1,8 @@
 package org.dronewatch.analysis.field;
 
 /**
- * The {@link CellCode}s of one cell on several courses, in an array of bytes. As few of the codes differ, each
- * different code is listed once, and each course has only the bits of a position in the list.
+ * The {@link CellCode}s of one cell on several courses, in an array of bytes. Since there are only a few distinct
+ * codes, each is listed once, and each course has only the bits of a position in the list.
  *
  * <pre>
  *   byte             number of different codes, less one

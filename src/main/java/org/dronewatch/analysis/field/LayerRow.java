@@ -50,7 +50,7 @@ final class LayerRow {
      * The same from former codes, of which those of some courses no longer hold.
      *
      * @param former as {@link #codesAt} gives them
-     * @param changed the numbers of the courses that are others now
+     * @param changed the numbers of the courses that have changed
      */
     int[] codesAt(Position at, int[] former, int[] changed) {
         Optional<Pointing> pointing = probe.pointing(at);

@@ -7,8 +7,8 @@ import java.util.function.IntFunction;
 import org.dronewatch.sensor.Assessment;
 
 /**
- * The probabilities of a series of looks at a drone that passes through the field of view. Some are assessed, and
- * between two that differ, more; those between two that hardly differ are interpolated.
+ * The probabilities of a series of looks at a drone that passes through the field of view. Some are assessed,
+ * then more wherever two neighbours differ; between neighbours that hardly differ, probabilities are interpolated.
  */
 final class LookSeries {
     /** How many looks of a pass through the field of view are assessed, at least; all if there are fewer. */

@@ -96,7 +96,10 @@ final class RouteFigures {
         return Math.min(WeakestRouteSearch.ENOUGH, routes.get(0).exposure());
     }
 
-    /** The exposure on the weakest route past some candidates; none is searched for if one without any is known. */
+    /**
+     * The exposure on the weakest route past some candidates; no route is searched for if one is known without
+     * exposure.
+     */
     private double value(PlacementProblem problem, List<Integer> candidates) {
         double known = problem.value(candidates);
         return known == 0.0

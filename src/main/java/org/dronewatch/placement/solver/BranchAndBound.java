@@ -92,7 +92,7 @@ final class BranchAndBound {
                 : SearchNode.having(state, SearchNode.FREE, SearchNode.FREE)[0];
     }
 
-    /** Decides candidates whose other decision leads to nothing better. */
+    /** Fixes candidates for which the opposite decision cannot lead to anything better. */
     private void decide(byte[] state, double[] multipliers, double bound) {
         double current = dual.evaluate(multipliers, state);
         for (int candidate = 0; candidate < state.length; candidate++) {

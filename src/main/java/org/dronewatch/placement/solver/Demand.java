@@ -1,7 +1,7 @@
 package org.dronewatch.placement.solver;
 
 /**
- * A number of some candidates that must be chosen.
+ * How many of a set of candidates must be chosen.
  *
  * @param candidates ascending
  * @param need 1 or more

@@ -23,7 +23,7 @@ abstract class Dual {
         share = new double[gains.candidates()];
     }
 
-    /** That for the form of some gains. */
+    /** The relaxation for the form of the given gains. */
     static Dual of(Gains gains, Rules rules) {
         return switch (gains.form) {
             case BEST_SUM -> new BestSumDual(gains, rules);

@@ -15,7 +15,7 @@ import org.dronewatch.placement.SolverLimits;
 /**
  * Begins with a greedy choice and swaps, and proves the best by branch and bound over Lagrangian relaxations, or,
  * for the worst impact, by bisecting its levels. The result depends on the problem and the gap alone, unless a time
- * limit ends the search. For all threads.
+ * limit ends the search. Thread-safe.
  */
 public final class ExactSolver implements PlacementSolver {
     private static final double NANOS = 1e-9;

@@ -104,7 +104,8 @@ final class Interchange {
     }
 
     /**
-     * What a candidate adds to the choice; afterwards, {@code saved} holds what it saves of the loss of each other.
+     * What a candidate adds to the choice; afterwards, {@code saved} holds what it saves of the loss of each other
+     * candidate.
      */
     private double gained(int candidate) {
         Arrays.fill(saved, 0.0);

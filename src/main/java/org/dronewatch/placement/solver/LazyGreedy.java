@@ -5,7 +5,7 @@ import java.util.PriorityQueue;
 import org.dronewatch.placement.solver.Gains.Form;
 
 /**
- * Chooses what adds most, again and again. Where each candidate adds the less, the more are chosen (submodularity), a
+ * Chooses what adds most, repeatedly. Where a candidate adds less the more are already chosen (submodularity), a
  * gain that was computed earlier is an upper bound, so that only candidates at the head of a queue are computed
  * again: M. Minoux, Accelerated greedy algorithms (1978). With a limit on the number alone, the choice has at least
  * 1 - 1/e = 63 % of the best gain: G. L. Nemhauser, L. A. Wolsey and M. L. Fisher, Mathematical Programming 14

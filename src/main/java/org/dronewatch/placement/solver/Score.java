@@ -1,7 +1,7 @@
 package org.dronewatch.placement.solver;
 
 /**
- * How good a choice is that need not comply yet.
+ * How good a choice is, even one that does not comply yet.
  *
  * @param penalty what is missing of the conditions; less is better
  * @param value its gain

@@ -53,8 +53,8 @@ final class Valuation {
     }
 
     /**
-     * A measure of progress where the value itself does not change yet: rows count the less, the better they are
-     * served already.
+     * A measure of progress where the value itself does not change yet: the better a row is already served, the
+     * less it counts.
      */
     double progress() {
         double sum = 0.0;
