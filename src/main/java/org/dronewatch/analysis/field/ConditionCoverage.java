@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 
 /**
  * The coverage under a condition, such as night or rain, and what is lost under it.
@@ -24,9 +25,10 @@ public record ConditionCoverage(String name, List<Height> heights) {
      *
      * @param summary in numbers of cells
      * @param lost cells that a sensor covers in the scene as it is, but none under the condition
+     * @param knownAsItIs known cells in the scene as it is
      * @param bySensor the number of cells that each sensor covers
      */
-    public record Height(HeightSummary summary, int lost, Map<String, Integer> bySensor) {
+    public record Height(HeightSummary summary, int lost, int knownAsItIs, Map<String, Integer> bySensor) {
         /** The sensor that covers the most cells, the first among equals; empty if none covers any. */
         public Optional<String> best() {
             String best = null;
@@ -71,9 +73,17 @@ public record ConditionCoverage(String name, List<Height> heights) {
             heights.add(new Height(
                     summary.heights().get(height),
                     lost(summary.coverage(), asItIs, height),
+                    known(asItIs, height),
                     bySensor(summary.coverage(), height)));
         }
         return new ConditionCoverage(name, heights);
+    }
+
+    private static int known(FieldCoverage coverage, int height) {
+        FieldGrid grid = coverage.field().grid();
+        return (int) IntStream.range(0, grid.cells())
+                .filter(cell -> coverage.isKnown(height, cell % grid.columns(), cell / grid.columns()))
+                .count();
     }
 
     private static int lost(FieldCoverage now, FieldCoverage asItIs, int height) {

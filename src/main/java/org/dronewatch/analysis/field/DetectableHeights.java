@@ -5,8 +5,8 @@ import java.util.function.IntConsumer;
 
 /**
  * The least height above the ground at which a sensor covers each column: the lowest height of the grid that is
- * covered, refined down to the next lower one by halving the interval. Below the lowest covered height of the grid, and
- * between two that are covered, the column is not searched. Immutable.
+ * covered, refined down to the next lower one by halving the interval. Below that interval, and between two
+ * covered heights, the column is not searched. Immutable.
  */
 public final class DetectableHeights {
     /** The accuracy of the heights, m. */

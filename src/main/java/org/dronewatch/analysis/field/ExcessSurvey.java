@@ -35,6 +35,9 @@ final class ExcessSurvey {
     /** Candidates for each position of a round. */
     private static final int CANDIDATES = 4;
 
+    /** Draws for each position before the cells count as used up. */
+    private static final int MOST_DRAWS = 50;
+
     /** Within about this margin it matters how accurate a level is, dB. */
     private static final double NEAR = 3.0;
 
@@ -119,9 +122,10 @@ final class ExcessSurvey {
         return List.of(traced);
     }
 
+    /** So many positions, or fewer if hardly any others are left, as above a large roof, below which there are none. */
     private List<Position> positions(int count) {
         List<Position> positions = new ArrayList<>();
-        while (positions.size() < count) {
+        for (int draws = 0; positions.size() < count && draws < MOST_DRAWS * count; draws++) {
             Position at = position();
             if (taken.add(at)) {
                 positions.add(at);

@@ -55,7 +55,7 @@ public final class FieldAssessment {
     /**
      * The same, but only what was not assessed before is assessed.
      *
-     * @param asked the request; its choice of a course and its probability of being covered have no effect
+     * @param asked the request; its choice of a course and the probability that counts as covered have no effect
      * @param store of assessments that were made before
      */
     public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {

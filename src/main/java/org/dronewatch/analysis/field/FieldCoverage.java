@@ -37,7 +37,7 @@ public final class FieldCoverage {
     /** The least number of steps of a covering sensor's probability. */
     private final int needed;
 
-    private final byte[] courses;
+    private final short[] courses;
     private final byte[] causes;
     private final short[] counts;
     private final boolean[] unknown;
@@ -56,7 +56,7 @@ public final class FieldCoverage {
         this.covered = covered;
         this.needed = CellCode.stepsToCover(covered);
         int all = field.grid().cells() * field.grid().heights().size();
-        this.courses = new byte[all];
+        this.courses = new short[all];
         this.causes = new byte[all];
         this.counts = new short[all];
         this.unknown = new boolean[all];
@@ -85,7 +85,7 @@ public final class FieldCoverage {
             leaves |= its == Cause.UNKNOWN;
             most = Math.max(most, Dominance.rank(steps, its));
         }
-        courses[cell] = (byte) course;
+        courses[cell] = (short) course;
         causes[cell] = (byte) Dominance.cause(most).ordinal();
         counts[cell] = (short) count;
         unknown[cell] = count == 0 && leaves;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The error of a sensor's interpolated levels, measured where they were not used.
+ * The error of a sensor's interpolated levels, measured at positions that were not used for the interpolation.
  *
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error

@@ -77,8 +77,8 @@ public record PlacePlan(
     }
 
     /**
-     * A problem that shows when candidates are assessed or chosen, with the location in the file of the setting with
-     * which its message begins.
+     * A problem that comes up when candidates are assessed or chosen, preceded by the location in the file of the
+     * setting that its message names first.
      *
      * @param file that was read
      */

@@ -10,8 +10,8 @@ import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.route.WeakestRoute;
 
 /**
- * The best layout against the weakest of all routes that was found. Values are exposures on the least exposed route, of
- * which more than {@link WeakestRouteSearch#ENOUGH} counts as that.
+ * The best layout against the weakest of all routes that was found. Values are exposures on the least exposed route,
+ * capped at {@link WeakestRouteSearch#ENOUGH}.
  *
  * @param plan what was asked for
  * @param grid the cells over which routes are searched for

@@ -91,7 +91,7 @@ final class ConditionMatrix {
         Color ink = height.share() < DARK ? Color.WHITE : Color.BLACK;
         g.setColor(fill);
         g.fillRect(left, top, CELL_WIDTH - 2, CELL_HEIGHT - 2);
-        String lost = height.lost() == 0 ? "" : "   lost " + ConditionTable.percent(height, height.lost());
+        String lost = height.lost() == 0 ? "" : "   lost " + ConditionTable.lost(height);
         String covered = ConditionTable.percent(height, height.summary().covered());
         centre(NUMBER, ink, (covered.equals("-") ? "0" : covered) + lost, left, top + 26);
         centre(SMALL, ink, ConditionTable.best(height), left, top + 45);

@@ -21,8 +21,8 @@ public final class ConditionTable {
         lines.add("covered under each condition, in % of the known cells:");
         addRows(lines, conditions, height -> percent(height, height.summary().covered()));
         lines.add("");
-        lines.add("covered as it is, but not under the condition, in % of the known cells:");
-        addRows(lines, conditions.subList(1, conditions.size()), height -> percent(height, height.lost()));
+        lines.add("covered as it is, but not under the condition, in % of the cells known as it is:");
+        addRows(lines, conditions.subList(1, conditions.size()), ConditionTable::lost);
         lines.add("");
         lines.add("sensor that covers most under each condition, and its % of the known cells:");
         addRows(lines, conditions, ConditionTable::best);
@@ -77,6 +77,11 @@ public final class ConditionTable {
         return height.best()
                 .map(sensor -> sensor + " " + percent(height, height.bySensor().get(sensor)))
                 .orElse("none");
+    }
+
+    /** What is lost, of the cells that are known as it is: under the condition, fewer may be. */
+    static String lost(ConditionCoverage.Height height) {
+        return height.knownAsItIs() == 0 ? "-" : CoverageTable.percent(height.lost(), height.knownAsItIs());
     }
 
     static String percent(ConditionCoverage.Height height, int cells) {

@@ -117,11 +117,14 @@ final class CoverageReport {
         };
     }
 
-    /** In which time the drone has to be detected. */
+    /** In which time, and with which probability, the drone has to be detected. */
     private String time() {
         return inputs.within()
-                .map(seconds -> "within " + number(seconds) + " s ")
-                .orElse("");
+                        .map(seconds -> "within " + number(seconds) + " s ")
+                        .orElse("")
+                + (inputs.hasDefaultProbability()
+                        ? ""
+                        : "with a probability of " + number(inputs.covered()) + " or more ");
     }
 
     private static double share(HeightSummary height) {
@@ -196,7 +199,8 @@ final class CoverageReport {
         items.add((inputs.area()
                         .map(name -> "The area assessed is the protected zone '" + name + "', in a square of ")
                         .orElse("The area assessed is "))
-                + number(grid.side()) + " m by " + number(grid.side()) + " m in cells of "
+                + number(grid.columns() * grid.cell()) + " m by " + number(grid.columns() * grid.cell())
+                + " m in cells of "
                 + number(grid.cell()) + " m: what is smaller than a cell may be missed.");
         items.add(
                 "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"

@@ -91,7 +91,7 @@ final class FieldFile {
             node.put("height_m", Numbers.rounded(numbers.height()));
             node.put("known", numbers.known());
             share(node, "covered_share", numbers.covered(), numbers.known());
-            share(node, "lost_share", height.lost(), numbers.known());
+            share(node, "lost_share", height.lost(), height.knownAsItIs());
             ObjectNode causes = node.putObject("causes");
             numbers.causes().forEach((cause, cells) -> share(causes, name(cause), cells, numbers.known()));
             ObjectNode sensors = node.putObject("sensors");

@@ -28,7 +28,11 @@ public final class FieldTable {
         summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));
         List<String> lines = new ArrayList<>();
         String terms = inputs.within()
-                .map(time -> ", covered within " + Numbers.text(time) + " s, and causes of single looks")
+                .map(time -> ", covered within " + Numbers.text(time) + " s"
+                        + (inputs.hasDefaultProbability()
+                                ? ""
+                                : " with a probability of " + Numbers.text(inputs.covered()) + " or more")
+                        + ", and causes of single looks")
                 .orElseGet(() -> inputs.hasDefaultProbability()
                         ? ""
                         : ", covered with a probability of " + Numbers.text(inputs.covered())
@@ -57,7 +61,7 @@ public final class FieldTable {
      */
     public static List<String> losses(FieldSummary summary, CoverageInputs inputs) {
         List<String> lines = new ArrayList<>();
-        lines.add("no longer covered without a sensor (lost less gained), in % of the known cells:");
+        lines.add("no longer covered without a sensor (lost minus gained), in % of the known cells:");
         StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
         summary.heights().forEach(height -> header.append(text(HEIGHT, metres(height.height()))));
         lines.add(header.toString());

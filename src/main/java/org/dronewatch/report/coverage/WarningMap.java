@@ -41,10 +41,10 @@ final class WarningMap {
         sheet.title(inputs.scene());
         sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
         sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
-        sheet.line("is first detected, from up to " + FieldPictures.metres(warnings.reach()) + ";");
+        sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + " is first detected;");
         if (inputs.within().isPresent()) {
-            sheet.line(inputs.timeInWords() + " after the first place where");
-            sheet.line("a sensor covers it within this time;");
+            sheet.line("it counts as detected " + inputs.timeInWords() + " after");
+            sheet.line("the first place at which a sensor covers it;");
         }
         sheet.line("shortest warning before it arrives:");
         sheet.space();

@@ -25,8 +25,8 @@ import org.dronewatch.statistics.Proportion;
  * @param predicted mean probability that a run detects the drone, 0 to 1
  * @param bySensor the same by sensor, as if it were the only one
  * @param detections runs that detected it, of all runs
- * @param plain how many of these, evenly spread, a plain run repeated
- * @param cued with all cues, runs that detected it, of the first of these runs; empty if none were flown
+ * @param plain the number of these runs, evenly spread, that were repeated as plain runs
+ * @param cued those of the first of these runs that, repeated with all cues, detected it; empty if none were
  */
 public record RouteProof(
         double predicted, Map<String, Double> bySensor, Proportion detections, int plain, Optional<Proportion> cued) {

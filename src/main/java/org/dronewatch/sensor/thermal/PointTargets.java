@@ -83,7 +83,7 @@ public record PointTargets(
         return SettingsForm.with(this, "falseAlarmsPerHour", accepted);
     }
 
-    /** These settings with another number of frames that must mark a spot, of another number of frames. */
+    /** These settings with another rule: how many of how many last frames must mark a spot. */
     public PointTargets withConfirmation(int ofFrames, int inFrames) {
         return SettingsForm.with(this, Map.of("hits", ofFrames, "frames", inFrames));
     }

@@ -117,6 +117,20 @@ class ExcessSurveyTest {
         assertThat(Math.abs(difference)).as("seed %d", seed).isLessThan(4.5 * Math.sqrt(variance) + 1.0);
     }
 
+    /** Over a roof there are no positions between heights: all are soon taken, and the survey makes do with them. */
+    @Test
+    void aSurveyOverARoofEnds() {
+        FieldGrid roof = new FieldGrid(0.0, 65.0, 8.0, 0.5, List.of(10.0, 20.0, 31.0));
+        FieldColumns few = FieldColumns.of(each.world(), roof);
+        assertThat(few.openCount()).isEqualTo(256);
+        SurveyProgress progress = SurveyProgress.of(each, few, cells -> {});
+        try (Workers workers = new Workers(2)) {
+            ExcessMap over = workers.call(() -> ExcessSurvey.of(each, few, 250, progress))
+                    .orElseThrow();
+            assertThat(over.places().size() + over.heldOut().size()).isBetween(200, 250);
+        }
+    }
+
     /** Cells of traced positions have their signals. */
     @Test
     void tracedCellsAreExact() {

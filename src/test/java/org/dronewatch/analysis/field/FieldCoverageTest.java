@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -58,6 +59,37 @@ class FieldCoverageTest {
             missed *= 1.0 - of.probability(sensor, height, column, row, course);
         }
         return 1.0 - missed;
+    }
+
+    /** Radars that reject slow targets add two courses each: more than a byte can number. */
+    @Test
+    void aSiteMayHaveHundredsOfCourses() throws IOException {
+        StringBuilder radars = new StringBuilder();
+        for (int i = 0; i < 62; i++) {
+            radars.append(String.format(
+                    Locale.ROOT,
+                    "  round-%d: {use: spotterrf-c550, position: [%d, 0, 130], aim: {azimuth: %d deg, elevation: 0 deg}}%n",
+                    i,
+                    i - 30,
+                    6 * i));
+        }
+        FieldGrid grid = new FieldGrid(0.0, 0.0, 100.0, 20.0, List.of(130.0));
+        DetectionField many = FieldSite.in(Files.createDirectory(directory.resolve("many")), radars.toString())
+                .field(grid, 2);
+        FieldCoverage worst = new FieldCoverage(many, FieldCoverage.Choice.WORST, 0.5);
+        int high = 0;
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            int column = cell % grid.columns();
+            int row = cell / grid.columns();
+            int course = worst.courseAt(0, column, row);
+            high += course > Byte.MAX_VALUE ? 1 : 0;
+            double least = IntStream.range(0, many.courses().size())
+                    .mapToDouble(other -> joint(many, 0, column, row, other))
+                    .min()
+                    .orElseThrow();
+            assertThat(joint(many, 0, column, row, course)).isEqualTo(least);
+        }
+        assertThat(high).isPositive();
     }
 
     @Test

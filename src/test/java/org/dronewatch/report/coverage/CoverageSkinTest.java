@@ -335,7 +335,7 @@ class CoverageSkinTest {
                 "boxes", FieldSite.DRONE, "worst", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), Optional.empty());
         assertThat(FieldTable.losses(one, inputs).stream().map(line -> line.replaceAll(" +", " ")))
                 .containsExactly(
-                        "no longer covered without a sensor (lost less gained), in % of the known cells:",
+                        "no longer covered without a sensor (lost minus gained), in % of the known cells:",
                         "sensor 12 m",
                         "round -2.0",
                         "short 0.0",
