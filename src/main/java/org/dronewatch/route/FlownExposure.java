@@ -114,7 +114,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         int low = 0;
         int high = times.length - 1;
         while (low < high) {
-            int middle = (low + high) / 2;
+            int middle = (low + high) >>> 1;
             if (detection(times[middle]) >= wanted) {
                 high = middle;
             } else {

@@ -32,9 +32,9 @@ final class DraftLayer {
     private final boolean[] isAssessed;
 
     /** The cells along the side of a block. */
-    private int step;
+    private final AtomicInteger step = new AtomicInteger(1);
 
-    private boolean isComplete;
+    private volatile boolean isComplete;
 
     /**
      * A layer of which nothing is known.
@@ -54,7 +54,7 @@ final class DraftLayer {
 
     /** Assesses one cell in each block of a number of cells along its side, a power of 2. */
     void begin(int side) {
-        step = side;
+        step.set(side);
         assess(everywhere(), () -> false);
     }
 
@@ -66,15 +66,15 @@ final class DraftLayer {
 
     /** The cells along the side of a block; 1 once the borders of what is covered are known. */
     int step() {
-        return step;
+        return step.get();
     }
 
     private int across() {
-        return (width + step - 1) / step;
+        return (width + step() - 1) / step();
     }
 
     private int down() {
-        return (height + step - 1) / step;
+        return (height + step() - 1) / step();
     }
 
     /** About the number of cells that the next {@link #refine} would assess. */
@@ -94,7 +94,7 @@ final class DraftLayer {
      * result, until all of these have been assessed.
      */
     void refine(BooleanSupplier outdated) {
-        step /= 2;
+        step.updateAndGet(before -> before / 2);
         if (across() <= EVERYWHERE) {
             assess(everywhere(), outdated);
             return;
@@ -111,7 +111,7 @@ final class DraftLayer {
         int across = across();
         Workers.forEach(down(), () -> new LayerRow(1, probe, probe.newAssessor()), (looks, block) -> {
             for (int column = 0; column < across && !outdated.getAsBoolean(); column++) {
-                if (chosen[block * across + column] && assessBlock(looks, column * step, block * step)) {
+                if (chosen[block * across + column] && assessBlock(looks, column * step(), block * step())) {
                     found.incrementAndGet();
                 }
             }
@@ -126,8 +126,8 @@ final class DraftLayer {
     private boolean assessBlock(LayerRow looks, int west, int north) {
         int best = NONE;
         int nearest = Integer.MAX_VALUE;
-        int east = Math.min(width, west + step);
-        int south = Math.min(height, north + step);
+        int east = Math.min(width, west + step());
+        int south = Math.min(height, north + step());
         for (int row = north; row < south; row++) {
             for (int column = west; column < east; column++) {
                 int cell = row * width + column;
@@ -156,8 +156,8 @@ final class DraftLayer {
     }
 
     private void fill(int west, int north, int[] known) {
-        for (int row = north; row < Math.min(height, north + step); row++) {
-            for (int column = west; column < Math.min(width, west + step); column++) {
+        for (int row = north; row < Math.min(height, north + step()); row++) {
+            for (int column = west; column < Math.min(width, west + step()); column++) {
                 int cell = row * width + column;
                 if (!isAssessed[cell] && columns.isOpen(0, column, row)) {
                     codes[cell] = known;
@@ -171,7 +171,7 @@ final class DraftLayer {
         int across = across();
         int down = down();
         int[] looks = new int[across * down];
-        Arrays.setAll(looks, block -> look(block % across * step, block / across * step));
+        Arrays.setAll(looks, block -> look(block % across * step(), block / across * step()));
         boolean[] border = new boolean[looks.length];
         for (int row = 0; row < down; row++) {
             for (int column = 0; column < across; column++) {
@@ -199,8 +199,8 @@ final class DraftLayer {
      * nothing is known. Blocks with the same look need not have the same probability.
      */
     private int look(int west, int north) {
-        for (int row = north; row < Math.min(height, north + step); row++) {
-            for (int column = west; column < Math.min(width, west + step); column++) {
+        for (int row = north; row < Math.min(height, north + step()); row++) {
+            for (int column = west; column < Math.min(width, west + step()); column++) {
                 int[] known = codes[row * width + column];
                 if (known != null) {
                     return look(known);

@@ -56,7 +56,7 @@ public final class WeakestRouteSearch {
         refuse(settings.conditions().fold() > 1, "conditions.fold", "all sensors along a route count");
         refuse(air.area().isPresent(), "air.area", "routes lead to the protected zone from the edge of a square");
         refuse(air.within().isPresent(), "air.within", "each look counts");
-        refuse(air.covered() != FieldCoverage.DEFAULT_COVERED, "air.covered", "each look counts");
+        refuse(Double.compare(air.covered(), FieldCoverage.DEFAULT_COVERED) != 0, "air.covered", "each look counts");
         refuse(air.heading() != AirSettings.Heading.ANY, "air.heading", "a route has its own headings");
     }
 
