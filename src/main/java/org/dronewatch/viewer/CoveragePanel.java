@@ -42,7 +42,7 @@ final class CoveragePanel extends JPanel {
     private transient ViewedCoverage coverage;
     private transient Optional<CoverageSkinning.Shown> shown = Optional.empty();
     private transient CoverageForm.Inputs awaited;
-    private transient Runnable told = () -> {};
+    private transient Runnable changed = () -> {};
     private boolean isWanted;
 
     /**
@@ -200,12 +200,12 @@ final class CoveragePanel extends JPanel {
         message.setText(next.words());
         pointed.show(shown);
         choose();
-        told.run();
+        changed.run();
     }
 
     /** Called when another coverage is shown. */
     void onShown(Runnable target) {
-        told = target;
+        changed = target;
     }
 
     private void choose() {

@@ -38,7 +38,7 @@ final class PlacingPanel extends JPanel {
     private final transient SensorLayout layout;
     private final transient SensorMover mover;
     private final transient CoveragePanel coverage;
-    private transient Consumer<String> told = line -> {};
+    private transient Consumer<String> messages = line -> {};
     private transient Runnable saving = () -> {};
     private boolean isUpdating;
 
@@ -111,7 +111,7 @@ final class PlacingPanel extends JPanel {
 
     /** Receives one line about each move. */
     void onTold(Consumer<String> target) {
-        told = target;
+        messages = target;
     }
 
     /** Called to save the scene. */
@@ -121,7 +121,7 @@ final class PlacingPanel extends JPanel {
 
     private void tell(String line) {
         said.setText(line + ".");
-        told.accept(line);
+        messages.accept(line);
     }
 
     /** Selects a sensor, or something else; null for nothing. */

@@ -23,18 +23,18 @@ final class SensorMover {
     private static final double IN_A_DEGREE = 10.0;
 
     private final SensorLayout layout;
-    private final Consumer<String> told;
+    private final Consumer<String> messages;
     private Foothold foothold;
     private String selected;
 
     /**
      * A mover without a run.
      *
-     * @param told receives one line about each move
+     * @param messages receives one line about each move
      */
-    SensorMover(SensorLayout layout, Consumer<String> told) {
+    SensorMover(SensorLayout layout, Consumer<String> messages) {
         this.layout = layout;
-        this.told = told;
+        this.messages = messages;
     }
 
     /** Takes another run. */
@@ -113,13 +113,13 @@ final class SensorMover {
                 .ifPresentOrElse(
                         sensor -> place(
                                 sensor.position().x() + east, sensor.position().y() + north, above()),
-                        () -> told.accept(obstacle()));
+                        () -> messages.accept(obstacle()));
     }
 
     /** Moves the selected sensor to a place, at a height above what is below it there, m. */
     void place(double x, double y, double above) {
         if (movable().isEmpty()) {
-            told.accept(obstacle());
+            messages.accept(obstacle());
             return;
         }
         begin();
@@ -132,7 +132,7 @@ final class SensorMover {
         movable()
                 .ifPresentOrElse(
                         sensor -> place(sensor.position().x(), sensor.position().y(), above() + by),
-                        () -> told.accept(obstacle()));
+                        () -> messages.accept(obstacle()));
     }
 
     private void put(double x, double y, OptionalDouble surface, double above) {
@@ -158,7 +158,7 @@ final class SensorMover {
             refuse(e.getMessage());
             return;
         }
-        told.accept(String.format(
+        messages.accept(String.format(
                 Locale.ROOT,
                 "'%s' is at %s, %.1f m above what is below it",
                 id,
@@ -167,14 +167,14 @@ final class SensorMover {
     }
 
     private void refuse(String why) {
-        told.accept("'" + selected().orElseThrow() + "' stays where it is: " + why);
+        messages.accept("'" + selected().orElseThrow() + "' stays where it is: " + why);
     }
 
     /** Turns the selected sensor by an angle to the right and one upwards, rad. */
     void turn(double right, double up) {
         direction()
                 .ifPresentOrElse(
-                        now -> aim(now.azimuth() + right, now.elevation() + up), () -> told.accept(notAimed()));
+                        now -> aim(now.azimuth() + right, now.elevation() + up), () -> messages.accept(notAimed()));
     }
 
     /** The direction in which the selected sensor points; empty for one without. */
@@ -201,20 +201,20 @@ final class SensorMover {
      */
     void aim(double azimuth, double elevation) {
         if (direction().isEmpty()) {
-            told.accept(notAimed());
+            messages.accept(notAimed());
             return;
         }
         String id = selected().orElseThrow();
         SensorSettings<?> sensor = movable().orElseThrow();
         if (Math.abs(elevation) > 0.5 * Math.PI) {
-            told.accept("'" + id + "' stays as it is: its tilt must be between -90 and 90 degrees");
+            messages.accept("'" + id + "' stays as it is: its tilt must be between -90 and 90 degrees");
             return;
         }
         begin();
         Aim.Direction to =
                 new Aim.Direction(tenths(StrictMath.IEEEremainder(azimuth, 2.0 * Math.PI)), tenths(elevation));
         layout.set(id, sensor.as(Aimed.class).orElseThrow().withAim(to));
-        told.accept(
+        messages.accept(
                 Mounted.positioner(sensor).isPresent()
                         ? "'" + id
                                 + "' is on a positioner that turns it to the drone: its own direction is only its starting direction"

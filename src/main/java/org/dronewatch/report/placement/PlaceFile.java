@@ -1,8 +1,12 @@
 package org.dronewatch.report.placement;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.site.FrontPoint;
+import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;
@@ -25,11 +29,7 @@ final class PlaceFile {
         root.put("cost", Numbers.rounded(placement.result().cost()));
         ArrayNode chosen = root.putArray("chosen");
         placement.chosen().forEach(sensor -> add(chosen.addObject(), sensor, placement));
-        ObjectNode present = root.putObject("present");
-        placement.present().ifPresent(own -> {
-            present.put("sensors", own.sensors());
-            present.put("value", Numbers.rounded(own.value()));
-        });
+        present(root, placement.present());
         ArrayNode front = root.putArray("front");
         for (FrontPoint point : results.front().points()) {
             ObjectNode node = front.addObject();
@@ -45,6 +45,26 @@ final class PlaceFile {
     private static void add(ObjectNode node, SiteCandidate sensor, SitePlacement placement) {
         describe(node, sensor);
         node.put("alone", Numbers.rounded(placement.alone(sensor)));
+    }
+
+    /** Adds the layout of today: the number of its sensors and its value; neither where the scene has no sensors. */
+    static void present(ObjectNode root, Optional<PresentLayout> layout) {
+        ObjectNode present = root.putObject("present");
+        layout.ifPresent(own -> {
+            present.put("sensors", own.sensors());
+            present.put("value", Numbers.rounded(own.value()));
+        });
+    }
+
+    /** Adds the best order in which to buy the sensors of a layout. */
+    static void order(ObjectNode root, List<PlaceStep> steps) {
+        ArrayNode front = root.putArray("front");
+        for (PlaceStep step : steps) {
+            ObjectNode node = front.addObject();
+            node.put("cost", Numbers.rounded(step.cost()));
+            node.put("value", Numbers.rounded(step.value()));
+            node.putArray("added").add(step.added());
+        }
     }
 
     /** Adds which sensor it is, where it stands, and what it costs. */

@@ -1,7 +1,6 @@
 package org.dronewatch.report.placement;
 
 import org.dronewatch.geometry.Position;
-import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.report.Numbers;
@@ -27,18 +26,8 @@ final class RoutePlaceFile {
         root.put("cost", Numbers.rounded(placement.result().cost()));
         ArrayNode chosen = root.putArray("chosen");
         placement.chosen().forEach(sensor -> add(chosen.addObject(), sensor, placement));
-        ObjectNode present = root.putObject("present");
-        placement.present().ifPresent(own -> {
-            present.put("sensors", own.sensors());
-            present.put("value", Numbers.rounded(own.value()));
-        });
-        ArrayNode front = root.putArray("front");
-        for (PlaceStep step : placement.front()) {
-            ObjectNode node = front.addObject();
-            node.put("cost", Numbers.rounded(step.cost()));
-            node.put("value", Numbers.rounded(step.value()));
-            node.putArray("added").add(step.added());
-        }
+        PlaceFile.present(root, placement.present());
+        PlaceFile.order(root, placement.front());
         add(root.putObject("route"), placement.weakest(), placement.lower());
         root.put("rounds", placement.rounds());
         root.put("routes", placement.routes());

@@ -1,7 +1,6 @@
 package org.dronewatch.report.placement;
 
 import java.util.Locale;
-import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.report.Numbers;
@@ -32,18 +31,8 @@ final class WarningPlaceFile {
             PlaceFile.describe(node, sensor);
             node.put("alone", Numbers.rounded(placement.alone(sensor)));
         }
-        ObjectNode present = root.putObject("present");
-        placement.present().ifPresent(own -> {
-            present.put("sensors", own.sensors());
-            present.put("value", Numbers.rounded(own.value()));
-        });
-        ArrayNode front = root.putArray("front");
-        for (PlaceStep step : placement.front()) {
-            ObjectNode node = front.addObject();
-            node.put("cost", Numbers.rounded(step.cost()));
-            node.put("value", Numbers.rounded(step.value()));
-            node.putArray("added").add(step.added());
-        }
+        PlaceFile.present(root, placement.present());
+        PlaceFile.order(root, placement.front());
         root.put("flights", placement.flights());
         root.put("detected", placement.detected());
         root.put("longest_s", Numbers.rounded(placement.longest()));

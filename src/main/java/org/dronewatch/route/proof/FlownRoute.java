@@ -196,7 +196,10 @@ public final class FlownRoute {
         return flights.get(run % flights.size());
     }
 
-    /** The mean probability that a run detects the drone, over so many runs: some moments may have one run more. */
+    /**
+     * The mean probability that a run detects the drone. The first moments have one run more than the others if the
+     * number of runs is not a multiple of that of the moments.
+     */
     private double predicted(int runs) {
         double[] each = flights.stream().mapToDouble(Flight::detection).toArray();
         return IntStream.range(0, Math.min(runs, each.length))
