@@ -19,7 +19,8 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     /**
      * What a look adds to the exposure.
      *
-     * @param before time of the sensor's look before, at the earliest when the route begins, s since then
+     * @param before time of the sensor's previous look, or of the start of the route if that is later, s since
+     *     the start
      * @param time of the look, s since the route begins
      * @param exposure that it adds, {@code -ln(1 - p)} for an independent look, above 0
      */

@@ -74,7 +74,7 @@ public final class RouteGrid {
         return (level * rows + row) * columns + column;
     }
 
-    /** The nearest post at the level that is nearest in height above the ground; for points outside, one at the rim. */
+    /** The nearest post at the level nearest in height above the ground; for points outside, one at the edge. */
     public int nearest(Position at) {
         double column = clamp((at.x() - west) / spacing, columns);
         double row = clamp((at.y() - south) / spacing, rows);
@@ -133,7 +133,7 @@ public final class RouteGrid {
         return ground[post % (columns * rows)] + heights[post / (columns * rows)];
     }
 
-    /** The height of a point above the ground, m; the ground beside the grid is that at its rim. */
+    /** The height of a point above the ground, m; the ground beside the grid is that at its edge. */
     double above(Position at) {
         return at.z() - ground(clamp((at.x() - west) / spacing, columns), clamp((at.y() - south) / spacing, rows));
     }

@@ -5,8 +5,8 @@ import org.dronewatch.mesh.io.ModelRole;
 /** The reason why a sensor does not detect a drone. Where several apply, the first in this order counts. */
 public enum Cause {
     /**
-     * The line of sight leaves the known ground, at a rim or over a hole of the terrain: something may hide the drone
-     * there. It takes precedence over all others, and over a detection.
+     * The line of sight leaves the known ground, at the edge of the terrain or over a hole in it: something may hide
+     * the drone there. It takes precedence over all others, and over a detection.
      */
     UNKNOWN,
     /** Nearer than the sensor's minimum range, or beyond its maximum range. */

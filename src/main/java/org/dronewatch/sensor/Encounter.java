@@ -17,9 +17,9 @@ package org.dronewatch.sensor;
  * are two sources of chance, and tests of observers show both ("Modeling the observer in target acquisition", SPIE).
  *
  * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can
- * be seen at all (P above 0), and ends when it could not be seen for more than {@link #GAP}: if it comes back later,
- * that is a new encounter with a new draw. A drone that passes behind a tree is met once; one that spends a minute
- * behind a hill is met twice.
+ * be seen at all (P above 0), and ends once it has been out of sight for more than {@link #GAP}: if it comes back
+ * later, that is a new encounter with a new draw. A drone that passes behind a tree is met once; one that spends a
+ * minute behind a hill is met twice.
  *
  * @param index number of the encounter of this sensor with this drone, from 0
  * @param isFollowed whether the observer knows where the drone is, so that a positioner can follow it: it is detected,

@@ -3,7 +3,7 @@ package org.dronewatch.sound;
 /**
  * The noise that wind causes at a microphone in a windscreen: {@code L = 40 lg V - 23 lg(f D / V) + 15} in each
  * third-octave band, V in m/s, D the screen's diameter (M. Strasberg, JASA 83, 544, 1988, from the measurements of
- * four authors, within about 3 dB for 0.1 to 5 of the Strouhal number f D / V; in SI units in G. P. van den Berg, "The
+ * four authors, within about 3 dB for Strouhal numbers f D / V of 0.1 to 5; in SI units in G. P. van den Berg, "The
  * sounds of high winds", Groningen 2006, equation VIII.2). Measured in smooth flow: natural wind, which is gusty,
  * causes more noise at low frequencies. Outside its range the formula is extrapolated.
  */

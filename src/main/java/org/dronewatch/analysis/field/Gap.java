@@ -16,7 +16,7 @@ import org.dronewatch.sensor.Cause;
  * @param y north coordinate of the same cell, m
  * @param causes the number of cells for each dominant cause, in the order of {@link Cause}
  * @param cause the most frequent dominant cause in it, and the one nearest to a detection among equals
- * @param touchesRim whether it reaches the rim of the grid or of its area: it may continue outside
+ * @param touchesRim whether it reaches the edge of the grid or of its area: it may continue outside
  */
 public record Gap(
         int cells, double area, double x, double y, Map<Cause, Integer> causes, Cause cause, boolean touchesRim) {

@@ -40,7 +40,7 @@ public final class LossWords {
 
     /** Without a sensor, another course may count. */
     private static String gained(RemainingCoverage remaining) {
-        return capital(share(remaining.gone(), remaining)) + " is lost and " + share(remaining.gained(), remaining)
+        return capital(part(remaining.gone(), remaining)) + " is lost and " + part(remaining.gained(), remaining)
                 + " is gained, where a different heading becomes the worst.";
     }
 
@@ -49,6 +49,10 @@ public final class LossWords {
     }
 
     private static String share(int cells, RemainingCoverage remaining) {
+        return cells == 0 ? "none" : part(cells, remaining);
+    }
+
+    private static String part(int cells, RemainingCoverage remaining) {
         return cells == 0 ? "nothing" : CoverageTable.percent(cells, remaining.known()) + " %";
     }
 }

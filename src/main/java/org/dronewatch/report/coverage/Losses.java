@@ -67,7 +67,9 @@ public final class Losses {
     }
 
     private static String difference(int lost, HeightSummary height) {
-        return lost == 0 ? " (other cells)" : String.format(Locale.ROOT, " (%+.1f)", -100.0 * lost / height.known());
+        return lost == 0
+                ? " (different cells)"
+                : String.format(Locale.ROOT, " (%+.1f)", -100.0 * lost / height.known());
     }
 
     /** At which heights most of the coverage depends on a sensor; empty if at none. */

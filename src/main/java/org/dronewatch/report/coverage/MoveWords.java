@@ -66,7 +66,7 @@ public final class MoveWords {
     }
 
     private static String share(RemainingCoverage of) {
-        return of.remaining() == 0 ? "nothing" : CoverageTable.percent(of.remaining(), of.known()) + " %";
+        return of.remaining() == 0 ? "none" : CoverageTable.percent(of.remaining(), of.known()) + " %";
     }
 
     private static String reduction(Collection<String> reduced) {

@@ -47,7 +47,8 @@ final class PlaceWords {
         PlaceTable.worstLoss(best).ifPresent(sentences::add);
         results.fields().ifPresent(fields -> {
             HeightSummary least = leastCovered(fields);
-            sentences.add("It covers least at " + PlaceTable.text("%.0f", least.height()) + " m above the ground:"
+            sentences.add("With all its sensors it covers least at " + PlaceTable.text("%.0f", least.height())
+                    + " m above the ground:"
                     + (best.headings() > 1 ? " on the heading that is worst in each cell, " : " ")
                     + new HeightFigures(least).covered() + " %.");
         });

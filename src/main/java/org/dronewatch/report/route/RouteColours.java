@@ -9,7 +9,7 @@ import org.dronewatch.route.RoutePoint;
  */
 enum RouteColours {
     /** Nothing detects it. */
-    NONE("not at all", 0.0, new Color(0x8fd8ff), 3f),
+    NONE("none", 0.0, new Color(0x8fd8ff), 3f),
     /** It is hardly detected. */
     LOW("up to 1 %", 0.01, new Color(0xfee08b), 4f),
     /** It is detected sooner or later. */

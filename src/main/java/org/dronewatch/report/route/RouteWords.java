@@ -66,7 +66,7 @@ final class RouteWords {
         String scan =
                 slowest.isPresent() && routes.stream().anyMatch(route -> route.isMisjudgedForScans(survey.response()))
                         ? ", because the search assumes that '" + slowest.get()
-                                + "' may look at any moment, and it only does so every " + period()
+                                + "' may look at any moment, whereas it looks only every " + period()
                         : "";
         boolean isCells = routes.stream().anyMatch(route -> route.isMisjudgedForCells(survey.response()));
         boolean isFiner = isCells && 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;

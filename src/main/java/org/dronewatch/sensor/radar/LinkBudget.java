@@ -40,8 +40,12 @@ public sealed interface LinkBudget {
      */
     DoubleBinaryOperator echo(double frequency, int pulses);
 
-    /** Gain of the narrower of its antennas, dBi, which determines the number of beams; empty if it is not stated. */
-    OptionalDouble narrowerGain();
+    /**
+     * The lower of the gains of its antennas, dBi; empty if it is not stated. The beams of the antenna with the higher
+     * gain are narrower, and several of them fit into one of the other, so the lower gain determines the number of
+     * positions.
+     */
+    OptionalDouble lowerGain();
 
     /**
      * The coherent integration time of a pulse, s; empty if it is not stated. A beam dwells on its position for as many
@@ -131,9 +135,9 @@ public sealed interface LinkBudget {
             return SettingsForm.with(this, "receiveGain", Optional.of(decibels));
         }
 
-        /** {@inheritDoc} The wide one may serve several narrow beams of the other at once. */
+        /** {@inheritDoc} */
         @Override
-        public OptionalDouble narrowerGain() {
+        public OptionalDouble lowerGain() {
             return OptionalDouble.of(Math.min(gain, receiveGain.orElse(gain)));
         }
 
@@ -202,7 +206,7 @@ public sealed interface LinkBudget {
         }
 
         @Override
-        public OptionalDouble narrowerGain() {
+        public OptionalDouble lowerGain() {
             return gain.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
         }
 

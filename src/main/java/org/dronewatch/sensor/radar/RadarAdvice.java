@@ -30,12 +30,12 @@ final class RadarAdvice {
 
     /** The gain of the transmitting antenna, dBi. */
     private static OptionalDouble statedGain(LinkBudget budget) {
-        return budget instanceof Hardware hardware ? OptionalDouble.of(hardware.gain()) : budget.narrowerGain();
+        return budget instanceof Hardware hardware ? OptionalDouble.of(hardware.gain()) : budget.lowerGain();
     }
 
     /** A scan that dwells in each position for all its pulses, each of which takes a whole integration time. */
     private static Optional<String> scan(RadarSettings radar) {
-        OptionalDouble positions = radar.cells().beams(radar.budget().narrowerGain());
+        OptionalDouble positions = radar.cells().beams(radar.budget().lowerGain());
         OptionalDouble integration = radar.budget().dwell();
         if (positions.isEmpty() || integration.isEmpty()) {
             return Optional.empty();
@@ -68,7 +68,7 @@ final class RadarAdvice {
                         degrees(one.azimuthBeamwidth(), one.elevationBeamwidth()), beams, beams == 1 ? "" : "s"))
                 .orElseGet(() -> String.format(
                         "an antenna of %s dBi needs at least %d beams",
-                        Quantity.LEVEL.inBrief(radar.budget().narrowerGain().orElseThrow()), beams));
+                        Quantity.LEVEL.inBrief(radar.budget().lowerGain().orElseThrow()), beams));
     }
 
     private static String degrees(double azimuth, double elevation) {

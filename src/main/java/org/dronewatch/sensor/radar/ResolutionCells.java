@@ -28,7 +28,7 @@ record ResolutionCells(
 
     /** How many there are with a hardware budget: range cells times beams times Doppler cells. */
     double count(LinkBudget.Hardware hardware) {
-        return rangeCells(hardware) * beams(hardware.narrowerGain()).orElseThrow() * dopplerCells(hardware);
+        return rangeCells(hardware) * beams(hardware.lowerGain()).orElseThrow() * dopplerCells(hardware);
     }
 
     /** Cells of {@code c / 2B} each between the least and the greatest range. */
