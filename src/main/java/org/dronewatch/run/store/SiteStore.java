@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -37,6 +39,9 @@ public final class SiteStore {
     /** What takes less to prepare is not kept, s. */
     static final double WORTH = 0.3;
 
+    /** The same for all stores of this process: models, fields and others are kept in one directory. */
+    private static final Set<Path> REPORTED = ConcurrentHashMap.newKeySet();
+
     private static final Pattern NAMES = Pattern.compile("[a-z]+-[0-9a-f]{64}\\.site");
     private static final Pattern UNFINISHED = Pattern.compile("[a-z]+-[0-9a-f]{64}\\.site.*\\.part");
 
@@ -47,6 +52,10 @@ public final class SiteStore {
     private final long mostBytes;
     private final double worth;
     private final Consumer<String> notes;
+
+    /** The directories that could not be written, as a note has said. */
+    private final Set<Path> reported;
+
     private boolean failed;
 
     /**
@@ -58,10 +67,16 @@ public final class SiteStore {
      * @param notes receives at most one line, when a file cannot be written
      */
     public SiteStore(Optional<Path> directory, long mostBytes, double worth, Consumer<String> notes) {
+        this(directory, mostBytes, worth, notes, ConcurrentHashMap.newKeySet());
+    }
+
+    private SiteStore(
+            Optional<Path> directory, long mostBytes, double worth, Consumer<String> notes, Set<Path> reported) {
         this.directory = directory;
         this.mostBytes = mostBytes;
         this.worth = worth;
         this.notes = notes;
+        this.reported = reported;
     }
 
     /** The store of this process. */
@@ -73,10 +88,10 @@ public final class SiteStore {
      * The store of this process; see {@link StorePlace}.
      *
      * @param worth what takes less time than this to prepare is not kept, s
-     * @param notes receives at most one line, when a file cannot be written
+     * @param notes receives a line when a file cannot be written, unless a store of this process has said so before
      */
     public static SiteStore standard(double worth, Consumer<String> notes) {
-        return new SiteStore(StorePlace.directory(), MOST_BYTES, worth, notes);
+        return new SiteStore(StorePlace.directory(), MOST_BYTES, worth, notes, REPORTED);
     }
 
     /** Whether anything is kept. */
@@ -147,8 +162,10 @@ public final class SiteStore {
             deleteOldest(there);
         } catch (IOException | SecurityException e) {
             failed = true;
-            notes.accept("what was prepared is not kept for the next start: " + PlainText.line(String.valueOf(e))
-                    + " (--no-cache avoids the attempt)");
+            if (reported.add(directory.get())) {
+                notes.accept("what was prepared is not kept for the next start: " + PlainText.line(String.valueOf(e))
+                        + " (--no-cache avoids the attempt)");
+            }
         }
     }
 

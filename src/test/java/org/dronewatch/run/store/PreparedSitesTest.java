@@ -301,6 +301,27 @@ class PreparedSitesTest {
         assertThat(notes.get(0)).startsWith("what was prepared is not kept for the next start: ");
     }
 
+    /** The stores of a process share a directory: models, and fields of a coverage. */
+    @Test
+    void oneLineSaysSoForAllStoresOfAProcess() throws IOException {
+        Path file = Files.writeString(place.resolve("file"), "no directory");
+        String before = System.getProperty(StorePlace.PROPERTY);
+        System.setProperty(StorePlace.PROPERTY, file.resolve("cache").toString());
+        try {
+            for (int i = 0; i < 2; i++) {
+                StoreKey key = new StoreKey("tree", String.valueOf(i).repeat(64));
+                SiteStore.standard(0.0, notes::add).keep(() -> key, StoredForms.TREE, TreeParts.of(tree), 1.0);
+            }
+        } finally {
+            if (before == null) {
+                System.clearProperty(StorePlace.PROPERTY);
+            } else {
+                System.setProperty(StorePlace.PROPERTY, before);
+            }
+        }
+        assertThat(notes).singleElement().asString().contains("is not kept for the next start");
+    }
+
     @Test
     void whatWasUsedLongestAgoIsDeleted() throws IOException {
         Path foreign = Files.writeString(place.resolve("terrain-notes.site"), "somebody's");
