@@ -160,13 +160,13 @@ final class CalibrateCommand implements Callable<Integer> {
 
     private static void known(String option, String what, String id, Set<String> all) {
         if (!all.contains(id)) {
-            throw new InputException(option + " " + PlainText.value(id) + ": no such " + what + "; "
+            throw new InputException(GivenOption.words(option, id) + ": no such " + what + "; "
                     + (all.isEmpty() ? "the scene has none" : Spelling.closestMatches(id, all)));
         }
     }
 
     private static double value(String option, String text, Quantity quantity, double from, double to) {
-        String given = option + " " + PlainText.value(text) + ": ";
+        String given = GivenOption.words(option, text) + ": ";
         double value;
         try {
             value = (double) SettingText.parse(double.class, quantity, text);

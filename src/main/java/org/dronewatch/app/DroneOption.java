@@ -3,7 +3,6 @@ package org.dronewatch.app;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Option;
 
 /** The option of commands that place one drone of the scene where they ask for it. */
@@ -17,7 +16,7 @@ final class DroneOption {
                 .orElseThrow(() -> new InputException("the scene has no drone to place on the plan"));
         String id = drone == null ? first : drone;
         if (!settings.individualDrones().containsKey(id)) {
-            throw new InputException("--drone " + PlainText.value(id) + ": no such drone; the scene has "
+            throw new InputException(GivenOption.words("--drone", id) + ": no such drone; the scene has "
                     + String.join(", ", settings.individualDrones().keySet()));
         }
         return id;

@@ -3,7 +3,6 @@ package org.dronewatch.app;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 
 /** A word of a command line that names a file or directory. */
 final class PathWord {
@@ -23,8 +22,7 @@ final class PathWord {
         try {
             return Path.of(word);
         } catch (InvalidPathException e) {
-            String asked = (option + " " + PlainText.value(word)).strip();
-            throw new InputException(asked + ": not a path: " + e.getReason(), e);
+            throw new InputException(GivenOption.words(option, word) + ": not a path: " + e.getReason(), e);
         }
     }
 }

@@ -1,7 +1,6 @@
 package org.dronewatch.app;
 
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 
 /** A time within a run, as a user writes it. */
@@ -21,11 +20,11 @@ final class RunTime {
         try {
             seconds = Quantity.DURATION.parse(text);
         } catch (IllegalArgumentException e) {
-            throw new InputException(option + " " + PlainText.value(text) + ": " + e.getMessage(), e);
+            throw new InputException(GivenOption.words(option, text) + ": " + e.getMessage(), e);
         }
         if (!(seconds >= 0.0 && seconds <= duration)) {
             throw new InputException(
-                    option + " " + PlainText.value(text) + ": must be 0 to " + duration + " s, the scene's duration");
+                    GivenOption.words(option, text) + ": must be 0 to " + duration + " s, the scene's duration");
         }
         return seconds;
     }

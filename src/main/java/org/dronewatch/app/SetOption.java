@@ -4,7 +4,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 
 /** Settings as they are given on a command line. */
 final class SetOption {
@@ -22,7 +21,7 @@ final class SetOption {
         for (String word : words) {
             int equals = word.indexOf('=');
             if (equals < 1) {
-                throw new InputException(option + " " + PlainText.value(word) + ": must be PATH=VALUE");
+                throw new InputException(GivenOption.words(option, word) + ": must be PATH=VALUE");
             }
             values.put(
                     word.substring(0, equals).strip(),
