@@ -27,7 +27,9 @@ record CellState(StateKind kind, Cause cause) implements Comparable<CellState> {
 
     private static final CellState NO_SENSOR = new CellState(StateKind.NO_SENSOR, Cause.UNKNOWN);
     private static final CellState UNKNOWN = new CellState(StateKind.UNKNOWN, Cause.UNKNOWN);
-    private static final CellState OUTSIDE = new CellState(StateKind.OUTSIDE, Cause.UNKNOWN);
+    /** A cell outside the area that counts. */
+    static final CellState OUTSIDE = new CellState(StateKind.OUTSIDE, Cause.UNKNOWN);
+
     private static final Comparator<CellState> LEGEND =
             Comparator.comparing(CellState::kind).thenComparing(CellState::cause);
 

@@ -109,20 +109,18 @@ final class ConditionMatrix {
         write(SMALL, Color.BLACK, "second line: the sensor that covers most, in %", left + width + 20, top + 12);
     }
 
+    /** Writes a text, shortened if it would reach the edge. */
     private void write(Font font, Color ink, String text, int x, int y) {
         g.setFont(font);
         g.setColor(ink);
-        g.drawString(text, x, y);
+        g.drawString(LegendText.shortened(text, g.getFontMetrics(), image.getWidth() - MARGIN / 2 - x), x, y);
     }
 
     /** Writes a text in the middle of a cell, shortened if it is too long. */
     private void centre(Font font, Color ink, String text, int left, int y) {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();
-        String shown = text;
-        while (metrics.stringWidth(shown) > CELL_WIDTH - 10 && shown.length() > 4) {
-            shown = shown.substring(0, shown.length() - 4) + "...";
-        }
+        String shown = LegendText.shortened(text, metrics, CELL_WIDTH - 10);
         write(font, ink, shown, left + (CELL_WIDTH - 2 - metrics.stringWidth(shown)) / 2, y);
     }
 

@@ -120,6 +120,9 @@ final class FieldPictures {
             below = bound;
         }
         sheet.entry(HeightFills.of(grid, Double.NaN), "not up to that height, or no ground");
+        if (grid.count(grid::isOutside) > 0) {
+            sheet.entry(CauseFills.OUTSIDE, CellState.OUTSIDE.inWords(false));
+        }
         sheet.space();
         sheet.line("cells of " + metres(grid.cell()));
         sheet.caption(caption);

@@ -3,6 +3,7 @@ package org.dronewatch.report.coverage;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.Rectangle;
@@ -233,10 +234,17 @@ public final class MapSheet {
         write(text, MAP + MARGIN);
     }
 
+    /** Writes a text in as many lines as it needs. */
     private void write(String text, int x) {
         g.setColor(Color.BLACK);
-        g.drawString(text, x, line);
-        line += LINE;
+        FontMetrics metrics = g.getFontMetrics();
+        int last = line;
+        for (String one : LegendText.lines(text, metrics, image.getWidth() - MARGIN / 2 - x)) {
+            last = line;
+            g.drawString(one, x, line);
+            line += metrics.getHeight();
+        }
+        line = last + LINE;
     }
 
     /** Leaves half a line free. */

@@ -12,7 +12,9 @@ import org.dronewatch.world.World;
  * the land cover of a map; both are nearly grey, so that they are not taken for the colours of sensors.
  */
 final class ReliefShade {
-    private static final Color NOTHING = new Color(0xeeeeee);
+    /** Where there is no ground: paler than any of it but roads, and no colour of theirs. */
+    static final Color NOTHING = new Color(0xeeeeee);
+
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};
     private static final Color GROUND = new Color(236, 232, 222);
     private static final Color WATER = new Color(158, 170, 180);

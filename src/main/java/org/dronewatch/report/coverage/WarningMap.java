@@ -1,11 +1,13 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
+import java.util.Arrays;
 import java.util.List;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.In;
 
 /** The map of the warning of straight inbound flights: where they begin, and a line for each height. */
@@ -33,10 +35,8 @@ final class WarningMap {
     MapSheet sheet(FieldGrid grid, int[] ground, InboundWarnings warnings) {
         FieldGrid shown = showsAll(grid, warnings) ? grid : around(warnings);
         MapSheet sheet = new MapSheet(shown);
-        sheet.drawMap(
-                shown.equals(grid) ? ground : MapSheet.ground(site.stage().world(), shown),
-                (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.35),
-                site.sensors());
+        int[] below = shown.equals(grid) ? ground : MapSheet.ground(site.stage().world(), shown);
+        sheet.drawMap(below, (column, row) -> WarningMap::pale, site.sensors());
         sheet.credits(site.stage().credits());
         sheet.title(inputs.scene());
         sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
@@ -66,11 +66,21 @@ final class WarningMap {
         if (warnings.isZone()) {
             sheet.sample(Color.BLACK, 0, "protected zone");
         }
+        if (Arrays.stream(below).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
+            sheet.entry((u, v, any) -> pale(u, v, ReliefShade.NOTHING), "height of the ground unknown");
+        }
         sheet.space();
         sheet.line("where a line meets the zone, or the middle:");
         sheet.line("no detection before the drone arrives");
         sheet.caption("Where a drone that flies in straight is first detected, by height.");
         return sheet;
+    }
+
+    /** The ground below the lines; a pattern where nothing is known of it. */
+    private static Color pale(int u, int v, Color ground) {
+        return ground.equals(ReliefShade.NOTHING)
+                ? CauseFills.of(Cause.UNKNOWN).at(u, v, ground)
+                : MapSheet.mixed(ground, Color.WHITE, 0.35);
     }
 
     /** Whether all flights begin on the map of a grid: their target may not be its middle, or they begin beyond it. */

@@ -2,15 +2,18 @@ package org.dronewatch.report.coverage;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.DetectableHeights;
@@ -130,6 +133,14 @@ class CoverageReportTest {
                 .contains("out of range (limit: 40 m)");
     }
 
+    /** Hovering is one of the courses from which the best and the worst are chosen. */
+    @Test
+    void theReportSaysThatTheDroneMayHover() {
+        assertThat(text)
+                .contains(
+                        "flies, level and at its cruise speed, or hovers where that counts as its heading; sensors on");
+    }
+
     @Test
     void theSensorThatAddsNothingIsNamedAndTheOneThatCarriesAllOfIt() {
         String verdict = ReportPage.texts(page, "p").get(0);
@@ -202,6 +213,36 @@ class CoverageReportTest {
                 .doesNotContain("NaN", "Infinity", "adds nothing");
         assertThat(none.idleSensors()).isEmpty();
         assertThat(new Losses(none).worstInWords()).isEmpty();
+    }
+
+    /** Beyond the edge of the site, the map of warnings has a pattern, which its legend explains; roads are plain. */
+    @Test
+    void whereTheGroundIsUnknownTheMapOfWarningsSaysSo() {
+        CoverageSite there = new CoverageSite(site.settings(), site.stage());
+        CoverageInputs inputs = new CoverageInputs(
+                "boxes", FieldSite.DRONE, "best", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), Optional.empty());
+        for (double side : new double[] {900, 1100}) {
+            FieldGrid grid = new FieldGrid(0, 0, side, 20, List.of(60.0));
+            int[] ground = MapSheet.ground(site.stage().world(), grid);
+            MapSheet sheet = new WarningMap(there, inputs)
+                    .sheet(grid, ground, found.warnings().orElseThrow());
+            Set<Color> corner = new HashSet<>();
+            int patterned = 0;
+            for (int v = 1; v < 30; v++) {
+                for (int u = 1; u < 30; u++) {
+                    corner.add(sheet.colour(u, v));
+                }
+            }
+            for (int v = 0; v < MapSheet.MAP; v++) {
+                Set<Color> swatch = new HashSet<>();
+                for (int u = 1; u < 20; u++) {
+                    swatch.add(sheet.colour(MapSheet.MAP + 24 + u, v));
+                }
+                patterned += swatch.equals(corner) ? 1 : 0;
+            }
+            assertThat(corner).as("side %s", side).hasSize(side > 1000 ? 2 : 1);
+            assertThat(patterned).as("side %s", side).isEqualTo(side > 1000 ? 15 : 0);
+        }
     }
 
     @Test
