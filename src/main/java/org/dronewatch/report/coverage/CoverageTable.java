@@ -18,6 +18,9 @@ public final class CoverageTable {
     /** Fractions below this are more than nothing, but less than what a table shows, %. */
     private static final double LEAST_SHOWN = 0.05;
 
+    /** Fractions from here on are less than all, but round to 100, %. */
+    private static final double MOST_ROUNDED = 99.95;
+
     private CoverageTable() {}
 
     /** The area in which each sensor detects the drone, a line for each. */
@@ -79,10 +82,14 @@ public final class CoverageTable {
         };
     }
 
+    /** A fraction of cells: 100.0 for all of them alone, a dash for none. */
     static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells == 0) {
             return "-";
+        }
+        if (cells < of && percent >= MOST_ROUNDED) {
+            return ">99.9";
         }
         return percent < LEAST_SHOWN ? "<0.1" : format("%.1f", percent);
     }

@@ -25,6 +25,9 @@ final class MissWords {
     /** A value below this is written as less than 0.1, dB. */
     private static final double LEAST_SHOWN = 0.05;
 
+    /** Percentages from here on are rounded to 100, which stands for all cells. */
+    private static final double MOST_ROUNDED = 99.5;
+
     private static final String DECIBELS = "dB";
 
     private final GapEvidence evidence;
@@ -50,8 +53,12 @@ final class MissWords {
                 .collect(Collectors.joining("; "));
     }
 
+    /** A fraction of cells: 100 % for all of them alone. */
     static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
+        if (cells < of && percent >= MOST_ROUNDED) {
+            return "more than 99 %";
+        }
         return percent < 1.0 ? "less than 1 %" : String.format(Locale.ROOT, "%.0f %%", percent);
     }
 
