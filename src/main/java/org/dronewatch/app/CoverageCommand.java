@@ -1,15 +1,16 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import java.lang.reflect.RecordComponent;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
+import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.FieldCondition;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldRequest;
@@ -26,14 +27,12 @@ import org.dronewatch.report.coverage.CoverageTable;
 import org.dronewatch.report.coverage.SurveyTables;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
+import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.SettingText;
-import org.dronewatch.setting.SettingsForm;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -59,9 +58,7 @@ import picocli.CommandLine.Spec;
             "  dronewatch coverage multi-sensor --height 10m --side 400m --out plan.png"
         })
 final class CoverageCommand implements Callable<Integer> {
-    private static final int DEFAULT_CELLS = 100;
     private static final double DEFAULT_HEIGHT = 10.0;
-    private static final double DEFAULT_SIDE = 500.0;
 
     @Mixin
     private SceneChoice choice;
@@ -170,6 +167,7 @@ final class CoverageCommand implements Callable<Integer> {
         SceneSettings settings = runner.settingsOfRuns().get(0);
         FieldGrid grid = field.grid(
                 settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));
+        GridOptions.wholeCells(grid).ifPresent(shown.notes());
         String id = drone.of(settings);
         List<ConditionedScene> others = ConditionedScene.of(field.conditions(), choice, id);
         CoverageInputs inputs = new CoverageInputs(
@@ -183,18 +181,21 @@ final class CoverageCommand implements Callable<Integer> {
         try (CoverageDirectory target = out == null ? null : new CoverageDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 runner.adviseOnConditions();
-                FieldRequest request = request(settings, runner, id, grid);
+                Stage site = runner.stage(settings);
+                FieldRequest request =
+                        request(settings, site, id, grid, field.kind().courses(settings, site, id, grid));
                 List<FieldCondition> conditions = others.stream()
-                        .map(one -> new FieldCondition(one.name(), () -> request(one.settings(), runner, id, grid)))
+                        .map(one -> new FieldCondition(one.name(), () -> under(one, request, runner)))
                         .toList();
                 long looks = request.looks() + conditions.size() * request.looksOfField();
-                LayerStore store =
-                        LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(shown.notes()));
+                SiteStore kept = LayerStore.standard(shown.notes());
+                Function<SceneSettings, LayerStore> stores =
+                        one -> LayerStore.of(one, runner.inputs().models(), kept);
                 FieldSurvey survey = shown.during(
                         "coverage",
                         looks,
                         progress ->
-                                FieldSurvey.of(request, conditions, store, progress, main.interruption()::letFinish));
+                                FieldSurvey.of(request, conditions, stores, progress, main.interruption()::letFinish));
                 if (target != null) {
                     if (inputs.origin().isEmpty()) {
                         shown.notes()
@@ -209,17 +210,19 @@ final class CoverageCommand implements Callable<Integer> {
         }
     }
 
-    private FieldRequest request(SceneSettings settings, SceneRunner runner, String id, FieldGrid grid) {
-        Stage stage = runner.stage(settings);
-        return new FieldRequest(
-                settings,
-                stage,
-                id,
-                grid,
-                field.courses(settings, stage, id, grid),
-                field.choice(),
-                field.terms(),
-                field.covered());
+    private FieldRequest request(SceneSettings settings, Stage stage, String id, FieldGrid grid, List<Course> courses) {
+        return new FieldRequest(settings, stage, id, grid, courses, field.choice(), field.terms(), field.covered());
+    }
+
+    /** The same cells under a condition. */
+    private FieldRequest under(ConditionedScene condition, FieldRequest asItIs, SceneRunner runner) {
+        try {
+            Stage stage = runner.stage(condition.settings());
+            List<Course> courses = field.kind().coursesUnder(asItIs, condition.settings(), stage);
+            return request(condition.settings(), stage, asItIs.drone(), asItIs.grid(), courses);
+        } catch (InputException e) {
+            throw new InputException("condition " + PlainText.value(condition.name()) + ": " + e.getMessage(), e);
+        }
     }
 
     private Map<String, String> provenance(SceneRunner runner, SceneSettings settings) {
@@ -234,21 +237,14 @@ final class CoverageCommand implements Callable<Integer> {
         return new CoverageGrid(
                 middle.x(),
                 middle.y(),
-                side == null ? DEFAULT_SIDE : (double) value("side", side),
-                cells == null ? DEFAULT_CELLS : (int) value("cells", String.valueOf(cells)),
+                side == null ? FieldGrid.DEFAULT_SIDE : (double) value("side", side),
+                cells == null ? (int) FieldGrid.DEFAULT_CELLS : (int) value("cells", String.valueOf(cells)),
                 height == null ? DEFAULT_HEIGHT : (double) value("height", height));
     }
 
     /** The value of an option that has the name of a component of the grid. */
     private static Object value(String name, String text) {
-        RecordComponent part = SettingsForm.of(CoverageGrid.class).part(name).orElseThrow();
-        try {
-            Object value = SettingText.parse(part, text);
-            Limits.check(part, value);
-            return value;
-        } catch (IllegalArgumentException e) {
-            throw new InputException("--" + name + " " + PlainText.value(text) + ": " + e.getMessage(), e);
-        }
+        return FieldOptions.value(name, text, CoverageGrid.class, name);
     }
 
     private void print(Coverage coverage) {
@@ -261,12 +257,7 @@ final class CoverageCommand implements Callable<Integer> {
     private void print(FieldSurvey survey, CoverageInputs inputs) {
         SurveyTables.lines(survey, inputs).forEach(spec.commandLine().getOut()::println);
         if (!survey.isComplete()) {
-            spec.commandLine()
-                    .getErr()
-                    .printf(
-                            "interrupted: %d of %d heights are complete%n",
-                            survey.summary().heights().size(),
-                            survey.grid().heights().size());
+            spec.commandLine().getErr().println("interrupted: " + SurveyTables.missing(survey));
         }
     }
 }

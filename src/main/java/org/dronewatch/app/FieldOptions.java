@@ -1,66 +1,34 @@
 package org.dronewatch.app;
 
 import java.lang.reflect.RecordComponent;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.stream.IntStream;
-import org.dronewatch.analysis.CoverageGrid;
-import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.field.FieldTerms;
-import org.dronewatch.analysis.field.InboundTarget;
-import org.dronewatch.fusion.AreaZone;
-import org.dronewatch.fusion.Protection;
-import org.dronewatch.geometry.Position;
-import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneCondition;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
-import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
-import org.dronewatch.setting.Spelling;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options of {@code coverage} for several heights. */
 final class FieldOptions {
-    private static final String HEIGHTS = "--heights";
-    private static final String CELL = "--cell";
-    private static final String CENTRE = "--centre";
     private static final String HEADING = "--heading";
     private static final String COVERED = "--covered";
     private static final String WITHIN = "--within";
-    private static final String AREA = "--area";
     private static final String POINTING = "--pointing";
     private static final String CONDITIONS = "--conditions";
 
-    @Option(
-            names = HEIGHTS,
-            paramLabel = "H,H,...",
-            description = "Heights above the ground; 10, 30, 60, 120 and 150 m by default.")
-    private String heights;
-
-    @Option(
-            names = CELL,
-            paramLabel = "L",
-            description = "Length of a cell's side; a hundredth of the area's side by default.")
-    private String cell;
-
-    @Option(
-            names = CENTRE,
-            paramLabel = "EAST,NORTH",
-            description = "Middle of the area in the scene's frame; the middle of the sensors by default.")
-    private String centre;
+    @Mixin
+    private GridOptions cells = new GridOptions();
 
     @Option(
             names = HEADING,
@@ -73,8 +41,8 @@ final class FieldOptions {
             names = COVERED,
             paramLabel = "P",
             description =
-                    "The probability with which a sensor covers a cell, in one look or within a time (--within), above"
-                            + " 0 and at most 1; 0.5 by default.")
+                    "The probability with which a sensor covers a cell, in one look or within a time (--within): 0.008 to"
+                            + " 0.996, or 1, compared in steps of 1/250; 0.5 by default.")
     private Double covered;
 
     @Option(
@@ -83,12 +51,6 @@ final class FieldOptions {
             description = "Time in which a sensor has to detect the drone with that probability, as long as it stays"
                     + " in its cell; one look by default.")
     private String within;
-
-    @Option(
-            names = AREA,
-            paramLabel = "NAME",
-            description = "A protected zone of the scene, in place of --side: only cells whose centre is in it count.")
-    private String area;
 
     @Option(
             names = POINTING,
@@ -106,14 +68,10 @@ final class FieldOptions {
 
     /** The first of these options that was given; null if none was. */
     String given() {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put(HEIGHTS, heights);
-        values.put(CELL, cell);
-        values.put(CENTRE, centre);
+        Map<String, Object> values = cells.values();
         values.put(HEADING, heading);
         values.put(COVERED, covered);
         values.put(WITHIN, within);
-        values.put(AREA, area);
         values.put(POINTING, pointing);
         values.put(CONDITIONS, conditions);
         return values.entrySet().stream()
@@ -129,57 +87,7 @@ final class FieldOptions {
      * @param side length of the side around the sensors, m; empty if none was given
      */
     FieldGrid grid(SceneSettings settings, OptionalDouble side) {
-        if (area != null && (side.isPresent() || centre != null)) {
-            throw new InputException(AREA + " " + PlainText.value(area) + ": cannot be combined with "
-                    + (side.isPresent() ? "--side" : CENTRE));
-        }
-        Position middle = centre == null ? InboundTarget.sensors(settings) : centre();
-        try {
-            return area == null
-                    ? square(middle, side.orElse(FieldGrid.DEFAULT_SIDE))
-                    : over(AreaZone.inPlan(area, settings.alert()).orElseThrow(() -> noArea(settings)));
-        } catch (IllegalArgumentException e) {
-            throw new InputException((heights == null ? CELL : HEIGHTS) + ": " + e.getMessage(), e);
-        }
-    }
-
-    private Position centre() {
-        String[] parts = centre.split(",", -1);
-        if (parts.length != 2) {
-            throw new InputException(
-                    CENTRE + " " + PlainText.value(centre) + ": must be EAST,NORTH, such as 100m,-50m");
-        }
-        return new Position(
-                (double) value("centre", parts[0].strip(), FieldGrid.class, "east"),
-                (double) value("centre", parts[1].strip(), FieldGrid.class, "north"),
-                0.0);
-    }
-
-    private FieldGrid square(Position middle, double side) {
-        return new FieldGrid(middle.x(), middle.y(), side, edge(side), heights());
-    }
-
-    private FieldGrid over(AreaZone zone) {
-        double side = FieldGrid.over(zone, In.FARTHEST, heights()).side();
-        FieldGrid grid = FieldGrid.over(zone, edge(side), heights());
-        boolean isEmpty = IntStream.range(0, grid.cells())
-                .allMatch(at -> grid.isOutside(at % grid.columns(), at / grid.columns()));
-        if (isEmpty) {
-            throw new InputException(CELL + " " + grid.cell() + " m: must be smaller, since no cell has its centre in '"
-                    + zone.name() + "'");
-        }
-        return grid;
-    }
-
-    private double edge(double side) {
-        return cell == null ? side / FieldGrid.DEFAULT_CELLS : (double) value("cell", cell, FieldGrid.class, "cell");
-    }
-
-    private InputException noArea(SceneSettings settings) {
-        List<String> known = new ArrayList<>(settings.alert().zones().keySet());
-        settings.alert().protect().ifPresent(ball -> known.add(Protection.ZONE));
-        return new InputException(AREA + " " + PlainText.value(area) + ": no such zone; the scene protects "
-                + (known.isEmpty() ? "nothing" : String.join(", ", known)) + Spelling.didYouMean(area, known));
+        return cells.grid(settings, side);
     }
 
     /** The conditions; none without a file. */
@@ -189,7 +97,7 @@ final class FieldOptions {
 
     /** The name of the protected area; empty if none was given. */
     Optional<String> area() {
-        return Optional.ofNullable(area);
+        return cells.area();
     }
 
     /** On which terms the drone counts as detected. */
@@ -213,22 +121,11 @@ final class FieldOptions {
                 return one;
             }
         }
-        throw new InputException((option + " " + PlainText.value(given)).strip() + ": must be " + known);
+        throw new InputException(GivenOption.words(option, given) + ": must be " + known);
     }
 
     private static Optional<Double> optional(Object value) {
         return ((Optional<?>) value).map(Double.class::cast);
-    }
-
-    private List<Double> heights() {
-        if (heights == null) {
-            return FieldGrid.HEIGHTS;
-        }
-        List<Double> parsed = new ArrayList<>();
-        for (String one : heights.split(",", -1)) {
-            parsed.add((Double) value("heights", one.strip(), CoverageGrid.class, "height"));
-        }
-        return parsed;
     }
 
     /** The value of an option, with the unit and the limits of a component of a record. */
@@ -239,17 +136,18 @@ final class FieldOptions {
             Limits.check(part, value);
             return value;
         } catch (IllegalArgumentException e) {
-            throw new InputException("--" + option + " " + PlainText.value(text) + ": " + e.getMessage(), e);
+            throw new InputException(GivenOption.words("--" + option, text) + ": " + e.getMessage(), e);
         }
     }
 
     /** The probability with which a sensor covers a cell. */
     double covered() {
         double asked = covered == null ? FieldCoverage.DEFAULT_COVERED : covered;
-        if (!(asked > 0.0 && asked <= 1.0)) {
-            throw new InputException(COVERED + " " + Quantity.RATIO.inWords(asked) + ": must be above 0 and at most 1");
+        try {
+            return FieldCoverage.checkedProbability(asked);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(COVERED + " " + e.getMessage(), e);
         }
-        return asked;
     }
 
     /** The heading as files state it. */
@@ -257,18 +155,14 @@ final class FieldOptions {
         return kind().word();
     }
 
-    private FieldHeading kind() {
+    /** The heading of the drone that counts. */
+    FieldHeading kind() {
         return heading == null
                 ? FieldHeading.WORST
                 : word(HEADING, heading, FieldHeading.values(), "worst, best or inbound");
     }
 
-    /** The courses of a drone that have to be assessed. */
-    List<Course> courses(SceneSettings settings, Stage stage, String drone, FieldGrid grid) {
-        return kind().courses(settings, stage, drone, grid);
-    }
-
-    /** Which of them counts. */
+    /** Which of its courses counts. */
     FieldCoverage.Choice choice() {
         return kind().choice();
     }

@@ -1,11 +1,9 @@
 package org.dronewatch.app;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.drone.DroneSettings;
@@ -15,7 +13,6 @@ import org.dronewatch.route.FlightMode;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.Option;
 
@@ -103,16 +100,11 @@ final class RouteOptions {
                 String asked = "--set alert.response=" + response + ": ";
                 String fault = e.getMessage();
                 throw new InputException(
-                        asked(RESPONSE, response) + ": "
+                        GivenOption.words(RESPONSE, response) + ": "
                                 + (fault.startsWith(asked) ? fault.substring(asked.length()) : fault),
                         e);
             }
         }
-    }
-
-    /** An option with its value, for a message; without it if it is blank. */
-    private static String asked(String option, String value) {
-        return (option + " " + PlainText.value(value)).strip();
     }
 
     /** The pointing of sensors on positioners. */
@@ -150,7 +142,7 @@ final class RouteOptions {
                         FieldOptions.word(MODES, word.strip(), FlightMode.values(), "powered, glide or powered,glide"))
                 .toList();
         if (!asked.equals(asked.stream().distinct().sorted().toList())) {
-            throw new InputException(asked(MODES, modes) + ": must be powered, glide or powered,glide");
+            throw new InputException(GivenOption.words(MODES, modes) + ": must be powered, glide or powered,glide");
         }
         return Optional.of(asked);
     }
@@ -168,7 +160,7 @@ final class RouteOptions {
         try {
             grid = new FieldGrid(middle.x(), middle.y(), across, edge, heights());
         } catch (IllegalArgumentException e) {
-            throw new InputException((heights == null ? "--cell" : "--heights") + ": " + e.getMessage(), e);
+            throw new InputException("--cell: " + e.getMessage(), e);
         }
         if (grid.columns() < 2) {
             throw new InputException(
@@ -184,14 +176,7 @@ final class RouteOptions {
     }
 
     private List<Double> heights() {
-        if (heights == null) {
-            return HEIGHTS;
-        }
-        List<Double> parsed = new ArrayList<>();
-        for (String one : heights.split(",", -1)) {
-            parsed.add((Double) FieldOptions.value("heights", one.strip(), CoverageGrid.class, "height"));
-        }
-        return parsed;
+        return heights == null ? HEIGHTS : GridOptions.heights(heights);
     }
 
     /** The area from which the routes come, in plan view; empty for the edge. */
@@ -203,7 +188,7 @@ final class RouteOptions {
             return Optional.of(new AreaZone("launch", runner.area(LAUNCH, launch, settings), 0.0, 0.0));
         }
         return Optional.of(AreaZone.inPlan(launch, settings.alert())
-                .orElseThrow(() -> new InputException(asked(LAUNCH, launch)
+                .orElseThrow(() -> new InputException(GivenOption.words(LAUNCH, launch)
                         + ": neither a zone of the scene nor an area such as '{centre: [0, 900], radius: 50 m}'")));
     }
 

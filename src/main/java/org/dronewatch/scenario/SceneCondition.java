@@ -20,6 +20,9 @@ public record SceneCondition(String name, List<Change> changes) {
     /** Maximum number of conditions in a file. */
     public static final int MOST = 12;
 
+    /** The name of the scene without a condition, which none may have. */
+    public static final String AS_IT_IS = "as it is";
+
     /** The longest name. */
     private static final int LONGEST_NAME = 40;
 
@@ -52,6 +55,10 @@ public record SceneCondition(String name, List<Change> changes) {
             if (name.isBlank() || name.length() > LONGEST_NAME) {
                 throw new InputException(mark + ": a condition's name must have 1 to " + LONGEST_NAME + " characters: "
                         + PlainText.value(name));
+            }
+            if (name.strip().equalsIgnoreCase(AS_IT_IS)) {
+                throw new InputException(
+                        mark + ": " + PlainText.value(name) + ": tables call the scene without a condition so");
             }
             List<Change> changes = new ArrayList<>();
             add(changes, "", entry.getValue());

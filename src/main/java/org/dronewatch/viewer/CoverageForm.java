@@ -142,7 +142,7 @@ final class CoverageForm extends JPanel {
             return new Inputs(
                     (String) drones.getSelectedItem(),
                     FieldHeading.values()[headings.getSelectedIndex()],
-                    new FieldGrid(middle.x(), middle.y(), length, edge, heights()));
+                    FieldGrid.square(middle.x(), middle.y(), length, edge, heights()));
         } catch (IllegalArgumentException e) {
             throw new InputException(e.getMessage(), e);
         }

@@ -238,6 +238,21 @@ class CoverageCommandTest {
                 "--centre=7 | --centre 7: must be EAST,NORTH, such as 100m,-50m",
                 "--centre=7,1e9 | --centre 1e9: north 1e9 m must be -100000 to 100000",
                 "--within=0 | --within 0: within 0 s must be above 0 and at most 86400",
+                "--within= | --within: ''",
+                "--heights= | --heights: ''",
+                "--heights=10, | --heights: ''",
+                "--centre= | --centre: must be EAST,NORTH",
+                "--centre=,5 | --centre: ''",
+                "--area= | --area: no such zone",
+                "--drone= | --drone: no such drone",
+                "--cell= | --cell: ''",
+                "--side= | --side: ''",
+                "--heights=10,10.0000001 | --heights: height 10.0000001 m after 10.0 m: heights must be in ascending order",
+                "--heights=1e-7 | --heights: height 1.0E-7 m after 0.0 m: heights must be in ascending order",
+                "--side=10m --cell=100m | --cell: a cell of 100.0 m is longer than the side of the area, 10.0 m",
+                "--covered=0.001 | --covered 0.001: must be 0.008 to 0.996, or 1, since probabilities are kept in steps of",
+                "--covered=0.999 | --covered 0.999: must be 0.008 to 0.996, or 1, since",
+                "--covered=0 | --covered 0: must be 0.008 to 0.996, or 1, since",
                 "--within=soon | --within soon: 'soon'",
                 "--area=yard | --area yard: no such zone; the scene protects hook, protected",
                 "--area=protected --side=100 | --area protected: cannot be combined with --side",
@@ -261,6 +276,21 @@ class CoverageCommandTest {
         Outcome wrong = Program.run(command.toArray(String[]::new));
         assertThat(wrong.code()).isEqualTo(2);
         assertThat(wrong.complaints()).singleElement().asString().startsWith(message);
+    }
+
+    /** The area consists of whole cells, and a line says so where its side is another one. */
+    @Test
+    void anAreaOfWholeCellsIsStated() {
+        String scene = directory.resolve("site.yaml").toString();
+        Outcome rounded = Program.run("coverage", scene, "--heights=60", "--side=500", "--cell=200");
+        assertThat(rounded.code()).as(rounded.err()).isZero();
+        assertThat(rounded.err())
+                .contains("the area is 400 m by 400 m, a whole number of cells of 200 m: its side is not 500 m");
+        for (String cell : List.of("--cell=0.1", "--cell=0.3")) {
+            Outcome whole = Program.run("coverage", scene, "--heights=60", "--side=0.9", cell, "--centre=0,80");
+            assertThat(whole.code()).as(whole.err()).isZero();
+            assertThat(whole.err()).doesNotContain("whole number of cells");
+        }
     }
 
     /** For each bearing and height; without a required response it cannot be in time or late. */

@@ -163,6 +163,7 @@ class CoverageConditionsTest {
                 "night: {world.light.illuminance: -1 lx} | 1:34: ",
                 "night: 5 | 1:8: must be settings by their paths",
                 "night: {} | 1:1: night changes no setting",
+                "As it is: {world.rain: 1 mm/h} | 1:1: As it is: tables call the scene without a condition so",
                 "night: {world.rain: [1, 2]} | 1:21: world.rain: must be a single value, or values by name",
             })
     void wrongConditionsAreRefusedWithTheirPlace(String text, String message) throws IOException {
@@ -183,6 +184,58 @@ class CoverageConditionsTest {
         Outcome plan = Program.run("coverage", "multi-sensor", "--conditions=" + file, "--out=plan.png");
         assertThat(plan.code()).isEqualTo(2);
         assertThat(plan.err()).startsWith("--conditions: has no effect on a plan");
+    }
+
+    /**
+     * Without a protected zone, drones fly inbound to the middle of the sensors of the scene as it is: a receiver far
+     * away that covers nothing moves it, whether it is switched on or not. A site without any sensor covers nothing.
+     */
+    @Test
+    void aConditionDoesNotMoveTheTarget() throws IOException {
+        Path there = Files.createDirectories(directory.resolve("moved"));
+        FieldSite.in(there, FieldSite.ROUND + "  deaf: {kind: rf, position: [400, 0, 4], threshold: 100}\n");
+        Path file = Files.writeString(
+                there.resolve("failures.yaml"),
+                """
+                no receiver: {sensors.deaf.enabled: false}
+                no radar: {sensors.round.enabled: false}
+                nothing: {sensors: {deaf: {enabled: false}, round: {enabled: false}}}
+                """);
+        Outcome inbound = Program.run(
+                "coverage",
+                there.resolve("site.yaml").toString(),
+                "--heights=10,40",
+                "--side=400",
+                "--cell=20",
+                "--centre=0,0",
+                "--heading=inbound",
+                "--conditions=" + file,
+                "--out=" + there.resolve("field"));
+        assertThat(inbound.code()).as(inbound.err()).isZero();
+        JsonNode found = json("moved/field");
+        for (int height = 0; height < 2; height++) {
+            JsonNode asItIs = found.get("heights").get(height);
+            assertThat(asItIs.get("n_minus_1").get("deaf").asDouble()).isZero();
+            JsonNode without =
+                    found.get("conditions").get("no receiver").get("heights").get(height);
+            assertThat(without.get("lost_share").asDouble()).isZero();
+            assertThat(without.get("covered_share")).isEqualTo(asItIs.get("covered_share"));
+            assertThat(asItIs.get("covered_share").asDouble()).isBetween(0.1, 0.9);
+            for (String all : List.of("no radar", "nothing")) {
+                JsonNode lost = found.get("conditions").get(all).get("heights").get(height);
+                assertThat(lost.get("covered_share").asDouble()).isZero();
+                assertThat(lost.get("lost_share")).isEqualTo(asItIs.get("covered_share"));
+            }
+        }
+    }
+
+    /** A model that is missing under a condition alone. */
+    @Test
+    void whatCannotBeLoadedNamesTheCondition() throws IOException {
+        Path file = Files.writeString(directory.resolve("model.yaml"), "swapped: {drones.one.model: nowhere.obj}\n");
+        Outcome missing = coverage("--conditions=" + file);
+        assertThat(missing.code()).isEqualTo(2);
+        assertThat(missing.complaints()).singleElement().asString().contains("swapped", "nowhere.obj");
     }
 
     /** The packaged conditions fit the packaged scene. */

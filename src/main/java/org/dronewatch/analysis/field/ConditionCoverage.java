@@ -5,8 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
-import java.util.stream.IntStream;
+import org.dronewatch.scenario.SceneSettings;
 
 /**
  * The coverage under a condition, such as night or rain, and what is lost under it.
@@ -54,16 +55,25 @@ public record ConditionCoverage(String name, List<Height> heights) {
     }
 
     /**
-     * Assesses a scene under a condition.
+     * Assesses a scene under a condition. One that only switches sensors off needs no further look.
      *
-     * @param asItIs the coverage of the scene as it is
+     * @param request what was asked of the scene as it is
+     * @param asItIs its coverage
+     * @param stores of assessments that were made before, for the settings of a scene
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @throws java.util.concurrent.CancellationException when this thread is interrupted
      */
-    static ConditionCoverage of(FieldCondition condition, FieldCoverage asItIs, IntConsumer progress) {
+    static ConditionCoverage of(
+            FieldCondition condition,
+            FieldRequest request,
+            FieldCoverage asItIs,
+            Function<SceneSettings, LayerStore> stores,
+            IntConsumer progress) {
         FieldRequest asked = condition.request().get();
-        DetectionField field = FieldAssessment.of(
-                asked.settings(), asked.stage(), asked.drone(), asked.grid(), asked.courses(), asked.terms(), progress);
+        DetectionField field = request.switchedOffIn(asked)
+                .map(asItIs.field()::without)
+                .filter(rest -> rest.courses().equals(asked.courses()))
+                .orElseGet(() -> FieldAssessment.of(asked, stores.apply(asked.settings()), progress));
         return of(condition.name(), FieldSummary.of(field, asked.choice(), asked.covered()), asItIs);
     }
 
@@ -80,32 +90,22 @@ public record ConditionCoverage(String name, List<Height> heights) {
     }
 
     private static int known(FieldCoverage coverage, int height) {
-        FieldGrid grid = coverage.field().grid();
-        return (int) IntStream.range(0, grid.cells())
-                .filter(cell -> coverage.isKnown(height, cell % grid.columns(), cell / grid.columns()))
-                .count();
+        return coverage.field().grid().count((column, row) -> coverage.isKnown(height, column, row));
     }
 
     private static int lost(FieldCoverage now, FieldCoverage asItIs, int height) {
-        FieldGrid grid = now.field().grid();
-        int lost = 0;
-        for (int cell = 0; cell < grid.cells(); cell++) {
-            int column = cell % grid.columns();
-            int row = cell / grid.columns();
-            lost += asItIs.isCovered(height, column, row) && !now.isCovered(height, column, row) ? 1 : 0;
-        }
-        return lost;
+        return now.field()
+                .grid()
+                .count((column, row) -> asItIs.isCovered(height, column, row) && !now.isCovered(height, column, row));
     }
 
     private static Map<String, Integer> bySensor(FieldCoverage coverage, int height) {
-        FieldGrid grid = coverage.field().grid();
+        DetectionField field = coverage.field();
         Map<String, Integer> bySensor = new LinkedHashMap<>();
-        for (int sensor = 0; sensor < coverage.field().sensors().size(); sensor++) {
-            int count = 0;
-            for (int cell = 0; cell < grid.cells(); cell++) {
-                count += coverage.covers(sensor, height, cell % grid.columns(), cell / grid.columns()) ? 1 : 0;
-            }
-            bySensor.put(coverage.field().sensors().get(sensor), count);
+        for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+            int its = sensor;
+            int count = field.grid().count((column, row) -> coverage.covers(its, height, column, row));
+            bySensor.put(field.sensors().get(sensor), count);
         }
         return bySensor;
     }

@@ -72,7 +72,7 @@ public final class DetectableHeights {
         boolean wasBare = false;
         for (int i = 0; i < grid.heights().size(); i++) {
             double height = grid.heights().get(i);
-            if (coverage.isCovered(i, cell % grid.columns(), cell / grid.columns())) {
+            if (coverage.isCovered(i, grid.column(cell), grid.row(cell))) {
                 upper[cell] = Double.isNaN(upper[cell]) ? height : upper[cell];
                 gaps[cell] = wasBare ? Math.max(gaps[cell], height - lastCovered) : gaps[cell];
                 lastCovered = height;
@@ -92,7 +92,7 @@ public final class DetectableHeights {
         }
         FieldCoverage there = coverage.of(coverage.field().at(middle, name, progress));
         for (int cell = 0; cell < middle.length; cell++) {
-            if (there.isCovered(0, cell % grid.columns(), cell / grid.columns())) {
+            if (there.isCovered(0, grid.column(cell), grid.row(cell))) {
                 upper[cell] = middle[cell];
             } else if (!Double.isNaN(middle[cell])) {
                 lower[cell] = middle[cell];
@@ -107,7 +107,7 @@ public final class DetectableHeights {
 
     /** The least covered height above the ground, m, too high by at most {@link #ACCURACY}; NaN where there is none. */
     public double height(int column, int row) {
-        return upper[row * grid.columns() + column];
+        return upper[grid.cell(column, row)];
     }
 
     /**
@@ -115,7 +115,7 @@ public final class DetectableHeights {
      * least one, m; 0 where a column is covered from its least height up, or only below some height.
      */
     public double coveredAgainGap(int column, int row) {
-        return gaps[row * grid.columns() + column];
+        return gaps[grid.cell(column, row)];
     }
 
     /** The largest such interval of all columns, m. */

@@ -1,5 +1,6 @@
 package org.dronewatch.analysis.field;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -73,6 +74,15 @@ public final class DetectionField {
      */
     public DetectionField without(String sensor) {
         return new DetectionField(grid, columns, all.without(sensor), store);
+    }
+
+    /** The same without several of its sensors. */
+    DetectionField without(Collection<String> sensors) {
+        DetectionField rest = this;
+        for (String sensor : sensors) {
+            rest = rest.without(sensor);
+        }
+        return rest;
     }
 
     /**

@@ -6,6 +6,7 @@ import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.setting.Quantity;
 
 /**
  * What a {@link DetectionField} means for a site: in each cell, on the course that counts there, whether a sensor
@@ -28,6 +29,15 @@ public final class FieldCoverage {
     /** The probability with which a sensor covers a cell unless another one is asked for. */
     public static final double DEFAULT_COVERED = 0.5;
 
+    /**
+     * The least probability that can be asked for: probabilities are kept in steps of 1/250, and below one and a half
+     * steps nothing but 0 can be told apart.
+     */
+    public static final double LEAST_COVERED = 0.008;
+
+    /** The greatest one but 1: nothing above it but 1 can be told apart. */
+    public static final double MOST_COVERED = 0.996;
+
     private static final Cause[] CAUSES = Cause.values();
 
     private final DetectionField field;
@@ -45,12 +55,11 @@ public final class FieldCoverage {
     /**
      * Evaluates a field on the {@link Workers} of the calling thread; the same for any number of them.
      *
-     * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
+     * @param covered the probability with which a sensor must detect the drone to cover a cell
+     * @throws IllegalArgumentException as {@link #checkedProbability}
      */
     public FieldCoverage(DetectionField field, Choice choice, double covered) {
-        if (!(covered > 0.0 && covered <= 1.0)) {
-            throw new IllegalArgumentException("covered " + covered + ": must be above 0 and at most 1");
-        }
+        checkedProbability(covered);
         this.field = field;
         this.choice = choice;
         this.covered = covered;
@@ -66,6 +75,21 @@ public final class FieldCoverage {
                 evaluate(index / rows, column, index % rows);
             }
         });
+    }
+
+    /**
+     * A probability with which a sensor may be asked to cover a cell. It is rounded up to a step of 1/250, while the
+     * probability in a cell is rounded to the nearest one: so a cell may count as covered where its probability is too
+     * low by 1/500.
+     *
+     * @throws IllegalArgumentException unless it is {@link #LEAST_COVERED} to {@link #MOST_COVERED}, or 1
+     */
+    public static double checkedProbability(double covered) {
+        if (!(covered >= LEAST_COVERED && covered <= MOST_COVERED) && Double.compare(covered, 1.0) != 0) {
+            throw new IllegalArgumentException(Quantity.RATIO.inWords(covered) + ": must be 0.008 to 0.996, or 1,"
+                    + " since probabilities are kept in steps of 1/250");
+        }
+        return covered;
     }
 
     private void evaluate(int height, int column, int row) {
@@ -126,10 +150,7 @@ public final class FieldCoverage {
      * @throws IllegalArgumentException when there is no such sensor
      */
     public FieldCoverage without(Collection<String> sensors) {
-        DetectionField rest = field;
-        for (String sensor : sensors) {
-            rest = rest.without(sensor);
-        }
+        DetectionField rest = field.without(sensors);
         return rest == field ? this : of(rest);
     }
 

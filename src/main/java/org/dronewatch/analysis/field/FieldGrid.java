@@ -14,7 +14,8 @@ import org.dronewatch.setting.Quantity;
  * @param north of the middle, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
- * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 1 to 50 of them
+ * @param heights above the ground, in ascending order, each at least 1 mm above the one before and the ground, and at most
+ *     10 km, m; 1 to 50 of them
  * @param area only cells whose centre is in this area count, in plan view; empty if all do
  */
 public record FieldGrid(
@@ -42,8 +43,28 @@ public record FieldGrid(
     /** Maximum number of heights. */
     public static final int MOST_HEIGHTS = 50;
 
+    /** The least difference of two heights, m: maps at heights that are closer would have the same name. */
+    private static final double CLOSEST = 1e-3;
+
+    /** By how much the difference of two rounded heights may fall short, m. */
+    private static final double ROUNDING = 1e-9;
+
     /** The greatest height, m. */
     public static final double HIGHEST = 10_000.0;
+
+    /** What is done with a cell, by its column from the west and its row from the north. */
+    @FunctionalInterface
+    public interface CellVisitor {
+        /** Called once for each cell. */
+        void visit(int column, int row);
+    }
+
+    /** What may be true of a cell. */
+    @FunctionalInterface
+    public interface CellTest {
+        /** Whether it is true of a cell, by its column from the west and its row from the north. */
+        boolean isTrue(int column, int row);
+    }
 
     /**
      * Checks the limits.
@@ -52,8 +73,7 @@ public record FieldGrid(
      */
     public FieldGrid {
         Limits.check(FieldGrid.class, east, north, side, cell, heights, area);
-        heights = List.copyOf(heights);
-        checkHeights(heights);
+        heights = checkedHeights(heights);
         if (Math.rint(side / cell) > MOST_CELLS) {
             throw new IllegalArgumentException("side " + side + " m with cells of " + cell + " m has "
                     + (long) Math.rint(side / cell) + " cells: must be at most " + MOST_CELLS);
@@ -65,24 +85,45 @@ public record FieldGrid(
         this(east, north, side, cell, heights, Optional.empty());
     }
 
+    /**
+     * A grid about a middle, all of whose cells count; limits as above.
+     *
+     * @throws IllegalArgumentException if a cell is longer than the side, too
+     */
+    public static FieldGrid square(double east, double north, double side, double cell, List<Double> heights) {
+        FieldGrid grid = new FieldGrid(east, north, side, cell, heights);
+        if (cell > side) {
+            throw new IllegalArgumentException(
+                    "a cell of " + cell + " m is longer than the side of the area, " + side + " m");
+        }
+        return grid;
+    }
+
     /** The smallest square grid that holds all cells whose centre is in an area; limits as above. */
     public static FieldGrid over(AreaZone area, double cell, List<Double> heights) {
         PlanBounds bounds = PlanBounds.of(area.outline());
         return new FieldGrid(bounds.east(), bounds.north(), bounds.side(), cell, heights, Optional.of(area));
     }
 
-    private static void checkHeights(List<Double> heights) {
+    /**
+     * Heights above the ground, m, if a grid may have them.
+     *
+     * @throws IllegalArgumentException if not
+     */
+    public static List<Double> checkedHeights(List<Double> heights) {
         if (heights.isEmpty() || heights.size() > MOST_HEIGHTS) {
             throw new IllegalArgumentException(heights.size() + " heights: must be 1 to " + MOST_HEIGHTS);
         }
         double below = 0.0;
         for (double height : heights) {
-            if (!(height > below) || height > HIGHEST) {
+            if (!(height - below >= CLOSEST - ROUNDING) || height > HIGHEST) {
                 throw new IllegalArgumentException("height " + height + " m after " + below
-                        + " m: heights must be in ascending order, above 0 and at most " + HIGHEST + " m");
+                        + " m: heights must be in ascending order, each at least 1 mm above the one before and the"
+                        + " ground, and at most " + HIGHEST + " m");
             }
             below = height;
         }
+        return List.copyOf(heights);
     }
 
     /** Number of columns along a side, 1 or more. */
@@ -93,6 +134,38 @@ public record FieldGrid(
     /** Number of cells at a height. */
     public int cells() {
         return columns() * columns();
+    }
+
+    /** Visits all cells of a height, row by row from the north-west. */
+    public void forEachCell(CellVisitor visitor) {
+        int columns = columns();
+        for (int row = 0; row < columns; row++) {
+            for (int column = 0; column < columns; column++) {
+                visitor.visit(column, row);
+            }
+        }
+    }
+
+    /** The number of cells of a height of which something is true. */
+    public int count(CellTest test) {
+        int[] count = {0};
+        forEachCell((column, row) -> count[0] += test.isTrue(column, row) ? 1 : 0);
+        return count[0];
+    }
+
+    /** The number of a cell, in the order of {@link #forEachCell}. */
+    public int cell(int column, int row) {
+        return row * columns() + column;
+    }
+
+    /** The column of a cell, given by its number. */
+    public int column(int cell) {
+        return cell % columns();
+    }
+
+    /** The row of a cell, given by its number. */
+    public int row(int cell) {
+        return cell / columns();
     }
 
     /** The same grid with its lowest heights alone. */

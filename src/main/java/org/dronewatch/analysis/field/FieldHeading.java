@@ -26,6 +26,18 @@ public enum FieldHeading {
                 : Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, drone));
     }
 
+    /**
+     * The courses under a condition: drones that fly inbound keep their target when the condition moves the middle of
+     * the sensors, by switching one off.
+     *
+     * @param asItIs what is asked of the scene as it is
+     * @param settings under the condition
+     * @param stage under the condition
+     */
+    public List<Course> coursesUnder(FieldRequest asItIs, SceneSettings settings, Stage stage) {
+        return this == INBOUND ? asItIs.courses() : courses(settings, stage, asItIs.drone(), asItIs.grid());
+    }
+
     /** Which of these courses counts. */
     public FieldCoverage.Choice choice() {
         return this == BEST ? FieldCoverage.Choice.BEST : FieldCoverage.Choice.WORST;

@@ -1,5 +1,6 @@
 package org.dronewatch.analysis.field;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -40,6 +41,24 @@ public record FieldRequest(
                 .filter(id -> !settings.birds().contains(id))
                 .findFirst()
                 .or(() -> all.stream().findFirst());
+    }
+
+    /**
+     * The sensors that another request lacks because they are switched off there; empty if it differs from this one in
+     * anything else.
+     */
+    Optional<Set<String>> switchedOffIn(FieldRequest other) {
+        Set<String> off = new LinkedHashSet<>(settings.enabledSensors().keySet());
+        off.removeAll(other.settings.enabledSensors().keySet());
+        boolean isSame = settings.world().equals(other.settings.world())
+                && settings.drones().equals(other.settings.drones())
+                && settings.sensors().equals(other.settings.sensors())
+                && settings.run().equals(other.settings.run())
+                && other.settings.disabled().containsAll(settings.disabled())
+                && drone.equals(other.drone)
+                && grid.equals(other.grid)
+                && terms.equals(other.terms);
+        return isSame ? Optional.of(off) : Optional.empty();
     }
 
     /**

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.scenario.SceneSettings;
 
 /**
  * Where, how high and how early the sensors of a site detect a drone; or, after an interruption, as much of this as was
@@ -47,7 +49,7 @@ public record FieldSurvey(
      * Carries out a survey on the {@link Workers} of the calling thread; the same for any number of them.
      *
      * @param conditions under which the site is assessed again, perhaps none
-     * @param store of assessments of the site as it is that were made before
+     * @param stores of assessments that were made before, for the settings of the scene as it is and under a condition
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @param stopped called if this thread has been interrupted and at least one height is complete; should clear its
      *     interrupt status, so that the complete heights can be summarised
@@ -57,9 +59,10 @@ public record FieldSurvey(
     public static FieldSurvey of(
             FieldRequest request,
             List<FieldCondition> conditions,
-            LayerStore store,
+            Function<SceneSettings, LayerStore> stores,
             IntConsumer progress,
             Runnable stopped) {
+        LayerStore store = stores.apply(request.settings());
         DetectionField field = FieldAssessment.untilInterrupted(request, store, progress)
                 .orElseThrow(() -> new CancellationException("interrupted"));
         Supplier<FieldSummary> summing = () -> FieldSummary.of(field, request.choice(), request.covered());
@@ -67,7 +70,14 @@ public record FieldSurvey(
         Optional<FieldSummary> summary = isWhole ? unlessInterrupted(summing) : Optional.empty();
         if (summary.isEmpty()) {
             stopped.run();
-            return new FieldSurvey(request.grid(), summing.get(), Optional.empty(), Optional.empty(), Optional.empty());
+            return new FieldSurvey(
+                    request.grid(),
+                    summing.get(),
+                    Optional.empty(),
+                    Optional.empty(),
+                    Optional.empty(),
+                    List.of(),
+                    conditions.size());
         }
         FieldSurvey survey = new FieldSurvey(
                 request.grid(),
@@ -84,7 +94,7 @@ public record FieldSurvey(
                         store.about(request.grid(), request.courses()),
                         field::excess,
                         progress)),
-                under(conditions, summary.get(), progress),
+                under(conditions, request, summary.get(), stores, progress),
                 conditions.size());
         if (!survey.isComplete()) {
             stopped.run();
@@ -95,15 +105,19 @@ public record FieldSurvey(
     /** The same without a store. */
     public static FieldSurvey of(
             FieldRequest request, List<FieldCondition> conditions, IntConsumer progress, Runnable stopped) {
-        return of(request, conditions, LayerStore.NONE, progress, stopped);
+        return of(request, conditions, settings -> LayerStore.NONE, progress, stopped);
     }
 
     /** Under those conditions that are assessed before an interruption. */
     private static List<ConditionCoverage> under(
-            List<FieldCondition> conditions, FieldSummary asItIs, IntConsumer progress) {
+            List<FieldCondition> conditions,
+            FieldRequest request,
+            FieldSummary asItIs,
+            Function<SceneSettings, LayerStore> stores,
+            IntConsumer progress) {
         List<ConditionCoverage> found = new ArrayList<>();
         for (FieldCondition condition : conditions) {
-            unlessInterrupted(() -> ConditionCoverage.of(condition, asItIs.coverage(), progress))
+            unlessInterrupted(() -> ConditionCoverage.of(condition, request, asItIs.coverage(), stores, progress))
                     .ifPresent(found::add);
         }
         if (!found.isEmpty()) {

@@ -91,11 +91,11 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
 
     private static Map<Cause, List<Integer>> byCause(GapMap map, int sensor, int[] cells) {
         FieldCoverage coverage = map.coverage();
-        int columns = coverage.field().grid().columns();
+        FieldGrid grid = coverage.field().grid();
         Map<Cause, List<Integer>> byCause = new EnumMap<>(Cause.class);
         for (int cell : cells) {
-            int column = cell % columns;
-            int row = cell / columns;
+            int column = grid.column(cell);
+            int row = grid.row(cell);
             int course = coverage.courseAt(map.height(), column, row);
             Cause cause = coverage.field().cause(sensor, map.height(), column, row, course);
             byCause.computeIfAbsent(cause, one -> new ArrayList<>()).add(cell);
@@ -104,8 +104,8 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
     }
 
     private static Examined examine(GapMap map, int sensor, int cell, BlockerSearch search) {
-        int columns = map.coverage().field().grid().columns();
-        return examine(map.coverage(), sensor, map.height(), cell % columns, cell / columns, search);
+        FieldGrid grid = map.coverage().field().grid();
+        return examine(map.coverage(), sensor, map.height(), grid.column(cell), grid.row(cell), search);
     }
 
     /** Assesses a cell in which a drone can be. */

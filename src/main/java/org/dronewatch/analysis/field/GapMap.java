@@ -68,17 +68,17 @@ public final class GapMap {
 
     /** Whether a cell belongs to a gap, given by its number in {@link #gaps()}; false outside the grid. */
     public boolean contains(int gap, int column, int row) {
-        return column >= 0 && row >= 0 && column < side && row < side && gaps[row * side + column] == gap;
+        return column >= 0 && row >= 0 && column < side && row < side && gaps[grid.cell(column, row)] == gap;
     }
 
-    /** The cells of a gap, row by row from the north-west: {@code row * columns + column}. */
+    /** The cells of a gap, row by row from the north-west: by their {@link FieldGrid#cell numbers}. */
     public int[] cells(int gap) {
         return IntStream.range(0, gaps.length).filter(cell -> gaps[cell] == gap).toArray();
     }
 
     private boolean isBare(int cell) {
-        int column = cell % side;
-        int row = cell / side;
+        int column = grid.column(cell);
+        int row = grid.row(cell);
         return coverage.isKnown(height, column, row) && !coverage.isCovered(height, column, row);
     }
 
@@ -166,15 +166,15 @@ public final class GapMap {
         for (int cell = 0; cell < gaps.length; cell++) {
             int gap = gaps[cell];
             if (gap != NONE) {
-                causes.get(gap).merge(coverage.cause(height, cell % side, cell / side), 1, Integer::sum);
+                causes.get(gap).merge(coverage.cause(height, grid.column(cell), grid.row(cell)), 1, Integer::sum);
                 touchesRim[gap] |= isOnRim(cell);
                 inner[gap] = inner[gap] == NONE || depth[cell] > depth[inner[gap]] ? cell : inner[gap];
             }
         }
         List<Gap> found = new ArrayList<>();
         for (int gap = 0; gap < count; gap++) {
-            double x = grid.x(inner[gap] % side);
-            double y = grid.y(inner[gap] / side);
+            double x = grid.x(grid.column(inner[gap]));
+            double y = grid.y(grid.row(inner[gap]));
             found.add(Gap.of(causes.get(gap), grid.cellArea(), x, y, touchesRim[gap]));
         }
         return found;
@@ -185,6 +185,6 @@ public final class GapMap {
     }
 
     private boolean isOutside(int cell) {
-        return cell == NONE || coverage.field().isOutside(height, cell % side, cell / side);
+        return cell == NONE || coverage.field().isOutside(height, grid.column(cell), grid.row(cell));
     }
 }

@@ -48,23 +48,19 @@ public record HeightSummary(
      */
     static HeightSummary of(FieldCoverage coverage, int height, Map<String, FieldCoverage> without) {
         FieldGrid grid = coverage.field().grid();
-        int cells = 0;
-        int known = 0;
-        int inside = 0;
-        int covered = covered(coverage, height);
+        DetectionField field = coverage.field();
+        int cells = grid.count((column, row) -> !field.isOutside(height, column, row));
+        int known = grid.count((column, row) -> coverage.isKnown(height, column, row));
+        int inside = grid.count((column, row) -> field.isInside(height, column, row));
+        int covered = grid.count((column, row) -> coverage.isCovered(height, column, row));
         Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
-        int[] counts = new int[coverage.field().sensors().size() + 1];
-        for (int cell = 0; cell < grid.cells(); cell++) {
-            int column = cell % grid.columns();
-            int row = cell / grid.columns();
-            cells += coverage.field().isOutside(height, column, row) ? 0 : 1;
-            inside += coverage.field().isInside(height, column, row) ? 1 : 0;
+        int[] counts = new int[field.sensors().size() + 1];
+        grid.forEachCell((column, row) -> {
             if (coverage.isKnown(height, column, row)) {
-                known++;
                 causes.merge(coverage.cause(height, column, row), 1, Integer::sum);
                 counts[coverage.count(height, column, row)]++;
             }
-        }
+        });
         Map<String, Integer> lost = new LinkedHashMap<>();
         Map<String, Integer> changed = new LinkedHashMap<>();
         without.forEach((sensor, rest) -> {
@@ -76,14 +72,5 @@ public record HeightSummary(
         double above = grid.heights().get(height);
         Optional<Gap> gap = Gap.largest(coverage, height);
         return new HeightSummary(above, cells, known, inside, covered, volume, causes, counts, lost, changed, gap);
-    }
-
-    private static int covered(FieldCoverage coverage, int height) {
-        FieldGrid grid = coverage.field().grid();
-        int covered = 0;
-        for (int cell = 0; cell < grid.cells(); cell++) {
-            covered += coverage.isCovered(height, cell % grid.columns(), cell / grid.columns()) ? 1 : 0;
-        }
-        return covered;
     }
 }

@@ -16,20 +16,11 @@ public record RemainingCoverage(
     /** Counts the cells of a height, given by its number. */
     public static RemainingCoverage of(FieldCoverage all, FieldCoverage rest, int height) {
         FieldGrid grid = all.field().grid();
-        int known = 0;
-        int covered = 0;
-        int remaining = 0;
-        int gone = 0;
-        for (int cell = 0; cell < grid.cells(); cell++) {
-            int column = cell % grid.columns();
-            int row = cell / grid.columns();
-            boolean isCovered = all.isCovered(height, column, row);
-            boolean isStill = rest.isCovered(height, column, row);
-            known += all.isKnown(height, column, row) ? 1 : 0;
-            covered += isCovered ? 1 : 0;
-            remaining += isStill ? 1 : 0;
-            gone += isCovered && !isStill ? 1 : 0;
-        }
+        int known = grid.count((column, row) -> all.isKnown(height, column, row));
+        int covered = grid.count((column, row) -> all.isCovered(height, column, row));
+        int remaining = grid.count((column, row) -> rest.isCovered(height, column, row));
+        int gone =
+                grid.count((column, row) -> all.isCovered(height, column, row) && !rest.isCovered(height, column, row));
         return new RemainingCoverage(all, rest, height, known, covered, remaining, gone);
     }
 

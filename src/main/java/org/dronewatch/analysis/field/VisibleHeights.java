@@ -50,7 +50,7 @@ public final class VisibleHeights {
                 for (int column = 0; column < grid.columns(); column++) {
                     double ground = columns.ground(column, row);
                     double lowest = climb.lowest(points.get(sensor), grid.x(column), grid.y(row), ground, ground + top);
-                    heights[sensor][row * grid.columns() + column] = (float) (lowest - ground);
+                    heights[sensor][grid.cell(column, row)] = (float) (lowest - ground);
                 }
             }
         });
@@ -72,7 +72,7 @@ public final class VisibleHeights {
      * high by at most 1 mm; NaN where it has none up to the highest height of the grid, and where there is no ground.
      */
     public double height(int sensor, int column, int row) {
-        return heights[sensor][row * grid.columns() + column];
+        return heights[sensor][grid.cell(column, row)];
     }
 
     /** The least of the heights of all sensors, m; NaN where none of them has a clear line of sight. */
@@ -104,10 +104,6 @@ public final class VisibleHeights {
 
     /** The number of columns in which any sensor has a clear line of sight from a height, m, or lower. */
     public int count(double height) {
-        int count = 0;
-        for (int cell = 0; cell < grid.cells(); cell++) {
-            count += height(cell % grid.columns(), cell / grid.columns()) <= height ? 1 : 0;
-        }
-        return count;
+        return grid.count((column, row) -> height(column, row) <= height);
     }
 }

@@ -20,7 +20,7 @@ import org.dronewatch.setting.Quantity;
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
  *     default
- * @param covered the probability with which a sensor covers a cell, above 0 and at most 1; 0.5 by default
+ * @param covered the probability with which a sensor covers a cell, 0.008 to 0.996, or 1; 0.5 by default
  * @param within time in which a sensor has to detect the drone, s; one look by default
  * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell
  *     counts on the heading towards the protected zone. {@code any} by default
@@ -32,7 +32,7 @@ public record AirSettings(
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> side,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> cell,
         @In(value = Quantity.LENGTH, above = 0, to = FieldGrid.HIGHEST) List<Double> heights,
-        @In(value = Quantity.RATIO, above = 0, to = 1) double covered,
+        @In(value = Quantity.RATIO, from = FieldCoverage.LEAST_COVERED, to = 1) double covered,
         @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within,
         Heading heading,
         Optional<FieldTerms.Turning> pointing) {
@@ -59,8 +59,8 @@ public record AirSettings(
     /** Checks the limits. */
     public AirSettings {
         Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, pointing);
-        heights = List.copyOf(heights);
-        new FieldGrid(0.0, 0.0, FieldGrid.DEFAULT_SIDE, FieldGrid.DEFAULT_SIDE, heights);
+        FieldCoverage.checkedProbability(covered);
+        heights = FieldGrid.checkedHeights(heights);
     }
 
     /** The side of the square, m: that of {@code coverage} unless it is given. */

@@ -106,7 +106,7 @@ public final class CoveredCells {
                     .mapToDouble(one -> one.sensor().position().y())
                     .average()
                     .orElse(0.0);
-            return new FieldGrid(east, north, air.square(), air.cell().orElse(air.square() / CELLS), air.heights());
+            return FieldGrid.square(east, north, air.square(), air.cell().orElse(air.square() / CELLS), air.heights());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

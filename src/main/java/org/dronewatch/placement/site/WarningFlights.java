@@ -58,7 +58,7 @@ final class WarningFlights {
             }
             Position middle = InboundTarget.of(plan.present(), stage.protection());
             double side = air.square();
-            return new FieldGrid(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.heights());
+            return FieldGrid.square(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.heights());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

@@ -35,9 +35,7 @@ final class CauseLegend {
         this.grid = grid;
         this.known = known;
         this.cells = new CellState[grid.cells()];
-        for (int cell = 0; cell < cells.length; cell++) {
-            cells[cell] = states.of(cell % grid.columns(), cell / grid.columns());
-        }
+        grid.forEachCell((column, row) -> cells[grid.cell(column, row)] = states.of(column, row));
     }
 
     /** The legend of a height of a coverage, given by its number. */
@@ -48,7 +46,7 @@ final class CauseLegend {
 
     /** What a cell shows. */
     CellState at(int column, int row) {
-        return cells[row * grid.columns() + column];
+        return cells[grid.cell(column, row)];
     }
 
     /**
@@ -63,11 +61,7 @@ final class CauseLegend {
             counts.merge(cell, 1, Integer::sum);
         }
         List<LegendRow> rows = new ArrayList<>();
-        counts.forEach((state, count) -> {
-            if (state.kind() != CellState.StateKind.OUTSIDE) {
-                rows.add(new LegendRow(state.fill(), inWords(state, count, within)));
-            }
-        });
+        counts.forEach((state, count) -> rows.add(new LegendRow(state.fill(), inWords(state, count, within))));
         return rows;
     }
 

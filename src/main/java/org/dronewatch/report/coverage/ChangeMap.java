@@ -108,10 +108,7 @@ public final class ChangeMap {
 
     private Map<Change, Integer> counts() {
         Map<Change, Integer> counts = new EnumMap<>(Change.class);
-        int columns = after.field().grid().columns();
-        for (int cell = 0; cell < columns * columns; cell++) {
-            counts.merge(at(cell % columns, cell / columns), 1, Integer::sum);
-        }
+        after.field().grid().forEachCell((column, row) -> counts.merge(at(column, row), 1, Integer::sum));
         return counts;
     }
 }

@@ -5,12 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import org.dronewatch.analysis.field.ConditionCoverage;
 import org.dronewatch.report.Numbers;
+import org.dronewatch.scenario.SceneCondition;
 
 /** Tables of a site's coverage under several conditions: a row for each height, a column for each condition. */
 public final class ConditionTable {
-    /** The name of the scene without a condition. */
-    static final String AS_IT_IS = "as it is";
-
     private static final int WIDTH = 10;
 
     private ConditionTable() {}
@@ -70,7 +68,7 @@ public final class ConditionTable {
     }
 
     static String name(ConditionCoverage condition) {
-        return condition.name().isEmpty() ? AS_IT_IS : condition.name();
+        return condition.name().isEmpty() ? SceneCondition.AS_IT_IS : condition.name();
     }
 
     static String best(ConditionCoverage.Height height) {

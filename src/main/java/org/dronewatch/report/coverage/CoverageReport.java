@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronewatch.analysis.field.ConditionCoverage;
+import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldSummary;
@@ -205,8 +206,10 @@ final class CoverageReport {
         items.add(
                 "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"
                         + " those that are unknown because they, or the line of sight to them, are beyond the known ground.");
-        items.add("Only the drone '" + inputs.drone() + "' flies, level and at its cruise speed; sensors on"
-                + " positioners "
+        boolean mayHover =
+                summary.coverage().field().courses().stream().anyMatch(course -> course.kind() == Course.Kind.HOVER);
+        items.add("Only the drone '" + inputs.drone() + "' flies, level and at its cruise speed"
+                + (mayHover ? ", or hovers where that counts as its heading" : "") + "; sensors on positioners "
                 + (inputs.terms().pointing() == FieldTerms.Turning.CUED
                         ? "have turned to it."
                         : "search for it: probabilities are means over one period of the search."));

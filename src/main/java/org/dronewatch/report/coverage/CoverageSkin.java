@@ -48,9 +48,8 @@ public final class CoverageSkin implements SiteSkin {
                         ? CellState.LOST
                         : CellState.of(remaining.rest(), remaining.height(), column, row));
         this.fills = new MapSheet.Fill[grid.cells()];
-        for (int cell = 0; cell < fills.length; cell++) {
-            fills[cell] = shown.at(cell % grid.columns(), cell / grid.columns()).fill();
-        }
+        grid.forEachCell((column, row) ->
+                fills[grid.cell(column, row)] = shown.at(column, row).fill());
     }
 
     @Override
@@ -64,7 +63,7 @@ public final class CoverageSkin implements SiteSkin {
         int column = (int) Math.floor((east - grid.east()) / grid.cell() + half);
         int row = (int) Math.floor((grid.north() - north) / grid.cell() + half);
         boolean isIn = column >= 0 && row >= 0 && column < grid.columns() && row < grid.columns();
-        return isIn ? row * grid.columns() + column : -1;
+        return isIn ? grid.cell(column, row) : -1;
     }
 
     /** The grey of a colour, with the weights of ITU-R BT.601, paler. */
@@ -77,7 +76,7 @@ public final class CoverageSkin implements SiteSkin {
     /** The cell above or below a point; empty beside the grid. */
     public Optional<SkinCell> cellAt(Position point) {
         int cell = cell(point.x(), point.y());
-        return cell < 0 ? Optional.empty() : Optional.of(new SkinCell(cell % grid.columns(), cell / grid.columns()));
+        return cell < 0 ? Optional.empty() : Optional.of(new SkinCell(grid.column(cell), grid.row(cell)));
     }
 
     /** The meaning of the colours that occur, with fractions of the known cells. */

@@ -67,7 +67,7 @@ final class FieldFile {
         } else {
             root.putNull("warning");
         }
-        if (survey.asked() == 0) {
+        if (survey.conditions().isEmpty()) {
             root.putNull("conditions");
         } else {
             ObjectNode conditions = root.putObject("conditions");

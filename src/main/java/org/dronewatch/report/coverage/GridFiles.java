@@ -81,9 +81,7 @@ final class GridFiles {
 
     private byte[] causes(int height) {
         byte[] cells = new byte[grid.cells()];
-        for (int cell = 0; cell < cells.length; cell++) {
-            cells[cell] = (byte) number(height, cell % grid.columns(), cell / grid.columns());
-        }
+        grid.forEachCell((column, row) -> cells[grid.cell(column, row)] = (byte) number(height, column, row));
         return cells;
     }
 
@@ -101,11 +99,8 @@ final class GridFiles {
     /** The number of sensors that cover each cell; none for those that do not count. */
     private int[] counts(int height) {
         int[] cells = new int[grid.cells()];
-        for (int cell = 0; cell < cells.length; cell++) {
-            int column = cell % grid.columns();
-            int row = cell / grid.columns();
-            cells[cell] = coverage.isKnown(height, column, row) ? coverage.count(height, column, row) : -1;
-        }
+        grid.forEachCell((column, row) -> cells[grid.cell(column, row)] =
+                coverage.isKnown(height, column, row) ? coverage.count(height, column, row) : -1);
         return cells;
     }
 
@@ -116,9 +111,7 @@ final class GridFiles {
 
     private float[] heights(Heights heights) {
         float[] cells = new float[grid.cells()];
-        for (int cell = 0; cell < cells.length; cell++) {
-            cells[cell] = (float) heights.at(cell % grid.columns(), cell / grid.columns());
-        }
+        grid.forEachCell((column, row) -> cells[grid.cell(column, row)] = (float) heights.at(column, row));
         return cells;
     }
 }

@@ -75,13 +75,13 @@ record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
                         .orElse("");
     }
 
-    /** The cell of a gap that is nearest to this point: {@code row * columns + column}; the first among equals. */
+    /** The cell of a gap that is nearest to this point: by its {@link FieldGrid#cell number}; the first among equals. */
     int nearestCell(GapMap map, int gap) {
         FieldGrid grid = map.coverage().field().grid();
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int cell : map.cells(gap)) {
-            double distance = distance(grid.x(cell % grid.columns()), grid.y(cell / grid.columns()));
+            double distance = distance(grid.x(grid.column(cell)), grid.y(grid.row(cell)));
             if (distance < least) {
                 least = distance;
                 nearest = cell;

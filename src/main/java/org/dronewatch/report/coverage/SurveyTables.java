@@ -8,6 +8,27 @@ import org.dronewatch.analysis.field.FieldSurvey;
 public final class SurveyTables {
     private SurveyTables() {}
 
+    /** What an interruption left out: {@code 3 of 5 heights are complete; missing: warnings}. */
+    public static String missing(FieldSurvey survey) {
+        List<String> missing = new ArrayList<>();
+        if (survey.visible().isEmpty()) {
+            missing.add("least visible heights");
+        }
+        if (survey.detectable().isEmpty()) {
+            missing.add("least detectable heights");
+        }
+        if (survey.warnings().isEmpty()) {
+            missing.add("warnings");
+        }
+        int conditions = survey.asked() - Math.max(0, survey.conditions().size() - 1);
+        if (conditions > 0) {
+            missing.add(conditions + " of " + survey.asked() + " conditions");
+        }
+        return survey.summary().heights().size() + " of "
+                + survey.grid().heights().size() + " heights are complete"
+                + (missing.isEmpty() ? "" : "; missing: " + String.join(", ", missing));
+    }
+
     /** The tables of what was completed, with an empty line between two of them. */
     public static List<String> lines(FieldSurvey survey, CoverageInputs inputs) {
         List<List<String>> tables = new ArrayList<>();

@@ -112,8 +112,8 @@ final class WorstPlaces {
     private String where(GapMap map, GapSpan span) {
         FieldGrid grid = summary.coverage().field().grid();
         int nearest = reference.nearestCell(map, span.number());
-        double x = grid.x(nearest % grid.columns());
-        double y = grid.y(nearest / grid.columns());
+        double x = grid.x(grid.column(nearest));
+        double y = grid.y(grid.row(nearest));
         String begins = reference.distance(x, y) <= grid.cell()
                 ? "includes " + reference.name()
                 : "begins " + reference.describe(x, y);

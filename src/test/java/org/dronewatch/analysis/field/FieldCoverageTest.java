@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashSet;
@@ -118,6 +119,53 @@ class FieldCoverageTest {
             better += best.isCovered(1, column, row) ? 1 : 0;
         }
         assertThat(covered).isBetween(1, better - 20);
+    }
+
+    /** Against probabilities that are computed anew and not rounded; none is asked for that steps cannot tell apart. */
+    @Test
+    void theProbabilityAskedForHoldsToAStep() {
+        int covered = 0;
+        for (double asked : new double[] {0.008, 0.1, 0.5, 0.9, 0.996, 1.0}) {
+            FieldCoverage coverage = new FieldCoverage(field, FieldCoverage.Choice.BEST, asked);
+            for (int cell = 0; cell < GRID.cells(); cell++) {
+                int column = GRID.column(cell);
+                int row = GRID.row(cell);
+                for (int sensor = 0; sensor < 3; sensor++) {
+                    double exact = field.assess(sensor, 2, column, row, coverage.courseAt(2, column, row))
+                            .orElseThrow()
+                            .probability();
+                    if (coverage.covers(sensor, 2, column, row)) {
+                        assertThat(exact).isGreaterThanOrEqualTo(asked == 1.0 ? 1.0 : asked - 0.002);
+                        covered++;
+                    } else {
+                        assertThat(exact).isLessThan(asked == 1.0 ? 1.0 : asked + 0.004);
+                    }
+                }
+            }
+        }
+        assertThat(covered).isBetween(100, 3 * 6 * GRID.cells() - 100);
+        for (double asked : new double[] {-1, 0, 0.001, 0.0079, 0.9961, 0.999, 1.001, Double.NaN}) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new FieldCoverage(field, FieldCoverage.Choice.WORST, asked))
+                    .withMessageContaining("must be 0.008 to 0.996, or 1");
+        }
+    }
+
+    /** Row by row from the north-west, each cell once. */
+    @Test
+    void cellsAreVisitedInTheOrderOfTheirNumbers() {
+        FieldGrid grid = new FieldGrid(0, 0, 50, 10, List.of(10.0));
+        List<Integer> numbers = new ArrayList<>();
+        grid.forEachCell((column, row) -> {
+            int cell = grid.cell(column, row);
+            assertThat(grid.column(cell)).isEqualTo(column);
+            assertThat(grid.row(cell)).isEqualTo(row);
+            numbers.add(cell);
+        });
+        assertThat(numbers)
+                .containsExactlyElementsOf(
+                        IntStream.range(0, grid.cells()).boxed().toList());
+        assertThat(grid.count((column, row) -> column == 2 || row == 4)).isEqualTo(9);
     }
 
     /** Highest probability, then the cause nearest to a detection; a sensor covers from its own probability on. */
@@ -311,6 +359,19 @@ class FieldCoverageTest {
                 .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of(10.0, 10.0)))
                 .withMessageContaining("ascending");
         assertThatIllegalArgumentException()
+                .as("maps of both would have the same name")
+                .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of(10.0, 10.0000001)))
+                .withMessageContaining("1 mm");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of(1e-7)))
+                .withMessageContaining("1 mm");
+        assertThat(new FieldGrid(0, 0, 100, 10, List.of(0.001, 0.002, 10.0, 10.001)).heights())
+                .hasSize(4);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> FieldGrid.square(0, 0, 10, 100, List.of(10.0)))
+                .withMessage("a cell of 100.0 m is longer than the side of the area, 10.0 m");
+        assertThat(FieldGrid.square(0, 0, 10, 10, List.of(10.0)).columns()).isOne();
+        assertThatIllegalArgumentException()
                 .isThrownBy(() -> new FieldGrid(0, 0, 100, 10, List.of(Double.NaN)))
                 .withMessageContaining("NaN");
         assertThatIllegalArgumentException()
@@ -318,7 +379,7 @@ class FieldCoverageTest {
                 .withMessageContaining("10000 cells");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.0))
-                .withMessageContaining("above 0");
+                .withMessageContaining("must be 0.008 to 0.996, or 1");
         FieldGrid one = new FieldGrid(5, 6, 1, 10, List.of(10.0, 30.0, 60.0));
         assertThat(one.columns()).isEqualTo(1);
         assertThat(one.x(0)).isEqualTo(5);

@@ -66,7 +66,7 @@ class LayerStoreTest {
                 FieldTerms.ONE_LOOK,
                 covered);
         try (Workers workers = new Workers(threads)) {
-            return workers.call(() -> FieldSurvey.of(request, List.of(), store, cells -> {}, () -> {}));
+            return workers.call(() -> FieldSurvey.of(request, List.of(), settings -> store, cells -> {}, () -> {}));
         }
     }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.dronewatch.analysis.field.ConditionCoverage;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
@@ -74,6 +75,20 @@ class CoverageDirectoryTest {
         for (String key : List.of("idle_sensors", "covered_again_gap", "warning")) {
             assertThat(json.get(key).isNull()).as(key).isTrue();
         }
+
+        assertThat(SurveyTables.missing(
+                        new FieldSurvey(grid, low, Optional.empty(), Optional.empty(), Optional.empty(), List.of(), 2)))
+                .isEqualTo("1 of 2 heights are complete; missing: least visible heights, least detectable heights,"
+                        + " warnings, 2 of 2 conditions");
+        assertThat(SurveyTables.missing(new FieldSurvey(
+                        grid,
+                        whole.summary(),
+                        whole.visible(),
+                        whole.detectable(),
+                        whole.warnings(),
+                        List.of(ConditionCoverage.asItIs(whole.summary()), ConditionCoverage.asItIs(whole.summary())),
+                        3)))
+                .isEqualTo("2 of 2 heights are complete; missing: 2 of 3 conditions");
 
         try (CoverageDirectory target = new CoverageDirectory(out)) {
             target.write(whole, inputs, there, Map.of());
