@@ -14,8 +14,8 @@ import org.dronewatch.setting.Quantity;
  * @param north of the middle, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
- * @param heights above the ground, in ascending order, each at least 1 mm above the one before and the ground, and at most
- *     10 km, m; 1 to 50 of them
+ * @param heights above the ground, in ascending order, each at least 1 mm above the one before and the ground, and at
+ *     most 10 km, m; 1 to 50 of them
  * @param area only cells whose centre is in this area count, in plan view; empty if all do
  */
 public record FieldGrid(

@@ -75,7 +75,7 @@ record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
                         .orElse("");
     }
 
-    /** The cell of a gap that is nearest to this point: by its {@link FieldGrid#cell number}; the first among equals. */
+    /** The {@link FieldGrid#cell number} of the cell of a gap that is nearest to this point; the first among equals. */
     int nearestCell(GapMap map, int gap) {
         FieldGrid grid = map.coverage().field().grid();
         int nearest = -1;
