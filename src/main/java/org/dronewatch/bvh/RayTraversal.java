@@ -4,7 +4,7 @@ package org.dronewatch.bvh;
 public enum RayTraversal {
     /** The fastest method for each use: tiles for images, a BVH for incoherent rays, a stack for single ones. */
     FASTEST,
-    /** One ray at a time through the kd-tree, from cell to cell by a stack. */
+    /** One ray at a time through the kd-tree, from cell to cell with a stack. */
     STACK,
     /** One ray at a time through the kd-tree, from cell to cell by a new descent from the root. */
     SEQUENTIAL

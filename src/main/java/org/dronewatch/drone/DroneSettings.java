@@ -265,7 +265,7 @@ public record DroneSettings(
      * its directivity if that was measured, or a sound that you define.
      *
      * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound that
-     *     you define has a name of the table
+     *     you define has a name that is in the table
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));

@@ -48,7 +48,7 @@ public record RadioLink(
     public enum Emission {
         /** The signal of a remote control or a video link made for drones. */
         DEDICATED,
-        /** The signal of a WLAN, which identifies its manufacturer. */
+        /** A WLAN signal, which identifies the drone's manufacturer. */
         WLAN,
         /** The signal of a phone on a mobile network (LTE, 5G); nothing distinguishes it from those of other phones. */
         CELLULAR

@@ -25,9 +25,9 @@ public enum Airframe {
         }
     },
     /**
-     * A wing: its nose follows the path up and down, and it banks so that the lift has no sideways component, as in a
-     * coordinated turn. At the speed v and the rate of turn omega in level flight, the bank angle is
-     * {@code tan(bank) = v omega / g}.
+     * A wing: its nose follows the path up and down, and it banks so that the force on it other than gravity has no
+     * component along its wings, as in a coordinated turn. At the speed v and the rate of turn omega in level flight,
+     * the bank angle is {@code tan(bank) = v omega / g}.
      */
     FIXED_WING {
         @Override

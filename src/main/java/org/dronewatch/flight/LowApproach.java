@@ -14,7 +14,7 @@ import org.dronewatch.world.GroundPoint;
  * at the standoff distance. The drone climbs and descends at no more than 45 degrees, and keeps its height as with
  * {@link TerrainFollowing}.
  *
- * @param target the point in plan view, as a pair of east and north, m
+ * @param target the point in plan view, as a pair of east and north coordinates, m
  * @param bearing direction of the approach, from the target: clockwise from north, rad
  * @param distance horizontal distance from the target at time 0, above 0 and at most 50 km, m
  * @param height height above the highest surface below, above 0 and at most 10 km, m

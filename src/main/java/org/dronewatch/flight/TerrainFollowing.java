@@ -17,8 +17,8 @@ import org.dronewatch.world.GroundPoint;
  * thinner objects may be missed, and above a ridge between two samples the clearance may be a few millimetres short.
  * Where there is no surface below, the nearest known height along the path is used.
  *
- * @param points the path in plan view, as pairs of east and north: at least two, neighbours 1 mm or more apart, at most
- *     50 km in total, m
+ * @param points the path in plan view, as pairs of east and north coordinates: at least two, neighbours 1 mm or more
+ *     apart, at most 50 km in total, m
  * @param height height above the highest surface, above 0 and at most 10 km, m
  * @param maxFlightPathAngle largest angle of climb and descent, 5 to 85 degrees, rad
  */

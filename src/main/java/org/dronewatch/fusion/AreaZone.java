@@ -65,7 +65,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     }
 
     /**
-     * A zone of settings in plan view, given by its name, with heights of 0: an area, or the sphere as a circle by the
+     * A zone in plan view, by its name in the settings, with heights of 0: an area, or the sphere as a circle under the
      * name {@link Protection#ZONE}; empty when there is none.
      */
     public static Optional<AreaZone> inPlan(String name, AlertSettings alert) {

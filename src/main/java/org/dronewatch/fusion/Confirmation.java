@@ -42,8 +42,8 @@ public record Confirmation(
 
     /**
      * The probability that a look confirms a contact that was not confirmed at the look before: this look is a hit,
-     * exactly hits - 1 of the previous looks - 1 looks were hits, and the look before those was a miss,
-     * {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}.
+     * exactly {@code hits - 1} of the {@code looks - 1} looks before it were hits, and the look before those was a
+     * miss, {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}.
      *
      * @param ofOneLook the probability that a look detects it, independently of the others, 0 to 1
      */

@@ -6,7 +6,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * A point in plan view by latitude and longitude (WGS 84), which scene files may give instead of a pair of east and
- * north.
+ * north coordinates.
  *
  * @param latitude latitude, north of the equator, rad
  * @param longitude longitude, east of Greenwich, rad

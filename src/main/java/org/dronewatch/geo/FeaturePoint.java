@@ -6,7 +6,8 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.Limits;
 
 /**
- * A point in plan view by its name on a map, which scene files may give instead of a pair of east and north.
+ * A point in plan view by its name on a map, which scene files may give instead of a pair of east and north
+ * coordinates.
  *
  * @param feature name of a point in a GeoJSON or KML file
  * @param file the GeoJSON or KML file; by default the one beside the scene file with the same name, ending in {@code

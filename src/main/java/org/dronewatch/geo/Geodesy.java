@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
  * point 1 km away by 0.16 m on the map.
  *
  * <p>East, north and up are converted to earth-centred coordinates without any approximation, and these to latitude and
- * longitude (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula of the
+ * longitude (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula for the
  * latitude is Bowring's (Transformation from spatial to geographical coordinates, Survey Review 23, 1976), iterated
  * until it is exact to rounding. Semi-major axis and flattening are those of WGS 84 (NIMA TR8350.2). Immutable.
  */
@@ -84,7 +84,7 @@ public final class Geodesy {
     /**
      * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies
      * at its own height, or at 0 if that is not known. The inverse of {@link #inWorld} to a micrometre within 100 km;
-     * longitudes continue from that of the origin. The formula of the height is Bowring's (The accuracy of geodetic
+     * longitudes continue from that of the origin. The formula for the height is Bowring's (The accuracy of geodetic
      * latitude and height equations, Survey Review 28, 1985).
      *
      * @param position position, m

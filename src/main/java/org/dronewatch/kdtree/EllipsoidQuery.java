@@ -4,10 +4,10 @@ import java.util.Arrays;
 import org.dronewatch.geometry.Position;
 
 /**
- * Finds the triangles of a tree that come near an ellipsoid of two foci: the points for which the sum of the distances
- * from both foci is at most a limit, such as the points that a path of bounded length between the foci can reach. The
- * result contains every triangle that intersects the ellipsoid, and a few near it, because boxes are tested instead of
- * triangles. Allocates only when a query finds more triangles than any before it. One per thread.
+ * Finds the triangles of a tree that come near an ellipsoid with two foci: the points for which the sum of the
+ * distances from both foci is at most a limit, such as the points that a path of bounded length between the foci can
+ * reach. The result contains every triangle that intersects the ellipsoid, and a few near it, because boxes are tested
+ * instead of triangles. Allocates only when a query finds more triangles than any before it. One per thread.
  */
 public final class EllipsoidQuery {
     private final KDTree tree;
@@ -45,7 +45,7 @@ public final class EllipsoidQuery {
      *
      * @param a one focus, m
      * @param b the other, m
-     * @param sum of the distances from both of a point on the ellipsoid, m
+     * @param sum of the distances of a point on the ellipsoid from both foci, m
      */
     public void find(Position a, Position b, double sum) {
         cuts = false;
@@ -57,7 +57,7 @@ public final class EllipsoidQuery {
      *
      * @param a one focus, m
      * @param b the other, m
-     * @param sum of the distances from both of a point on the ellipsoid, m
+     * @param sum of the distances of a point on the ellipsoid from both foci, m
      * @param normal of the plane, of length 1
      * @param slack triangles up to this distance from the plane are included, m
      */

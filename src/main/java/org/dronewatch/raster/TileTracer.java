@@ -14,7 +14,8 @@ import org.dronewatch.parallel.VectorInstructions;
  * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions; the benchmark
  * {@code PictureTracing} measures the ratio. Tiles are faster unless triangles are much smaller than pixels: a tile
  * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
- * Cells that lie between or behind the triangles found for all pixels are skipped ({@link TileCuller}).
+ * Cells that lie behind the triangles found for all pixels, or between the centres of the pixels, are skipped
+ * ({@link TileCuller}).
  */
 public final class TileTracer {
     /** The largest number of columns of a tile. */

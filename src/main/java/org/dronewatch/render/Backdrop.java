@@ -36,12 +36,12 @@ public final class Backdrop {
         return orbit;
     }
 
-    /** Columns of its images. */
+    /** Columns of the image. */
     public int width() {
         return width;
     }
 
-    /** Rows of its images. */
+    /** Rows of the image. */
     public int height() {
         return height;
     }

@@ -5,7 +5,7 @@ package org.dronewatch.render;
  * readers, because lightness varies at both ends.
  *
  * @param low the lowest level that has a distinct colour, dB
- * @param high the loudest, dB
+ * @param high the highest, dB
  */
 public record LevelScale(double low, double high) {
     private static final int[] COLOURS = {0x3b2f8f, 0x2f6fd0, 0x2fb3c8, 0x6fce6a, 0xe6d93c, 0xf59a23, 0xe03a1e, 0x98103a

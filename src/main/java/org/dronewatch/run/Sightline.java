@@ -33,7 +33,7 @@ public final class Sightline {
                 .orElse(true);
     }
 
-    /** Whether a sensor could look at a position, wherever its positioner can turn it. */
+    /** Whether a sensor could look at a position, once its positioner has turned to it. */
     public boolean isPossible(SensorSettings<?> sensor, Position position) {
         return isInField(sensor, Mounted.turnedTo(sensor, position), position)
                 && visibility.isFree(sensor.position(), position);

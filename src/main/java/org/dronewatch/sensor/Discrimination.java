@@ -9,7 +9,7 @@ package org.dronewatch.sensor;
  * Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
-    /** Something is recognised as present: 0.75 line pairs. */
+    /** Something is seen to be present: 0.75 line pairs. */
     DETECTION(0.75),
     /** It is recognised as a drone: 3 line pairs. */
     RECOGNITION(3.0),

@@ -16,7 +16,7 @@ import java.util.random.RandomGenerator;
  * many numbers were drawn from another stream; renaming a sensor or a drone changes its numbers. {@code hash} is 64-bit
  * FNV-1a over the name's UTF-8 (Fowler, Noll and Vo, 1991; offset basis 0xCBF29CE484222325, prime 0x100000001B3),
  * {@code mix} is the finalizer of SplitMix64 (Steele, Lea and Flood 2014), and the stream is a {@link SplittableRandom}
- * of that key.
+ * with that key as its seed.
  */
 public final class Draws {
     private static final long FNV_BASIS = 0xCBF29CE484222325L;

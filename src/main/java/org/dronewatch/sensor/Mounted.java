@@ -50,7 +50,7 @@ public interface Mounted {
      * The settings of any sensor, pointed as its positioner points it.
      *
      * @param pointing where that points; empty for a sensor's own aim
-     * @return the same settings without a pointing, and for a sensor that no positioner can turn
+     * @return the settings as they are if {@code pointing} is empty or no positioner can turn the sensor
      */
     static SensorSettings<?> pointed(SensorSettings<?> sensor, Optional<Pointing> pointing) {
         return pointing.<SensorSettings<?>>flatMap(

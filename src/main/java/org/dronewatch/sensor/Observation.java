@@ -60,7 +60,7 @@ public record Observation(
         return new Observation(look, GroundTruth.ofNothing(look.time()), reading, Map.of(), sighting);
     }
 
-    /** This observation with further results of the look, by name with unit. */
+    /** This observation with other figures, by name with unit, in place of the present ones. */
     public Observation withFigures(Map<String, Double> others) {
         return new Observation(look, truth, reading, others, sighting);
     }

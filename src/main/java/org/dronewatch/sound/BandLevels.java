@@ -78,7 +78,7 @@ public record BandLevels(
     }
 
     /**
-     * A spectrum of a list of eight levels, dB.
+     * A spectrum from a list of eight levels, dB.
      *
      * @throws IllegalArgumentException when there are not eight or one is not finite
      */

@@ -80,12 +80,12 @@ public record Wind(
         return Math.log1p(Math.max(0.0, height) / roughness);
     }
 
-    /** The component of a unit of wind towards east: negative for wind from the east. */
+    /** The eastward component of a wind of unit speed: negative for wind from the east. */
     public double eastward() {
         return -Math.sin(from);
     }
 
-    /** The component of a unit of wind towards north. */
+    /** The northward component of a wind of unit speed. */
     public double northward() {
         return -Math.cos(from);
     }

@@ -23,9 +23,9 @@ public record Proportion(int count, int of) {
     }
 
     /**
-     * Wilson's score interval of the probability (Wilson, Journal of the American Statistical Association 22, 1927):
-     * over many campaigns it contains the probability in a fraction of about {@code confidence} of them, even
-     * where the probability is close to 0 or 1.
+     * Wilson's score interval for the probability (Wilson, Journal of the American Statistical Association 22, 1927):
+     * over many campaigns it contains the probability in a fraction of about {@code confidence} of them, even where the
+     * probability is close to 0 or 1.
      *
      * @param confidence such as 0.95, above 0 and below 1
      * @return from 0 to 1 without cases

@@ -1,5 +1,5 @@
 /**
  * The association of measurements with contacts. Only {@link org.dronewatch.tracking.PerfectAssociation} reads the
- * truth; it cannot be reached from the results.
+ * truth; results hold no reference to it.
  */
 package org.dronewatch.tracking;

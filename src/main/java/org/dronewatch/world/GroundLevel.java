@@ -66,7 +66,7 @@ public final class GroundLevel {
         if (terrain > Double.NEGATIVE_INFINITY) {
             return terrain;
         }
-        // A house in a hole of the terrain stands on its lowest surface.
+        // A house where the terrain has a hole stands on its lowest surface.
         double below = !statesTerrain && facingUp < Double.POSITIVE_INFINITY ? facingUp : lowest;
         return below < Double.POSITIVE_INFINITY ? below : 0.0;
     }

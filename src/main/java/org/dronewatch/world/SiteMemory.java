@@ -7,9 +7,9 @@ import java.util.function.Supplier;
 import org.dronewatch.bvh.TracingIndex;
 
 /**
- * What runs compute of their sites without drones, such as what a camera sees of the site: kept, so that thousands of
- * runs on one site share it. When it takes more than its share of memory, what was least recently used is dropped, and
- * made again when it is next needed. Thread-safe.
+ * What runs compute from their sites without drones, such as what a camera sees of the site. It is kept so that
+ * thousands of runs on one site share it. When it takes more than its share of memory, what was least recently used is
+ * dropped, and made again when it is next needed. Thread-safe.
  */
 public final class SiteMemory {
     private final long most;

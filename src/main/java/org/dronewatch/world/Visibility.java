@@ -153,7 +153,7 @@ public final class Visibility {
         return world.material(tracer.triangle(), x + along * dx, y + along * dy);
     }
 
-    /** The last surface found, as a multiple of the vector. */
+    /** The distance to the last surface found, as a multiple of the vector. */
     public double distance() {
         return tracer.distance();
     }

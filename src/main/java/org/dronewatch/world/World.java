@@ -54,7 +54,7 @@ public final class World {
     /** The models by the number of the first triangle of each. */
     private final NavigableMap<Integer, SiteModel> models;
 
-    /** What runs have computed of sites and share; null for nothing. */
+    /** What runs have computed from sites and share; null for nothing. */
     private final SiteMemory memory;
 
     /**
@@ -223,7 +223,9 @@ public final class World {
         return new World(this, covering, List.copyOf(more));
     }
 
-    /** This world with a memory of what is computed of its mesh, which other worlds of the same index may share. */
+    /**
+     * This world with a memory of what is computed from its mesh; other worlds of the same index may share that memory.
+     */
     public World withMemory(SiteMemory shared) {
         return new World(this, shared);
     }

@@ -74,7 +74,7 @@ class OwnSoundTest {
         assertThat(DroneSounds.measuredDirectivity("hexacopter")).isEmpty();
     }
 
-    /** A name of the table with other figures would mislead whoever reads the settings. */
+    /** A name from the table with other figures would mislead whoever reads the settings. */
     @Test
     void aSoundOfItsOwnNeedsAnotherName() {
         DroneSound packaged = DroneSounds.get("hexacopter");

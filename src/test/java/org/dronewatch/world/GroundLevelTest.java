@@ -70,7 +70,7 @@ class GroundLevelTest {
 
         assertThat(ground.height(new Position(1, 2, 10.5))).isEqualTo(10.5);
         assertThat(ground.height(new Position(1, 2, -2))).as("in the cellar").isZero();
-        // The house in a hole of the terrain stands on its underside.
+        // The house where the terrain has a hole stands on its underside.
         assertThat(ground.height(new Position(55, 55, 13))).isEqualTo(12);
         assertThat(ground.height(new Position(75, 75, 13))).as("nothing below").isEqualTo(13);
         assertThat(ground.height(new Position(75, 75, -13))).isZero();

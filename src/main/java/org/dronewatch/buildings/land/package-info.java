@@ -1,2 +1,2 @@
-/** What covers the ground by the map (water, roads, woods, ...), drawn into a raster. */
+/** What covers the ground according to the map (water, roads, woods, ...), drawn into a raster. */
 package org.dronewatch.buildings.land;

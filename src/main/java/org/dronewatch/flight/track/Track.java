@@ -32,7 +32,7 @@ public record Track(
 
     /** The level from which the heights in a file are measured. */
     public enum Heights {
-        /** Sea level, as the height of the scene's origin. */
+        /** Sea level, as for the height of the scene's origin. */
         SEA,
         /** The first point, which lies on the surface. */
         START,

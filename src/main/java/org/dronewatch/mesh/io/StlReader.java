@@ -14,8 +14,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads STL files, binary and text. The format states no unit: coordinates count as metres unless the scene says
- * otherwise, with a warning. It has no materials, and its normals have no effect.
+ * Reads STL files, binary and text. The format states no unit: unless the scene states one, coordinates are taken as
+ * metres, with a warning. It has no materials, and its normals have no effect.
  */
 public final class StlReader implements MeshReader {
     private static final int HEADER = 80;

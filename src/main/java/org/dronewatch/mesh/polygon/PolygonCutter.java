@@ -25,7 +25,7 @@ public final class PolygonCutter {
     }
 
     /**
-     * Appends the corners of the triangles, at most two triangles fewer than the polygon has corners.
+     * Appends the corners of the triangles: at most n - 2 triangles for a polygon of n corners.
      *
      * @param polygon vertex indices of its corners in turn, 3 or more
      * @return whether they cover the polygon; false for one that crosses itself, which is also cut into a fan

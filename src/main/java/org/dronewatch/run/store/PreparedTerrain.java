@@ -7,6 +7,6 @@ import org.dronewatch.terrain.LoadedTerrain;
  * A terrain that was read, and where its ground is known.
  *
  * @param terrain as read
- * @param ground over its triangles
+ * @param ground where the ground is known, by its triangles
  */
 public record PreparedTerrain(LoadedTerrain terrain, KnownGround ground) {}

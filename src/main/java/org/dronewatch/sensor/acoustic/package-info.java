@@ -1,2 +1,2 @@
-/** Microphones: sound is traced as rays from the drone to the sensor, via reflections. */
+/** Microphones: sound is traced as rays between the drone and the sensor, directly and via reflections. */
 package org.dronewatch.sensor.acoustic;

@@ -165,7 +165,7 @@ public final class CameraSensor implements BoundingSensor {
         return picture.camera().isOutside(at.x(), at.y(), at.z(), drone.radius());
     }
 
-    /** A number of pixels does not depend on the speed. */
+    /** The number of pixels does not depend on the speed. */
     @Override
     public boolean isSameAtAllSpeeds() {
         return settings.detection().countsPixelsOnly();

@@ -10,11 +10,11 @@ import org.joml.Matrix4d;
 import org.joml.Vector4d;
 
 /**
- * Pose and projection of a camera. Its own frame has x to the right, y up, and looks along -z; pixel (0, 0) is the top
- * left one; a pixel's ray goes through its centre. Immutable.
+ * Pose and projection of a camera. In its own frame, x is to the right and y is up, and the camera looks along -z;
+ * pixel (0, 0) is the top left one; a pixel's ray goes through its centre. Immutable.
  */
 public final class CameraObject {
-    /** Least depth that is projected, m: small enough that no ray can hit a drone in front of it. */
+    /** Least depth that is projected, m: so small that no ray meets a drone at a lesser depth. */
     public static final double NEAR = 1e-6;
 
     private final Position position;

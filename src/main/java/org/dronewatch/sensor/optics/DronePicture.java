@@ -49,8 +49,8 @@ public final class DronePicture {
     }
 
     /**
-     * The pictures of a camera in the same pose as in other runs: runs whose worlds have a common memory trace the site
-     * in its image once.
+     * The pictures of a camera in the same pose as in other runs: if the worlds of several runs share a memory, the
+     * site in its image is traced only once.
      */
     public static DronePicture atRest(CameraObject camera) {
         return new DronePicture(camera, new SiteImages(camera, true), true);

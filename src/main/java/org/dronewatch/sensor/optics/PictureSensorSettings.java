@@ -194,14 +194,14 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     /**
      * These settings with the frustum of OpenGL's {@code glFrustum}: its field of view, its shifts and its planes.
      *
-     * @param left left edge of the image at the near plane, to the right of the axis, m
+     * @param left left edge of the image at the near plane, measured to the right from the axis, m
      * @param right right edge, m
-     * @param bottom bottom edge, above the axis, m
+     * @param bottom bottom edge, measured up from the axis, m
      * @param top top edge, m
      * @param near distance of the near plane, above 0, m
      * @param far distance of the far plane, m
      * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to a
-     *     millionth, or a setting that follows is out of range
+     *     millionth, or a resulting setting is out of range
      */
     default C withFrustum(double left, double right, double bottom, double top, double near, double far) {
         double wide = right - left;
@@ -246,7 +246,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * The texts about a camera for reports, on a positioner or not.
+     * The texts for reports about a camera that is on a positioner or not.
      *
      * @param measures the quantity that its observations measure
      * @param leftOut a sentence about the effects that its model leaves out

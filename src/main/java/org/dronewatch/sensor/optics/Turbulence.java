@@ -2,8 +2,8 @@ package org.dronewatch.sensor.optics;
 
 /**
  * The blur that turbulent air causes in the image of a target at a finite distance, in an exposure that is long
- * compared with the motion of the air: an upper bound for a single short exposure, in which part of the blur is a shift
- * of the whole image.
+ * compared with the time scale of the air's motion: an upper bound for a single short exposure, in which part of the
+ * blur is a shift of the whole image.
  *
  * @param coherenceDiameter Fried's parameter r0: with a lens of this diameter, the air blurs about as much as
  *     diffraction, above 0, m; infinite in still air

@@ -69,7 +69,7 @@ public sealed interface DopplerFilter {
     }
 
     /**
-     * A canceller of N pulses with binomial weights and the response {@code |sin(pi v / b)|^(2 (N - 1))}, which is also
+     * An N-pulse canceller with binomial weights and the response {@code |sin(pi v / b)|^(2 (N - 1))}, which is also
      * blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing, section
      * 5.2.
      *

@@ -48,8 +48,8 @@ public sealed interface LinkBudget {
     OptionalDouble lowerGain();
 
     /**
-     * The coherent integration time of a pulse, s; empty if it is not stated. A beam dwells on its position for as many
-     * of these times as a look integrates pulses.
+     * The coherent integration time, s: of one pulse, or of the coherent burst that counts as one; empty if it is not
+     * stated. A beam dwells on its position for as many of these times as a look integrates pulses.
      */
     OptionalDouble dwell();
 
@@ -200,7 +200,7 @@ public sealed interface LinkBudget {
             return SettingsForm.with(this, "gain", Optional.of(decibels));
         }
 
-        /** This data sheet with the coherent integration time in each position of the beam, s. */
+        /** This data sheet with the coherent integration time of each pulse, s. */
         public DataSheet withIntegrationTime(double seconds) {
             return SettingsForm.with(this, "integrationTime", Optional.of(seconds));
         }

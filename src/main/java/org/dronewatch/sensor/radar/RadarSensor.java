@@ -27,8 +27,9 @@ import org.dronewatch.world.World;
 /**
  * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter if the settings
  * have clutter, after the notch if there is one; minus infinity for a drone outside its limits of position or radial
- * speed, and for one that is entirely hidden. For a partly hidden drone, the visible fraction of the cross-section
- * is used or, with {@code diffraction}, the wave diffracted round the edges of the site in both directions.
+ * speed. For a drone that is partly or entirely hidden, the visible fraction of the cross-section is used (minus
+ * infinity if nothing is visible) or, with {@code diffraction}, the wave diffracted round the edges of the site in both
+ * directions.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";

@@ -4,6 +4,6 @@ package org.dronewatch.sensor.radio;
 public enum Polarisation {
     /** Horizontal electric field. */
     HORIZONTAL,
-    /** Vertical electric field, as of a vertical rod. */
+    /** Vertical electric field, as from a vertical rod antenna. */
     VERTICAL
 }

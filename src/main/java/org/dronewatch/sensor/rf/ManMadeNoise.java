@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.rf;
 
 /**
- * Man-made radio noise by type of surroundings: the median of the noise figure of a lossless antenna,
+ * Man-made radio noise by type of surroundings: the median external noise figure for a lossless antenna,
  * {@code Fam = c - d lg f} dB above {@code k 290 K B} with f in MHz, from 0.3 to 250 MHz (ITU-R P.372-17, section on
  * man-made noise). In half of all locations it is higher. The recommendation gives no figures above 250 MHz.
  */

@@ -17,7 +17,8 @@ import org.dronewatch.setting.SettingsForm;
  * {@code P1 = Phi(SNR - t)}, and at least M of N frames mark it with the probability
  * {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}.
  *
- * <p>The threshold t follows from the accepted number of false alarms per hour. In each pixel and frame, noise causes
+ * <p>The threshold t follows from the accepted number of false alarms per hour. In each pixel and frame, noise causes a
+ * mean number of false alarms of
  *
  * <pre>
  * C(N - 1, M - 1) p q^(M - 1) (1 - q)^(N - M + 1),  p = Q(t),  q = 1 - (1 - p)^g

@@ -14,7 +14,7 @@ public enum FileKind {
     ASCII_GRID("an ESRI ASCII grid", "world.terrain", (name, start) -> start.matches("(?is)\\s*(ncols|nrows)\\s.*")),
     /** A tile of SRTM has no signature at its beginning. */
     SRTM("an SRTM tile", "world.terrain", (name, start) -> name.endsWith(".hgt")),
-    /** Models of buildings, by the exchange format of STEP. */
+    /** Models of buildings, in the exchange format of STEP. */
     IFC("an IFC model", "world.models", (name, start) -> start.startsWith("ISO-10303-21")),
     /** glTF in one file, or as JSON. */
     GLTF("a glTF model", "world.models", (name, start) -> start.startsWith("glTF") || name.endsWith(".gltf")),

@@ -80,7 +80,7 @@ public sealed interface Node {
 
         /**
          * This mapping with the values of another one on top: mappings that both have are merged unless the other one
-         * names another kind, everything else is replaced.
+         * names another kind; everything else is replaced.
          */
         public Mapping overlaidWith(Mapping over) {
             Map<String, Node> all = new LinkedHashMap<>(values);

@@ -12,8 +12,8 @@ public final class SurfaceRoughness {
     private SurfaceRoughness() {}
 
     /**
-     * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g whose mean over all directions is the
-     * given fraction, {@code 1 - (1 - exp(-g)) / g}; never more than that fraction.
+     * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g for which its mean over all directions,
+     * {@code 1 - (1 - exp(-g)) / g}, is the given fraction; never more than that fraction.
      *
      * @param randomIncidence mean fraction over all directions, 0 to 1
      * @param cosine cosine of the angle of incidence, from the normal, 0 to 1

@@ -11,7 +11,8 @@ package org.dronewatch.sound.surface;
  * beyond {@code k L^2}, half is in the phase and half in the logarithm of the amplitude, with the same sum. With the
  * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent is half as large beyond {@code k L^2}.
  *
- * @param strength variance of the refractive index, 0 for still air: about 1e-8 in calm, 1e-4 in very turbulent air
+ * @param strength variance of the refractive index: 0 without turbulence, about 1e-8 in calm air, 1e-4 in very
+ *     turbulent air
  * @param scale correlation length L, m, above 0
  */
 public record TurbulentCoherence(double strength, double scale) {

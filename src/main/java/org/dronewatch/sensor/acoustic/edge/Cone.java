@@ -58,7 +58,7 @@ final class Cone {
     }
 
     /**
-     * The angle by which the outline bends at a corner: 0 for a straight outline, pi for the end of a sheet.
+     * The angle by which the outline bends at a corner: 0 for a straight outline, pi for the edge of a sheet.
      */
     double bend() {
         double width = Math.atan2(Math.max(0.0, firstU * lastV - firstV * lastU), firstU * lastU + firstV * lastV);

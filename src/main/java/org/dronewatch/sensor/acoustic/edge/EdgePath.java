@@ -90,7 +90,7 @@ public final class EdgePath {
     }
 
     /**
-     * Searches for the shortest path round the obstacles between two points between which every arc of sound is
+     * Searches for the shortest path round the obstacles between two points whose connecting arc of sound is
      * obstructed.
      *
      * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m

@@ -74,7 +74,7 @@ public final class EdgeSequence {
     }
 
     /**
-     * The angle by which the outline of the obstacle bends at the sharpest of its edges, rad: pi for the end of a
+     * The angle by which the outline of the obstacle bends at the sharpest of its edges, rad: pi for the edge of a
      * sheet.
      */
     public double bend() {

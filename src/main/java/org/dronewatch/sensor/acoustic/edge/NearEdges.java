@@ -20,7 +20,7 @@ public final class NearEdges {
      * An edge near a line of sight.
      *
      * @param detour path difference between the path that touches it and the line, 0 or more, m
-     * @param bend angle by which the outline of the obstacle bends there, rad; pi for the end of a sheet
+     * @param bend angle by which the outline of the obstacle bends there, rad; pi for the edge of a sheet
      * @param material index of the material of a triangle at the edge
      */
     public record NearEdge(double detour, double bend, int material) {}

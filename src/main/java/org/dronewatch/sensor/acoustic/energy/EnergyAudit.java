@@ -4,7 +4,7 @@ package org.dronewatch.sensor.acoustic.energy;
  * The energy balance of the rays, as fractions of the emitted energy: emitted + gained = absorbed + air + escaped +
  * lost + residual.
  *
- * @param emitted energy emitted by the source: 1 for each band with sound, 1 for all bands together
+ * @param emitted energy emitted by the source: always 1, since all parts are fractions of it
  * @param gained energy added to surviving rays by Russian roulette and branch selection
  * @param absorbed energy absorbed by surfaces
  * @param air energy absorbed in the air

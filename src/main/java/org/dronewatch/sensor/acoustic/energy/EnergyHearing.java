@@ -27,8 +27,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * A microphone in the energy model: measures the A-weighted sound pressure level, or the signal-to-noise ratio of the
- * best band. One thread at a time.
+ * A microphone in the energy model: it measures the A-weighted sound pressure level, or the signal-to-noise ratio of
+ * the best band. One thread at a time.
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";

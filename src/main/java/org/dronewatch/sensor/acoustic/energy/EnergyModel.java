@@ -34,8 +34,8 @@ import org.dronewatch.world.World;
  * @param diffraction method for diffraction round edges
  * @param criterion level that is compared with the background
  * @param ground whether direct and ground-reflected sound interfere
- * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 in still
- *     air, about 1e-8 in calm, 1e-4 in very turbulent air
+ * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 without
+ *     turbulence, about 1e-8 in calm air, 1e-4 in very turbulent air
  * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, 0.01 to 1000 m
  * @param pressure conversion of intensity to sound pressure
  */
@@ -54,8 +54,8 @@ public record EnergyModel(
         implements Propagation {
 
     /**
-     * Rays until the standard error is below 0.2 dB, in batches, 8,000 at most; roulette threshold 0.5, maximum order
-     * 1,000. For reverberation times, a roulette threshold of 0.001 is better.
+     * At most 8,000 rays, traced in batches until the standard error is below 0.2 dB; roulette threshold 0.5, maximum
+     * order 1,000. For reverberation times, a roulette threshold of 0.001 is better.
      */
     @Defaults
     public static final EnergyModel DEFAULT = new EnergyModel(

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** Candidates for image sources, each with a weight: a measure of the energy that it contributes, in any unit. */
+/** Candidates for image sources, each with its worth: a measure of the energy that it contributes, in any unit. */
 public final class ImageSourceCandidates {
     private final List<Integer> parents = new ArrayList<>(List.of(ImageSources.ORIGINAL));
     private final List<Integer> walls = new ArrayList<>(List.of(WallPlanes.NONE));

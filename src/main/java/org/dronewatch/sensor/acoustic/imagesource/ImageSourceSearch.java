@@ -13,8 +13,8 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the relevant image sources of a point: those whose walls reflect evenly spread rays from it (M. Vorlaender,
- * JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than one ray may be missed. The same
- * point has the same image sources. One per thread.
+ * JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than that between neighbouring rays
+ * may be missed. Searches from the same point give the same image sources. One per thread.
  */
 public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */

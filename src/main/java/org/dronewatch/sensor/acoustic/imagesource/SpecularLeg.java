@@ -79,7 +79,10 @@ public final class SpecularLeg {
         return order;
     }
 
-    /** Whether a path over the same walls leads to a point, and not only past it; unknown for rays through walls. */
+    /**
+     * Whether a path over the same walls leads to a point, and not only past it. Not valid for a ray that has passed
+     * through a wall.
+     */
     public boolean leadsTo(Position point, SpecularPath path, WallPlanes planes) {
         ImageSources backward = backward();
         double[] images = new double[3 * backward.count()];

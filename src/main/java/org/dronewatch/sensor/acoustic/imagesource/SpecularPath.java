@@ -68,7 +68,7 @@ public final class SpecularPath {
     }
 
     /**
-     * The same between points of surfaces. A wall reflects nothing that begins or ends in its own plane. Rounding may
+     * The same between points on surfaces. A wall reflects nothing that begins or ends in its own plane. Rounding may
      * have put such a point on either side of the plane, so the wall's number decides: otherwise sound would leak
      * through a sheet by a reflection on its other side.
      *

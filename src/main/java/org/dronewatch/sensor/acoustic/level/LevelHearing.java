@@ -14,8 +14,8 @@ import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
 /**
- * A microphone in the level model: measures the highest level received, which is not divided among rays. One thread at
- * a time.
+ * A microphone in the level model: it measures the highest level received, which is not divided among rays. One thread
+ * at a time.
  */
 public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
@@ -78,7 +78,7 @@ public final class LevelHearing implements SoundTracer {
         return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look);
     }
 
-    /** {@inheritDoc} It does not trace rays that cannot be detected. */
+    /** {@inheritDoc} It does not trace rays from which no ray can be loud enough. */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random) {
         return LevelAssessment.signal(

@@ -31,7 +31,7 @@ public final class BandFactors {
 
     /**
      * Multiplies a value in each band by a factor and by the exponential function of a small number, as a Taylor series
-     * of five terms after the first: below 0.02 it is exact to 1e-13.
+     * of five terms after the first: below 0.02 it is accurate to 1e-13.
      *
      * @param exponents in each band
      * @param by multiplies the exponents

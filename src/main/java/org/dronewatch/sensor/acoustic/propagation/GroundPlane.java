@@ -92,8 +92,8 @@ public final class GroundPlane {
     }
 
     /**
-     * Finds the highest surface on the line between two points. Then only {@link #material}, the heights of the points
-     * above the ground, and {@link #isBelow} can be queried.
+     * Finds the highest surface at a position on the line between two points, in plan view. Then only
+     * {@link #material}, the heights of the points above the ground, and {@link #isBelow} can be queried.
      *
      * @param share position along the line, 0 to 1
      * @param wavelength wavelength of the sound, which determines the width of the relevant ground beside the line, m,

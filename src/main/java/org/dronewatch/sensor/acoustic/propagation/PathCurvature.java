@@ -3,14 +3,14 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Atmosphere;
 
 /**
- * The curvature of sound paths by wind and temperature: if the effective speed of sound, that of the air plus that of
- * the wind along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius
+ * The curvature of sound paths due to wind and temperature: if the effective speed of sound, that of the air plus that
+ * of the wind along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius
  * {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is assumed linear between the
  * heights of source and microphone. Immutable.
  *
- * @param everywhere curvature by temperature, positive if it bends sound up, 1/m
- * @param eastward curvature by wind of sound that travels east, 1/m
- * @param northward curvature by wind of sound that travels north, 1/m
+ * @param everywhere curvature due to temperature, positive if it bends sound up, 1/m
+ * @param eastward curvature of sound that travels east, due to wind, 1/m
+ * @param northward curvature of sound that travels north, due to wind, 1/m
  */
 public record PathCurvature(double everywhere, double eastward, double northward) {
     /** The curvature in still air of uniform temperature: straight paths. */
@@ -85,12 +85,12 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * An upper bound on the sum of distances from both ends, m, for points whose sum is within a limit if arcs are
-     * drawn straight.
+     * An upper bound on the sum of the distances of a point from both ends, m, if that sum is within a limit when arcs
+     * are drawn straight.
      *
      * @param curvature 1/m
      * @param length length of the straight line, m
-     * @param limit limit of the sum with straight arcs, at least that length, m
+     * @param limit limit of the sum when arcs are drawn straight, at least that length, m
      */
     public static double reach(double curvature, double length, double limit) {
         double sag = sag(Math.abs(curvature), length, 0.5 * length);

@@ -19,7 +19,7 @@ public interface SoundTracer {
      */
     Heard hear(Drone drone, RandomGenerator random);
 
-    /** Whether a look hears the drone, as {@link #hear} with the same random numbers, perhaps at less cost. */
+    /** Whether a look hears the drone, as {@link #hear} does with the same random numbers, perhaps at less cost. */
     default boolean hears(Drone drone, RandomGenerator random) {
         Heard heard = hear(drone, random);
         return heard.value() >= heard.threshold();
@@ -29,8 +29,8 @@ public interface SoundTracer {
     Signal signal(Drone drone, RandomGenerator random);
 
     /**
-     * The same at less cost where possible: where a fraction of several looks is the probability, those after the first
-     * may draw other random numbers, and the quantity of a drone that is missed may be lower. The same as
+     * The same at less cost where possible: where the probability is a fraction of several looks, the looks after the
+     * first may draw other random numbers, and the quantity of a drone that is missed may be lower. The same as
      * {@link #signal} unless overridden.
      */
     default Signal coarseSignal(Drone drone, RandomGenerator random) {

@@ -30,7 +30,7 @@ class ConeTest {
         assertThat(cone.middleV()).isCloseTo(Math.sin(middle), within(1e-12));
     }
 
-    /** The end of a sheet bends by half a turn; nothing at all, a straight outline and a star are no corners. */
+    /** The edge of a sheet bends by half a turn; nothing at all, a straight outline and a star are no corners. */
     @Test
     void whatIsNoCorner() {
         Cone cone = new Cone();
