@@ -24,17 +24,19 @@ class ReadmeTest {
         this.readme = Files.readString(Path.of("README.md"));
     }
 
+    /** The readme's own, and that of the page that it leads to. */
     @Test
     void itsJavaIsThatOfTheExamples() throws IOException {
         String sources = Files.readString(EXAMPLES.resolve("GateWatch.java"))
                 + Files.readString(EXAMPLES.resolve("GateWatchTest.java"));
-        Matcher blocks = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL).matcher(readme);
+        String pages = readme + Files.readString(Path.of("src", "site", "markdown", "java.md"));
+        Matcher blocks = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL).matcher(pages);
         int found = 0;
         while (blocks.find()) {
             assertThat(sources).contains(blocks.group(1).stripTrailing());
             found++;
         }
-        assertThat(found).isEqualTo(2);
+        assertThat(found).isEqualTo(3);
     }
 
     @Test

@@ -51,7 +51,7 @@ class AcousticRangeTest {
             open += 0.1;
         }
         assertThat(range).isBetween(open - STEP, 1.1 * open);
-        assertThat(range).as("as the README says").isCloseTo(80, within(1.0));
+        assertThat(range).as("as the page of packaged scenes says").isCloseTo(80, within(1.0));
     }
 
     private static double levelInTheOpen(List<Double> power, double range) {
