@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * * At what range the cued camera identifies the drone through turbulent air and a small lens: the figures that the
+ * At what range the cued camera identifies the drone through turbulent air and a small lens: the figures that the
  * page of packaged scenes states.
  * From one frame to the next the drone comes half a metre nearer, which is what the small lens costs: the figures are
  * those of runs, to a hundredth of a metre.
