@@ -17,7 +17,7 @@ import org.dronewatch.route.FlightMode;
 import org.dronewatch.route.ModeField;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SiteRoutes;
-import org.dronewatch.route.TimeToGo;
+import org.dronewatch.route.search.TimeToGo;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;

@@ -11,9 +11,9 @@ import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.report.route.RouteScenes;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
-import org.dronewatch.route.TimeToGo;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.search.TimeToGo;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 

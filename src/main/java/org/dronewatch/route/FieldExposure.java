@@ -6,6 +6,9 @@ import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.ExposureField;
+import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
 
 /**

@@ -2,6 +2,7 @@ package org.dronewatch.route;
 
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.route.search.RouteMode;
 
 /**
  * A mode in which a drone may fly, and how it is detected while it does.

@@ -5,6 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.RouteExposure;
+import org.dronewatch.route.search.RoutePath;
+import org.dronewatch.route.search.RouteProblem;
 
 /**
  * A route as it is flown, from its start to its end: when the drone is where, at which height above the ground, and how

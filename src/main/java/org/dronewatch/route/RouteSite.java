@@ -9,6 +9,13 @@ import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.EnduranceLimit;
+import org.dronewatch.route.search.Passage;
+import org.dronewatch.route.search.PlanDirections;
+import org.dronewatch.route.search.RouteEnd;
+import org.dronewatch.route.search.RouteMode;
+import org.dronewatch.route.search.RouteProblem;
+import org.dronewatch.route.search.WeakestRoutes;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.RouteMode;
 
 /**
  * The weakest route of a site from each sector; or, after an interruption, from as many as were completed.

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.sensor.Cause;
 
 /**

@@ -7,6 +7,7 @@ import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InterpolationError;
+import org.dronewatch.route.search.LegMotion;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.CrossingBlind;

@@ -11,6 +11,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.RouteGrid;
 
 /** The posts of a site, one in the middle of each cell of its field, and those at which routes begin and end. */
 final class SitePosts {

@@ -16,6 +16,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;

@@ -6,6 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.BitSet;
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.ExposureField;
+import org.dronewatch.route.search.PlanDirections;
+import org.dronewatch.route.search.RouteGrid;
+import org.dronewatch.route.search.RouteMode;
+import org.dronewatch.route.search.RoutePath;
+import org.dronewatch.route.search.RouteProblem;
 import org.junit.jupiter.api.Test;
 
 /** A flight of 100 m east at 10 m/s, then 300 m north at 2 m/s up, past a sensor that only watches the second leg. */

@@ -12,7 +12,7 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.solver.CutResult;
-import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoute;
 
 /** What is stated about a layout that was found: routes are searched for past each part of it. */
 final class RouteFigures {

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementResult;
-import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoute;
 
 /**
  * The best layout against the weakest of all routes that was found. Values are exposures on the least exposed route,

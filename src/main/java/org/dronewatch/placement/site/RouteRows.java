@@ -11,7 +11,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.placement.RowOracle;
 import org.dronewatch.route.LayoutRoutes;
 import org.dronewatch.route.SiteRoutes;
-import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.setting.InputException;
 
 /** The weakest route from each direction past a layout, by its exposure to each candidate. */

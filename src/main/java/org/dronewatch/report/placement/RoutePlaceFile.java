@@ -4,7 +4,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.report.Numbers;
-import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoute;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

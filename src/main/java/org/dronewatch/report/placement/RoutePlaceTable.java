@@ -11,7 +11,7 @@ import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.WeakestRouteSearch;
 import org.dronewatch.report.Numbers;
-import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoute;
 
 /**
  * The best layout against the weakest route as a table, in the order in which its sensors are best bought, and the

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.map.RouteMap.Piece;
-import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.search.RouteMode;
 
 /** Routes in pieces on each of which the exposure is of one class, and the mode of flight is the same. */
 final class RoutePieces {

@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
-import org.dronewatch.route.TimeToGo;
 import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.search.TimeToGo;
 
 /**
  * What {@code route} found.

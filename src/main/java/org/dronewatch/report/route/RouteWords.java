@@ -13,10 +13,10 @@ import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.CoverageTable;
 import org.dronewatch.report.html.ReadableNumbers;
-import org.dronewatch.route.RouteMode;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.setting.PlainText;
 
 /** Routes in words, for those who decide. */

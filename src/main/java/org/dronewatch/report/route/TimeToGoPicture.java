@@ -8,8 +8,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.coverage.ProtectedOutlines;
-import org.dronewatch.route.RouteGrid;
-import org.dronewatch.route.TimeToGo;
+import org.dronewatch.route.search.RouteGrid;
+import org.dronewatch.route.search.TimeToGo;
 import org.dronewatch.run.Stage;
 
 /**

@@ -25,7 +25,7 @@ import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.route.SiteRoutes;
-import org.dronewatch.route.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;

@@ -1,0 +1,45 @@
+package org.dronewatch.route.search;
+
+/** What a path between the posts of a grid must keep to: open places, and turns that the drone can fly. */
+final class LegLimits {
+    private static final double STEPS_PER_POST = 2.0;
+
+    private final RouteGrid grid;
+    private final Passage passage;
+    private final double turnRadius;
+
+    LegLimits(RouteProblem problem) {
+        this.grid = problem.grid();
+        this.passage = problem.passage();
+        this.turnRadius = problem.turnRadius();
+    }
+
+    /** Whether a straight leg leads through open places alone, and meets nothing solid, m. */
+    boolean isOpen(double x, double y, double z, double toX, double toY, double toZ) {
+        double length = Math.sqrt((toX - x) * (toX - x) + (toY - y) * (toY - y) + (toZ - z) * (toZ - z));
+        int pieces = Math.max(1, (int) Math.ceil(STEPS_PER_POST * length / grid.spacing()));
+        for (int i = 0; i <= pieces; i++) {
+            double share = (double) i / pieces;
+            if (!grid.isOpen(x + share * (toX - x), y + share * (toY - y), z + share * (toZ - z))) {
+                return false;
+            }
+        }
+        return passage.isFree(x, y, z, toX, toY, toZ);
+    }
+
+    /**
+     * Whether the corner between two legs can be rounded with the radius of a turn, if each lends half its length. On
+     * a grid, a leg turns by one direction at most, for which it is long enough.
+     *
+     * @param inX horizontal components of the first leg, and then of the second, m
+     */
+    boolean isTurnable(double inX, double inY, double outX, double outY) {
+        double first = Math.hypot(inX, inY);
+        double second = Math.hypot(outX, outY);
+        if (turnRadius == 0.0 || first == 0.0 || second == 0.0) {
+            return true;
+        }
+        double angle = Math.abs(StrictMath.atan2(inX * outY - inY * outX, inX * outX + inY * outY));
+        return turnRadius * Math.tan(0.5 * angle) <= 0.5 * Math.min(first, second) * (1.0 + 1e-9);
+    }
+}

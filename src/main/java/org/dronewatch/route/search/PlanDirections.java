@@ -1,0 +1,95 @@
+package org.dronewatch.route.search;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * The directions in plan in which a route may leave a post, clockwise from north: each leads to another post without
+ * passing one. The shortest path over them is longer than the straight line by at most {@link #stretch()}.
+ */
+public final class PlanDirections {
+    /** Steps in one octant by the number of all directions, without those along an axis and a diagonal. */
+    private static final Map<Integer, int[][]> STEPS = Map.of(
+            8, new int[][] {}, 16, new int[][] {{2, 1}}, 32, new int[][] {{3, 1}, {2, 1}, {3, 2}}, 48, new int[][] {
+                {6, 1}, {3, 1}, {2, 1}, {3, 2}, {5, 4}
+            });
+
+    private final int[][] steps;
+    private final double[] headings;
+    private final double widest;
+
+    private PlanDirections(int[][] steps) {
+        this.steps = steps;
+        this.headings =
+                Arrays.stream(steps).mapToDouble(PlanDirections::heading).toArray();
+        this.widest = widest(headings);
+    }
+
+    /**
+     * A set of directions.
+     *
+     * @param count 8, 16, 32 or 48
+     * @throws IllegalArgumentException for another number
+     */
+    public static PlanDirections of(int count) {
+        if (!STEPS.containsKey(count)) {
+            throw new IllegalArgumentException(count + " directions: must be 8, 16, 32 or 48");
+        }
+        return new PlanDirections(
+                Stream.concat(Stream.of(new int[] {1, 0}, new int[] {1, 1}), Arrays.stream(STEPS.get(count)))
+                        .flatMap(step -> Arrays.stream(new int[][] {step, {step[1], step[0]}}))
+                        .flatMap(step -> Arrays.stream(
+                                new int[][] {step, {-step[0], step[1]}, {step[0], -step[1]}, {-step[0], -step[1]}}))
+                        .collect(Collectors.toMap(Arrays::toString, step -> step, (one, same) -> one))
+                        .values()
+                        .stream()
+                        .sorted(Comparator.comparingDouble(PlanDirections::heading))
+                        .toArray(int[][]::new));
+    }
+
+    private static double heading(int[] step) {
+        double angle = StrictMath.atan2(step[0], step[1]);
+        return angle < 0.0 ? angle + 2.0 * Math.PI : angle;
+    }
+
+    /** The number of directions. */
+    public int count() {
+        return steps.length;
+    }
+
+    /** Posts to the east. */
+    int east(int direction) {
+        return steps[direction][0];
+    }
+
+    /** Posts to the north. */
+    int north(int direction) {
+        return steps[direction][1];
+    }
+
+    /** The heading of a direction, clockwise from north, rad, 0 to 2 pi. */
+    public double heading(int direction) {
+        return headings[direction];
+    }
+
+    /** The largest angle between two neighbouring directions, rad. */
+    double widest() {
+        return widest;
+    }
+
+    private static double widest(double... headings) {
+        double widest = 2.0 * Math.PI - headings[headings.length - 1];
+        for (int i = 1; i < headings.length; i++) {
+            widest = Math.max(widest, headings[i] - headings[i - 1]);
+        }
+        return widest;
+    }
+
+    /** {@code 1 / cos(half the largest angle)}: 1.0824, 1.0275, 1.0131 and 1.0034 for 8, 16, 32 and 48 directions. */
+    public double stretch() {
+        return 1.0 / Math.cos(0.5 * widest());
+    }
+}

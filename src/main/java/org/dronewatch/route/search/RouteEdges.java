@@ -1,0 +1,116 @@
+package org.dronewatch.route.search;
+
+import java.util.Arrays;
+
+/**
+ * The legs between posts: straight in plan, level or one level up or down. Their exposure is the time that they take
+ * times the mean rate on the leg's own heading, by the trapezoidal rule over the posts that they pass. Where the drone
+ * needs room to turn, and where it glides, a leg leads over several posts. Immutable.
+ */
+final class RouteEdges {
+    /** Up, level, down. */
+    private static final int[] CLIMBS = {-1, 0, 1};
+
+    private static final int[] LEVEL_ONLY = {0};
+
+    private final RouteGrid grid;
+    private final PlanDirections directions;
+    private final RouteMode[] modes;
+    private final double turnRadius;
+    private final PostRates rates;
+
+    /** By direction, the horizontal length of the shortest leg, m. */
+    private final double[] units;
+
+    /** By direction and number of repeats, the posts that a level leg passes, relative to its beginning. */
+    private final int[][][] passed;
+
+    RouteEdges(RouteProblem problem) {
+        this.grid = problem.grid();
+        this.directions = problem.directions();
+        this.modes = problem.modes().toArray(RouteMode[]::new);
+        this.turnRadius = problem.turnRadius();
+        this.rates = new PostRates(problem);
+        this.units = new double[directions.count()];
+        Arrays.setAll(units, this::unit);
+        this.passed = new int[units.length][][];
+        Arrays.setAll(passed, this::passed);
+    }
+
+    private int[][] passed(int direction) {
+        int most = 1;
+        for (int mode = 0; mode < modes.length; mode++) {
+            for (int level = 0; level < grid.levels(); level++) {
+                most = Math.max(most, repeats(mode, direction, level, 0));
+                most = level > 0 ? Math.max(most, repeats(mode, direction, level, -1)) : most;
+            }
+        }
+        int[][] posts = new int[most + 1][];
+        for (int repeats = 1; repeats <= most; repeats++) {
+            int east = repeats * directions.east(direction);
+            int north = repeats * directions.north(direction);
+            int pieces = Math.max(Math.abs(east), Math.abs(north));
+            posts[repeats] = new int[pieces];
+            Arrays.setAll(posts[repeats], i -> nearest(north, i, pieces) * grid.columns() + nearest(east, i, pieces));
+        }
+        return posts;
+    }
+
+    /** By how many levels a leg may change. */
+    int[] climbs() {
+        return grid.levels() > 1 ? CLIMBS : LEVEL_ONLY;
+    }
+
+    private double unit(int direction) {
+        int east = directions.east(direction);
+        int north = directions.north(direction);
+        return grid.spacing() * Math.sqrt(east * east + north * north);
+    }
+
+    /**
+     * How often a leg repeats the step of its direction: as often as the turn to a neighbouring direction needs, and
+     * for a glide to the level below as far as it carries.
+     *
+     * @param level at which the leg begins
+     */
+    int repeats(int mode, int direction, int level, int climb) {
+        int turning = (int) Math.ceil(turnRadius * directions.widest() / units[direction] - 1e-9);
+        int carried = 1;
+        if (modes[mode].isGlide() && climb == -1) {
+            double drop = grid.height(level) - grid.height(level - 1);
+            carried = (int) Math.floor(-drop / (modes[mode].steepest() * units[direction]) + 1e-9);
+        }
+        return Math.max(1, Math.max(turning, carried));
+    }
+
+    /**
+     * The exposure of a leg; infinite where it cannot be flown: where it is too steep, or passes a closed post.
+     *
+     * @param from post at which it begins; its end is inside the grid
+     * @param repeats how often it repeats the step of its direction
+     * @param climb by how many levels it changes
+     */
+    double cost(int mode, int direction, int from, int repeats, int climb) {
+        int east = repeats * directions.east(direction);
+        int north = repeats * directions.north(direction);
+        int plane = grid.columns() * grid.rows();
+        int to = from + north * grid.columns() + east + climb * plane;
+        double time = modes[mode].time(repeats * units[direction], grid.z(to) - grid.z(from));
+        if (time == Double.POSITIVE_INFINITY) {
+            return time;
+        }
+        float[] rate = rates.of(mode, direction);
+        int[] between = passed[direction][repeats];
+        int pieces = between.length;
+        double sum = 0.5 * ((double) rate[from] + rate[to]);
+        for (int i = 1; i < pieces; i++) {
+            sum += rate[from + between[i] + (2 * i < pieces ? 0 : climb * plane)];
+        }
+        return time * sum / pieces;
+    }
+
+    /** A fraction of a number of posts, rounded; halves upwards. */
+    private static int nearest(int posts, int part, int of) {
+        return Math.floorDiv(2 * posts * part + of, 2 * of);
+    }
+}

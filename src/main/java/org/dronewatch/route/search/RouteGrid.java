@@ -1,0 +1,196 @@
+package org.dronewatch.route.search;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import org.dronewatch.geometry.Position;
+
+/**
+ * The posts of a route search: a square raster with a post at each of several heights above the ground. Posts are
+ * numbered by level, then by row from the south, then by column from the west. Immutable.
+ */
+public final class RouteGrid {
+    private final double west;
+    private final double south;
+    private final double spacing;
+    private final int columns;
+    private final int rows;
+    private final double[] heights;
+    private final double[] ground;
+    private final BitSet closed;
+
+    /**
+     * A grid over ground.
+     *
+     * @param west east coordinate of the first column, m
+     * @param south north coordinate of the first row, m
+     * @param spacing between neighbouring posts, above 0, m
+     * @param columns 2 or more
+     * @param rows 2 or more
+     * @param heights of the levels above the ground, ascending, m
+     * @param ground its height by row and column, m
+     * @param closed the posts where a drone cannot be
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public RouteGrid(
+            double west,
+            double south,
+            double spacing,
+            int columns,
+            int rows,
+            double[] heights,
+            double[] ground,
+            BitSet closed) {
+        if (!(spacing > 0.0) || columns < 2 || rows < 2 || heights.length < 1 || ground.length != columns * rows) {
+            throw new IllegalArgumentException(columns + " columns, " + rows + " rows and " + heights.length
+                    + " heights, " + spacing + " m apart, over " + ground.length + " values: must be at least 2, 2 and"
+                    + " 1, more than 0 m apart, with a value of the ground for each column of a row");
+        }
+        if ((long) columns * rows * heights.length > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException(
+                    (long) columns * rows * heights.length + " posts: must be at most " + Integer.MAX_VALUE);
+        }
+        this.west = west;
+        this.south = south;
+        this.spacing = spacing;
+        this.columns = columns;
+        this.rows = rows;
+        this.heights = heights.clone();
+        this.ground = ground.clone();
+        this.closed = (BitSet) closed.clone();
+    }
+
+    /** A grid over level ground at height 0, where a drone can be anywhere. */
+    public static RouteGrid level(double west, double south, double spacing, int columns, int rows, double... heights) {
+        return new RouteGrid(west, south, spacing, columns, rows, heights, new double[columns * rows], new BitSet());
+    }
+
+    /** The number of posts. */
+    public int size() {
+        return columns * rows * heights.length;
+    }
+
+    /** The number of a post. */
+    public int post(int column, int row, int level) {
+        return (level * rows + row) * columns + column;
+    }
+
+    /** The nearest post at the level nearest in height above the ground; for points outside, one at the edge. */
+    public int nearest(Position at) {
+        double column = clamp((at.x() - west) / spacing, columns);
+        double row = clamp((at.y() - south) / spacing, rows);
+        return nearest(column, row, at.z() - ground(column, row));
+    }
+
+    private int nearest(double column, double row, double above) {
+        int level = 0;
+        for (int i = 1; i < heights.length; i++) {
+            level = Math.abs(heights[i] - above) < Math.abs(heights[level] - above) ? i : level;
+        }
+        return post((int) Math.rint(column), (int) Math.rint(row), level);
+    }
+
+    private static double clamp(double index, int count) {
+        return Math.max(0.0, Math.min(count - 1.0, index));
+    }
+
+    /** The number of columns. */
+    public int columns() {
+        return columns;
+    }
+
+    /** The number of rows. */
+    public int rows() {
+        return rows;
+    }
+
+    /** The number of levels. */
+    public int levels() {
+        return heights.length;
+    }
+
+    /** Distance between neighbouring posts, m. */
+    public double spacing() {
+        return spacing;
+    }
+
+    /** Height of a level above the ground, m. */
+    public double height(int level) {
+        return heights[level];
+    }
+
+    /** East coordinate of a post, m. */
+    public double x(int post) {
+        return west + post % columns * spacing;
+    }
+
+    /** North coordinate of a post, m. */
+    public double y(int post) {
+        return south + post / columns % rows * spacing;
+    }
+
+    /** Height of a post in the world, m. */
+    public double z(int post) {
+        return ground[post % (columns * rows)] + heights[post / (columns * rows)];
+    }
+
+    /** The height of a point above the ground, m; the ground beside the grid is that at its edge. */
+    public double above(Position at) {
+        return at.z() - ground(clamp((at.x() - west) / spacing, columns), clamp((at.y() - south) / spacing, rows));
+    }
+
+    /** A post's position, m. */
+    public Position position(int post) {
+        return new Position(x(post), y(post), z(post));
+    }
+
+    /** Whether a drone can be at a post. */
+    public boolean isOpen(int post) {
+        return !closed.get(post);
+    }
+
+    /**
+     * Whether a drone can be at a point: inside the raster, between the lowest and the highest level, with an open post
+     * nearest to it.
+     */
+    boolean isOpen(double x, double y, double z) {
+        double column = (x - west) / spacing;
+        double row = (y - south) / spacing;
+        if (!(column >= 0.0 && row >= 0.0 && column <= columns - 1 && row <= rows - 1)) {
+            return false;
+        }
+        double above = z - ground(column, row);
+        double tolerance = 1e-9 * (1.0 + Math.abs(z));
+        return above >= heights[0] - tolerance
+                && above <= heights[heights.length - 1] + tolerance
+                && isOpen(nearest(column, row, above));
+    }
+
+    /** The ground between four posts, interpolated, m. */
+    private double ground(double column, double row) {
+        int left = Math.min((int) column, columns - 2);
+        int below = Math.min((int) row, rows - 2);
+        double u = column - left;
+        double v = row - below;
+        int at = below * columns + left;
+        return (1.0 - v) * ((1.0 - u) * ground[at] + u * ground[at + 1])
+                + v * ((1.0 - u) * ground[at + columns] + u * ground[at + columns + 1]);
+    }
+
+    /** The greatest slope of the ground between the four posts of a square of which one is south-west, 0 or more. */
+    double slope(int column, int row) {
+        int at = row * columns + column;
+        double east = Math.max(
+                Math.abs(ground[at + 1] - ground[at]), Math.abs(ground[at + columns + 1] - ground[at + columns]));
+        double north = Math.max(
+                Math.abs(ground[at + columns] - ground[at]), Math.abs(ground[at + columns + 1] - ground[at + 1]));
+        return Math.sqrt(east * east + north * north) / spacing;
+    }
+
+    /** The least and the greatest height of the ground at the four posts of a square, m. */
+    public double[] groundRange(int column, int row) {
+        int at = row * columns + column;
+        double[] corners = {ground[at], ground[at + 1], ground[at + columns], ground[at + columns + 1]};
+        Arrays.sort(corners);
+        return new double[] {corners[0], corners[3]};
+    }
+}

@@ -1,0 +1,84 @@
+package org.dronewatch.route.search;
+
+import org.dronewatch.drone.FlightLimits;
+
+/**
+ * A way in which a drone flies, such as under power or gliding.
+ *
+ * @param name such as {@code powered}
+ * @param speed along the path, above 0, m/s
+ * @param climb largest rate of climb, above 0; may be infinite, m/s
+ * @param sink largest rate of descent, above 0; may be infinite, m/s
+ * @param steepest the greatest slope of the path, rise over horizontal distance; negative for a glider, infinite for no
+ *     limit
+ */
+public record RouteMode(String name, double speed, double climb, double sink, double steepest) {
+    /** Slopes count as equal within this, so that the best glide between two posts is not lost to rounding. */
+    private static final double ROUNDING = 1e-9;
+
+    /**
+     * Checks the limits.
+     *
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public RouteMode {
+        if (!(speed > 0.0 && speed < Double.POSITIVE_INFINITY && climb > 0.0 && sink > 0.0) || Double.isNaN(steepest)) {
+            throw new IllegalArgumentException("mode " + name + " with speed " + speed + ", climb " + climb + ", sink "
+                    + sink + " m/s and slope " + steepest + ": must be above 0, and the slope a number");
+        }
+    }
+
+    /** A mode without limits of climb, descent and slope. */
+    public static RouteMode free(String name, double speed) {
+        return new RouteMode(name, speed, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    /** Flight under power at cruise speed, m/s. */
+    public static RouteMode powered(FlightLimits limits, double cruise) {
+        return new RouteMode("powered", cruise, limits.climb(), limits.sink(), Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * A glide with the motors off, at the best glide ratio or steeper.
+     *
+     * @throws IllegalArgumentException if the drone cannot glide
+     */
+    public static RouteMode glide(FlightLimits limits) {
+        if (!(limits.glideRatio() > 0.0)) {
+            throw new IllegalArgumentException("glide ratio 0: the drone cannot glide");
+        }
+        return new RouteMode(
+                "glide",
+                limits.glideSpeed(),
+                Double.POSITIVE_INFINITY,
+                Double.POSITIVE_INFINITY,
+                -1.0 / limits.glideRatio());
+    }
+
+    /** The motion on a heading, clockwise from north, rad: level or, gliding, on the best glide. */
+    public LegMotion motion(double heading) {
+        double slope = isGlide() ? steepest : 0.0;
+        double level = speed / Math.sqrt(1.0 + slope * slope);
+        return new LegMotion(heading, level * StrictMath.sin(heading), level * StrictMath.cos(heading), slope * level);
+    }
+
+    /** Whether it can only descend. */
+    public boolean isGlide() {
+        return steepest < 0.0;
+    }
+
+    /**
+     * The shortest time for a straight leg, s; infinite where the leg is too steep. A leg that rises or sinks more
+     * than the rates allow at this speed is flown more slowly.
+     *
+     * @param horizontal its horizontal length, m
+     * @param rise from its beginning to its end, m
+     */
+    public double time(double horizontal, double rise) {
+        if (rise > steepest * horizontal + ROUNDING * (horizontal + Math.abs(rise))) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double along = Math.sqrt(horizontal * horizontal + rise * rise) / speed;
+        return Math.max(along, rise > 0.0 ? rise / climb : -rise / sink);
+    }
+}

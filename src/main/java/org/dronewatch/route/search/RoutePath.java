@@ -1,0 +1,92 @@
+package org.dronewatch.route.search;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.flight.FlightPathSettings;
+import org.dronewatch.flight.RouteFlight;
+import org.dronewatch.flight.RouteLeg;
+import org.dronewatch.geometry.Position;
+
+/**
+ * A path of straight legs.
+ *
+ * @param points from the first to the last, at least one, m
+ * @param modes for each leg, the number of the mode in which it is flown
+ */
+public record RoutePath(List<Position> points, List<Integer> modes) {
+    /**
+     * Copies the lists.
+     *
+     * @throws IllegalArgumentException unless there is one mode for each leg
+     */
+    public RoutePath {
+        points = List.copyOf(points);
+        modes = List.copyOf(modes);
+        if (points.isEmpty() || modes.size() != points.size() - 1) {
+            throw new IllegalArgumentException(
+                    points.size() + " points with " + modes.size() + " modes: must be one mode for each leg");
+        }
+    }
+
+    /** The length, m. */
+    public double length() {
+        double length = 0.0;
+        for (int i = 0; i < modes.size(); i++) {
+            length += points.get(i).distance(points.get(i + 1));
+        }
+        return length;
+    }
+
+    /**
+     * The flight along this path, each leg in the time that the search assumes.
+     *
+     * @param of the modes in which the drone may fly, as in the search
+     * @return empty for a path that is shorter than a leg can be
+     */
+    public Optional<RouteFlight> flight(List<RouteMode> of) {
+        List<RouteLeg> legs = new ArrayList<>();
+        Position at = points.get(0);
+        for (int i = 0; i < modes.size(); i++) {
+            Position to = points.get(i + 1);
+            double length = at.distance(to);
+            if (length >= FlightPathSettings.SHORTEST) {
+                RouteMode mode = of.get(modes.get(i));
+                double time = mode.time(Math.hypot(to.x() - at.x(), to.y() - at.y()), to.z() - at.z());
+                legs.add(new RouteLeg(to, Optional.of(length / time), !mode.isGlide()));
+                at = to;
+            }
+        }
+        return legs.isEmpty() ? Optional.empty() : Optional.of(RouteFlight.of(points.get(0), legs));
+    }
+
+    /** This path, continued by another that begins where it ends. */
+    RoutePath then(RoutePath other) {
+        List<Position> all = new ArrayList<>(points);
+        all.addAll(other.points.subList(1, other.points.size()));
+        List<Integer> both = new ArrayList<>(modes);
+        both.addAll(other.modes);
+        return new RoutePath(all, both);
+    }
+
+    /** This path up to a fraction of a leg, without the leg if the fraction is 0. */
+    RoutePath until(int leg, double share) {
+        List<Position> some = new ArrayList<>(points.subList(0, leg + 1));
+        if (share > 0.0) {
+            Position from = points.get(leg);
+            Position to = points.get(leg + 1);
+            some.add(share < 1.0 ? from.plus(to.minus(from).times(share)) : to);
+        }
+        return new RoutePath(some, modes.subList(0, some.size() - 1));
+    }
+
+    /** The rest of this path after a first part of it. */
+    RoutePath after(RoutePath part) {
+        int legs = part.modes.size();
+        Position end = part.points.get(legs);
+        boolean isCorner = end.equals(points.get(legs));
+        List<Position> some = new ArrayList<>(List.of(end));
+        some.addAll(points.subList(isCorner ? legs + 1 : legs, points.size()));
+        return new RoutePath(some, modes.subList(isCorner ? legs : legs - 1, modes.size()));
+    }
+}

@@ -1,0 +1,70 @@
+package org.dronewatch.route.search;
+
+import java.util.BitSet;
+import java.util.List;
+
+/**
+ * The input of a route search.
+ *
+ * @param grid the posts between which routes lead
+ * @param field how exposed the drone is
+ * @param modes in which the drone may fly, in this order: it may change to the next one, once and at any post, but not
+ *     back
+ * @param turnRadius the smallest radius of a turn, 0 for none, m
+ * @param directions in plan, in which routes may leave a post
+ * @param starts posts at which a route may begin
+ * @param goals posts at which it ends
+ * @param passage between which points the drone can fly straight; closed posts are not passed in any case
+ */
+public record RouteProblem(
+        RouteGrid grid,
+        ExposureField field,
+        List<RouteMode> modes,
+        double turnRadius,
+        PlanDirections directions,
+        BitSet starts,
+        BitSet goals,
+        Passage passage) {
+    /**
+     * Copies lists and sets.
+     *
+     * @throws IllegalArgumentException if there is no mode, no start or no goal, or the radius is negative
+     */
+    public RouteProblem {
+        modes = List.copyOf(modes);
+        starts = (BitSet) starts.clone();
+        goals = (BitSet) goals.clone();
+        if (modes.isEmpty() || starts.isEmpty() || goals.isEmpty() || !(turnRadius >= 0.0)) {
+            throw new IllegalArgumentException(modes.size() + " modes, " + starts.cardinality() + " starts, "
+                    + goals.cardinality() + " goals and a turn of " + turnRadius
+                    + " m: must be at least 1, 1 and 1, and 0 m or more");
+        }
+    }
+
+    /** The same where nothing but closed posts is solid. */
+    public RouteProblem(
+            RouteGrid grid,
+            ExposureField field,
+            List<RouteMode> modes,
+            double turnRadius,
+            PlanDirections directions,
+            BitSet starts,
+            BitSet goals) {
+        this(grid, field, modes, turnRadius, directions, starts, goals, Passage.EVERYWHERE);
+    }
+
+    /** This problem with another field. */
+    public RouteProblem withField(ExposureField other) {
+        return new RouteProblem(grid, other, modes, turnRadius, directions, starts, goals, passage);
+    }
+
+    /** The number of headings that the search distinguishes: one where any turn can be flown. */
+    int headings() {
+        return turnRadius > 0.0 ? directions.count() : 1;
+    }
+
+    /** The number of states: one for each mode, heading and post. */
+    int states() {
+        return Math.multiplyExact(Math.multiplyExact(modes.size(), headings()), grid.size());
+    }
+}

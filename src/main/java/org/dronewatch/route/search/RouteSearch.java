@@ -1,0 +1,142 @@
+package org.dronewatch.route.search;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.parallel.Workers;
+
+/**
+ * The least exposed routes from all posts to the goals at once: Dijkstra's algorithm, backwards from the goals. A state
+ * is a post with the mode and, where turns need room, the heading of the leg that leaves it. One use, one thread.
+ */
+final class RouteSearch {
+    private static final int NONE = -1;
+
+    /** How many states are settled between two checks of the thread's interrupt status. */
+    private static final int PATIENCE = 1 << 16;
+
+    private final RouteProblem problem;
+    private final RouteGrid grid;
+    private final RouteEdges edges;
+    private final int[] climbs;
+    private final int headings;
+    private final double[] cost;
+    private final int[] next;
+    private final RadixHeap queue = new RadixHeap();
+
+    private RouteSearch(RouteProblem problem) {
+        this.problem = problem;
+        this.grid = problem.grid();
+        this.edges = new RouteEdges(problem);
+        this.climbs = edges.climbs();
+        this.headings = problem.headings();
+        this.cost = new double[problem.states()];
+        this.next = new int[cost.length];
+        Arrays.fill(cost, Double.POSITIVE_INFINITY);
+        Arrays.fill(next, NONE);
+    }
+
+    /**
+     * Searches.
+     *
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    static RouteTree toGoals(RouteProblem problem) {
+        RouteSearch search = new RouteSearch(problem);
+        BitSet goals = problem.goals();
+        for (int state = 0; state < search.cost.length; state++) {
+            if (goals.get(state % search.grid.size())) {
+                search.reach(state, 0.0, NONE);
+            }
+        }
+        return search.settleAll();
+    }
+
+    /**
+     * Searches for routes to states from which other routes lead on; only what comes before them counts.
+     *
+     * @param onwards those other routes, of a problem with the same states
+     * @param within the greatest cost of those that are taken
+     */
+    static RouteTree toStates(RouteProblem problem, RouteTree onwards, double within) {
+        RouteSearch search = new RouteSearch(problem);
+        for (int state = 0; state < search.cost.length; state++) {
+            if (onwards.costOfState(state) <= within) {
+                search.reach(state, 0.0, NONE);
+            }
+        }
+        return search.settleAll();
+    }
+
+    private void reach(int state, double at, int then) {
+        if (at < cost[state]) {
+            cost[state] = at;
+            next[state] = then;
+            queue.add(at, state);
+        }
+    }
+
+    private RouteTree settleAll() {
+        int count = 0;
+        while (!queue.isEmpty()) {
+            int state = queue.poll();
+            // A state that was reached again more cheaply is in the queue twice.
+            if (queue.key() == cost[state]) {
+                settle(state);
+            }
+            if (++count % PATIENCE == 0) {
+                Workers.checkInterrupted();
+            }
+        }
+        return new RouteTree(problem, cost, next);
+    }
+
+    private void settle(int state) {
+        int post = state % grid.size();
+        int heading = state / grid.size() % headings;
+        int mode = state / grid.size() / headings;
+        if (mode > 0) {
+            reach(state - headings * grid.size(), cost[state], state);
+        }
+        if (headings == 1) {
+            for (int direction = 0; direction < problem.directions().count(); direction++) {
+                comeFrom(state, mode, post, direction, 0);
+            }
+        } else {
+            for (int turn = -1; turn <= 1; turn++) {
+                int direction = Math.floorMod(heading + turn, headings);
+                comeFrom(state, mode, post, direction, direction);
+            }
+        }
+    }
+
+    private boolean isFree(int from, int to) {
+        return problem.passage().isFree(grid.x(from), grid.y(from), grid.z(from), grid.x(to), grid.y(to), grid.z(to));
+    }
+
+    /** Tries all legs of one mode and direction that lead to a post. */
+    private void comeFrom(int state, int mode, int post, int direction, int heading) {
+        int column = post % grid.columns();
+        int row = post / grid.columns() % grid.rows();
+        int level = post / (grid.columns() * grid.rows());
+        for (int climb : climbs) {
+            int before = level - climb;
+            if (before < 0 || before >= grid.levels()) {
+                continue;
+            }
+            int repeats = edges.repeats(mode, direction, before, climb);
+            int fromColumn = column - repeats * problem.directions().east(direction);
+            int fromRow = row - repeats * problem.directions().north(direction);
+            if (fromColumn < 0 || fromRow < 0 || fromColumn >= grid.columns() || fromRow >= grid.rows()) {
+                continue;
+            }
+            int from = grid.post(fromColumn, fromRow, before);
+            double exposure = edges.cost(mode, direction, from, repeats, climb);
+            int earlier = (mode * headings + heading) * grid.size() + from;
+            // Obstacles are looked for only where the leg would be taken.
+            if (exposure < Double.POSITIVE_INFINITY && cost[state] + exposure < cost[earlier] && isFree(from, post)) {
+                reach(earlier, cost[state] + exposure, state);
+            }
+        }
+    }
+}

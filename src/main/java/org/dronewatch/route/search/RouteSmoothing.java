@@ -1,0 +1,222 @@
+package org.dronewatch.route.search;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.geometry.Position;
+
+/**
+ * Makes a path over the posts of a grid less exposed: points are left out where that costs nothing, and moved where it
+ * gains something, in ever smaller steps, with more points from round to round. The result can be flown wherever the
+ * path could, and is not more exposed. One thread.
+ */
+final class RouteSmoothing {
+    private static final int ROUNDS = 5;
+
+    /** How much exposure two legs may lose at the beginning, as a fraction. */
+    private static final double COARSE = 0.02;
+
+    private static final int SWEEPS = 40;
+
+    /** A sweep that gains less than this fraction is the last one with its step. */
+    private static final double GAIN = 1e-4;
+
+    /** A leg is not split once it is shorter than this number of posts. */
+    private static final double SHORTEST = 1.5;
+
+    private final RouteExposure exposure;
+    private final LegLimits limits;
+    private final double spacing;
+    private final int dimensions;
+    private final Optional<Position> before;
+    private final List<double[]> points = new ArrayList<>();
+
+    /** The mode of the leg that leaves each point. */
+    private final List<Integer> modes = new ArrayList<>();
+
+    private RouteSmoothing(RouteProblem problem, RoutePath path, Optional<Position> before) {
+        this.before = before;
+        this.exposure = new RouteExposure(problem);
+        this.limits = new LegLimits(problem);
+        this.spacing = problem.grid().spacing();
+        this.dimensions = problem.grid().levels() > 1 ? 3 : 2;
+        path.points().forEach(point -> points.add(new double[] {point.x(), point.y(), point.z()}));
+        modes.addAll(path.modes());
+    }
+
+    /** The smoothed path; its ends stay where they are. */
+    static RoutePath of(RouteProblem problem, RoutePath path) {
+        return of(problem, path, Optional.empty());
+    }
+
+    /** The same for a path that continues another one, and turns into it from a point on its last leg. */
+    static RoutePath after(Position before, RouteProblem problem, RoutePath path) {
+        return of(problem, path, Optional.of(before));
+    }
+
+    private static RoutePath of(RouteProblem problem, RoutePath path, Optional<Position> before) {
+        if (path.modes().isEmpty()) {
+            return path;
+        }
+        RouteSmoothing smoothing = new RouteSmoothing(problem, path, before);
+        RoutePath smooth = smoothing.smooth();
+        boolean isBetter = smoothing.exposure.along(smooth) <= smoothing.exposure.along(path);
+        return isBetter ? smooth : path;
+    }
+
+    private RoutePath smooth() {
+        pull(0.0);
+        // Few points at first: they move in long steps, and those put between them follow.
+        pull(COARSE);
+        for (int round = 0; round < ROUNDS; round++) {
+            double coarse = Math.max(spacing, 0.25 * meanLeg());
+            for (double step = coarse; step > spacing / 64.0; step *= 0.5) {
+                moveAll(step);
+            }
+            pull(0.0);
+            if (round + 1 < ROUNDS) {
+                split();
+            }
+        }
+        List<Position> path = points.stream()
+                .map(point -> new Position(point[0], point[1], point[2]))
+                .toList();
+        return new RoutePath(path, modes);
+    }
+
+    private double meanLeg() {
+        double length = 0.0;
+        for (int i = 0; i < modes.size(); i++) {
+            length += length(points.get(i), points.get(i + 1));
+        }
+        return length / modes.size();
+    }
+
+    private static double length(double[] from, double[] to) {
+        return Math.sqrt(square(to[0] - from[0]) + square(to[1] - from[1]) + square(to[2] - from[2]));
+    }
+
+    private static double square(double value) {
+        return value * value;
+    }
+
+    private double cost(double[] from, double[] to, int mode) {
+        return exposure.leg(from[0], from[1], from[2], to[0], to[1], to[2], mode);
+    }
+
+    private boolean isOpen(double[] from, double[] to) {
+        return limits.isOpen(from[0], from[1], from[2], to[0], to[1], to[2]);
+    }
+
+    /**
+     * Leaves out every point whose neighbours can be joined at no greater exposure.
+     *
+     * @param loss the fraction of their exposure that may be lost nevertheless, 0 or more
+     */
+    private void pull(double loss) {
+        boolean isShorter = true;
+        while (isShorter) {
+            isShorter = false;
+            for (int i = points.size() - 2; i > 0; i--) {
+                isShorter |= leaveOut(i, loss);
+            }
+        }
+    }
+
+    private boolean leaveOut(int i, double loss) {
+        int mode = modes.get(i);
+        if (modes.get(i - 1) != mode) {
+            return false;
+        }
+        double[] from = points.get(i - 1);
+        double[] at = points.get(i);
+        double[] to = points.get(i + 1);
+        double allowed = (1.0 + loss) * (cost(from, at, mode) + cost(at, to, mode));
+        if (cost(from, to, mode) > allowed || !isOpen(from, to)) {
+            return false;
+        }
+        points.remove(i);
+        modes.remove(i);
+        if (isTurnable(i - 1) && isTurnable(i)) {
+            return true;
+        }
+        points.add(i, at);
+        modes.add(i, mode);
+        return false;
+    }
+
+    /** Whether the corner at a point can be flown. */
+    private boolean isTurnable(int i) {
+        boolean isFirst = i <= 0;
+        if (i >= points.size() - 1 || isFirst && before.isEmpty()) {
+            return true;
+        }
+        double[] at = points.get(Math.max(0, i));
+        double[] to = points.get(Math.max(0, i) + 1);
+        double fromX = isFirst ? before.get().x() : points.get(i - 1)[0];
+        double fromY = isFirst ? before.get().y() : points.get(i - 1)[1];
+        return limits.isTurnable(at[0] - fromX, at[1] - fromY, to[0] - at[0], to[1] - at[1]);
+    }
+
+    /** Puts a point into the middle of every leg that is not short. */
+    private void split() {
+        for (int i = modes.size() - 1; i >= 0; i--) {
+            double[] from = points.get(i);
+            double[] to = points.get(i + 1);
+            if (length(from, to) > SHORTEST * spacing) {
+                points.add(
+                        i + 1,
+                        new double[] {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (from[2] + to[2])});
+                modes.add(i + 1, modes.get(i));
+            }
+        }
+    }
+
+    private void moveAll(double step) {
+        for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            double before = 0.0;
+            double gained = 0.0;
+            for (int i = 1; i < points.size() - 1; i++) {
+                double local = local(i);
+                before += local;
+                gained += local > 0.0 ? local - move(i, local, step) : 0.0;
+            }
+            if (!(gained > GAIN * before)) {
+                return;
+            }
+        }
+    }
+
+    /** The exposure of the two legs at a point. */
+    private double local(int i) {
+        return cost(points.get(i - 1), points.get(i), modes.get(i - 1))
+                + cost(points.get(i), points.get(i + 1), modes.get(i));
+    }
+
+    /** Moves a point along each axis for as long as that gains something; gives the exposure of its two legs. */
+    private double move(int i, double before, double step) {
+        double best = before;
+        double[] at = points.get(i);
+        for (int axis = 0; axis < dimensions; axis++) {
+            for (int sign = -1; sign <= 1; sign += 2) {
+                double kept = at[axis];
+                at[axis] = kept + sign * step;
+                double moved = local(i);
+                if (moved < best && isAllowed(i)) {
+                    best = moved;
+                    break;
+                }
+                at[axis] = kept;
+            }
+        }
+        return best;
+    }
+
+    private boolean isAllowed(int i) {
+        return isTurnable(i - 1)
+                && isTurnable(i)
+                && isTurnable(i + 1)
+                && isOpen(points.get(i - 1), points.get(i))
+                && isOpen(points.get(i), points.get(i + 1));
+    }
+}

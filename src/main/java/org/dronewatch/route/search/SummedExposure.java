@@ -1,0 +1,41 @@
+package org.dronewatch.route.search;
+
+import java.util.List;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Quantity;
+
+/** The sum of several fields and a constant. */
+record SummedExposure(List<ExposureField> parts, double constant) implements ExposureField {
+    SummedExposure {
+        parts = List.copyOf(parts);
+        Check.notNegative("rate", constant, Quantity.NUMBER);
+    }
+
+    @Override
+    public double rate(double x, double y, double z, double heading, int mode) {
+        double sum = constant;
+        for (int i = 0; i < parts.size(); i++) {
+            sum += parts.get(i).rate(x, y, z, heading, mode);
+        }
+        return sum;
+    }
+
+    @Override
+    public double rate(double x, double y, double z, LegMotion motion, int mode) {
+        double sum = constant;
+        for (int i = 0; i < parts.size(); i++) {
+            sum += parts.get(i).rate(x, y, z, motion, mode);
+        }
+        return sum;
+    }
+
+    @Override
+    public double least(Position low, Position high, int mode) {
+        double sum = constant;
+        for (int i = 0; i < parts.size(); i++) {
+            sum += parts.get(i).least(low, high, mode);
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,42 @@
+package org.dronewatch.route.search;
+
+import java.util.OptionalDouble;
+
+/**
+ * The least time that a drone needs from each post of a grid to the end of a route: where this is less than the time of
+ * a response, an alert must already have come. Immutable and thread-safe.
+ */
+public final class TimeToGo {
+    private final RouteGrid grid;
+
+    /** By post, s; infinite where no route leads to the end. */
+    private final double[] least;
+
+    TimeToGo(RouteGrid grid, double[] least) {
+        this.grid = grid;
+        this.least = least.clone();
+    }
+
+    /** The posts; those of a site are in the middle of its cells, with the rows from the south. */
+    public RouteGrid grid() {
+        return grid;
+    }
+
+    /** The least time from a post, s; empty where no route leads to the end. */
+    public OptionalDouble at(int post) {
+        return finite(least[post]);
+    }
+
+    /** The least time from any height above a point in plan view, s; empty where no route leads to the end. */
+    public OptionalDouble at(int column, int row) {
+        double soonest = Double.POSITIVE_INFINITY;
+        for (int level = 0; level < grid.levels(); level++) {
+            soonest = Math.min(soonest, least[grid.post(column, row, level)]);
+        }
+        return finite(soonest);
+    }
+
+    private static OptionalDouble finite(double seconds) {
+        return seconds < Double.POSITIVE_INFINITY ? OptionalDouble.of(seconds) : OptionalDouble.empty();
+    }
+}

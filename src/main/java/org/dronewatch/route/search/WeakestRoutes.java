@@ -1,0 +1,184 @@
+package org.dronewatch.route.search;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
+
+/**
+ * The least exposed routes from anywhere to the goals. They are searched for over the posts of a grid, then smoothed:
+ * posts no longer matter to the route that is found, whose exposure is integrated anew. Immutable and thread-safe.
+ */
+public final class WeakestRoutes {
+    /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */
+    private static final int CANDIDATES = 64;
+
+    private final RouteProblem problem;
+
+    /** The problem with the price of time. */
+    private final RouteProblem priced;
+
+    private final RouteTree tree;
+    private final RouteFinish finish;
+    private final Optional<RouteTree> onwards;
+    private final ExposureBound bound;
+
+    /** The posts of all cubes in which what counts may end. */
+    private final BitSet ends;
+
+    /** Searches and computes the bound, in parallel if a thread is available. */
+    private WeakestRoutes(
+            RouteProblem problem,
+            RouteProblem priced,
+            Supplier<RouteTree> search,
+            Optional<RouteTree> onwards,
+            RouteFinish finish,
+            BitSet ends) {
+        this.problem = problem;
+        this.priced = priced;
+        this.onwards = onwards;
+        this.finish = finish;
+        this.ends = (BitSet) ends.clone();
+        AtomicReference<RouteTree> found = new AtomicReference<>();
+        AtomicReference<ExposureBound> certified = new AtomicReference<>();
+        Workers.both(() -> found.set(search.get()), () -> certified.set(ExposureBound.of(problem, ends)));
+        this.tree = found.get();
+        this.bound = certified.get();
+    }
+
+    /**
+     * Searches for routes to the goals.
+     *
+     * @param reached the posts of all cubes of the grid in which a route may end, for the lower bound: the goals
+     *     themselves if routes end at a post
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static WeakestRoutes of(RouteProblem problem, BitSet reached) {
+        return of(problem, reached, 0.0);
+    }
+
+    /**
+     * The same, where time has a price, so that of several equally exposed routes the fastest is found: without one, a
+     * drone may fly about for hours where nothing detects it.
+     *
+     * @param price what a second counts for in the search, but not in the exposure that is stated, 0 or more, 1/s
+     */
+    public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
+        return of(problem, reached, price, RouteEnd.AT_POST);
+    }
+
+    /** The same, where a route may arrive between posts. */
+    public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
+        RouteProblem priced = problem.withField(problem.field().plus(price));
+        return new WeakestRoutes(
+                problem,
+                priced,
+                () -> RouteSearch.toGoals(priced),
+                Optional.empty(),
+                new RouteFinish(problem.withField(new Clock()), arrival, 0.0),
+                reached);
+    }
+
+    /**
+     * Searches for routes that are least exposed for as long as a detection is in time: until less than the time of a
+     * response is left to the goals, even at full speed. From there on, the drone takes the fastest route, since a
+     * detection comes too late, whatever the exposure.
+     *
+     * @param reached as above
+     * @param response above 0, s
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response) {
+        return inTime(problem, reached, response, 0.0);
+    }
+
+    /**
+     * The same, where time has a price.
+     *
+     * @param price as above
+     */
+    public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
+        return inTime(problem, reached, response, price, RouteEnd.AT_POST);
+    }
+
+    /** The same, where a route may arrive between posts. */
+    public static WeakestRoutes inTime(
+            RouteProblem problem, BitSet reached, double response, double price, RouteEnd arrival) {
+        RouteProblem fastest = problem.withField(new Clock());
+        AtomicReference<RouteTree> times = new AtomicReference<>();
+        AtomicReference<BitSet> tooLate = new AtomicReference<>();
+        Workers.both(
+                () -> times.set(RouteSearch.toGoals(fastest)),
+                () -> tooLate.set(ExposureBound.of(fastest, reached).within(response)));
+        RouteProblem priced = problem.withField(problem.field().plus(price));
+        return new WeakestRoutes(
+                problem,
+                priced,
+                () -> RouteSearch.toStates(priced, times.get(), response),
+                Optional.of(times.get()),
+                new RouteFinish(fastest, arrival, response),
+                tooLate.get());
+    }
+
+    /** A field whose exposure is the time, s. */
+    private record Clock() implements ExposureField {
+        @Override
+        public double rate(double x, double y, double z, double heading, int mode) {
+            return 1.0;
+        }
+
+        @Override
+        public double least(Position low, Position high, int mode) {
+            return 1.0;
+        }
+    }
+
+    /** The weakest of the routes from some posts; empty if none of them has a route. */
+    public Optional<WeakestRoute> from(BitSet starts) {
+        RouteExposure search = new RouteExposure(priced);
+        // What the search adds up from post to post is not quite the exposure of a path: the best of several is taken.
+        Optional<List<Integer>> weakest = tree.weakest(starts, CANDIDATES).stream()
+                .map(tree::states)
+                .min(Comparator.comparingDouble(one -> search.along(tree.path(one))));
+        if (weakest.isEmpty()) {
+            return Optional.empty();
+        }
+        List<Integer> states = weakest.get();
+        RouteExposure exposure = new RouteExposure(problem);
+        RoutePath smooth = RouteSmoothing.of(priced, tree.path(states));
+        RoutePath whole =
+                finish.of(onwards.map(times -> smooth.then(times.path(times.from(states.get(states.size() - 1)))))
+                        .orElse(smooth));
+        double counted = exposure.along(finish.counted(whole));
+        return Optional.of(new WeakestRoute(whole, counted, bound.from(starts), exposure.time(whole)));
+    }
+
+    /** The part of a route on which a detection counts. */
+    public RoutePath counted(RoutePath route) {
+        return finish.counted(route);
+    }
+
+    /** A certified lower bound of the exposure and the price of all routes from some posts. */
+    double priced(BitSet starts) {
+        return ExposureBound.of(priced, ends).from(starts);
+    }
+
+    /** The least times to the goals: over the posts or, where no turn needs room, straight. */
+    public TimeToGo timeToGo() {
+        RouteTree fastest = onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock())));
+        double[] least = new double[problem.grid().size()];
+        Arrays.setAll(least, post -> finish.least(fastest, post));
+        return new TimeToGo(problem.grid(), least);
+    }
+
+    /** The least exposure of a route over the posts alone, before it is smoothed; infinite without a route. */
+    public double overPosts(int post) {
+        return tree.cost(post);
+    }
+}

@@ -1,0 +1,100 @@
+package org.dronewatch.route.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.BitSet;
+import java.util.List;
+import org.dronewatch.fusion.ProtectedZone;
+import org.dronewatch.geometry.Position;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** After the latest detection in time, a drone that sinks slowly reaches a ball as soon as it can. */
+class RouteFinishTest {
+    private static final double RADIUS = 60.0;
+    private static final double RESPONSE = 10.0;
+    private static final double LOWEST = 10.0;
+    private static final RouteMode SLOW_TO_SINK = new RouteMode("flight", 15.0, 3.0, 1.5, Double.POSITIVE_INFINITY);
+    private static final ProtectedZone ZONE = new ProtectedZone(new Position(0, 0, 0), RADIUS);
+    private static final RouteGrid GRID =
+            RouteGrid.level(-400.0, -400.0, 20.0, 41, 41, LOWEST, 30.0, 60.0, 90.0, 120.0);
+
+    private static RouteProblem problem(double turnRadius, int directions) {
+        BitSet starts = new BitSet();
+        starts.set(0, GRID.size());
+        BitSet goals = new BitSet();
+        for (int post = 0; post < GRID.size(); post++) {
+            goals.set(post, ZONE.distance(GRID.position(post)) == 0.0);
+        }
+        ExposureField sensor = new PointExposure(new Position(0, 0, 0), 1000.0, 2);
+        return new RouteProblem(
+                GRID, sensor, List.of(SLOW_TO_SINK), turnRadius, PlanDirections.of(directions), starts, goals);
+    }
+
+    private static WeakestRoutes routes(RouteProblem problem) {
+        BitSet reached = CubeSlopes.around(GRID, problem.goals());
+        return WeakestRoutes.inTime(problem, reached, RESPONSE, 1e-6, ZONE::entry);
+    }
+
+    private static WeakestRoute from(RouteProblem problem, double x, double y, double z) {
+        BitSet start = new BitSet();
+        start.set(GRID.nearest(new Position(x, y, z)));
+        return routes(problem).from(start).orElseThrow();
+    }
+
+    /** The least time to the ball, straight to the best of all heights at which it can be entered, every centimetre. */
+    private static double least(Position from) {
+        double horizontal = Math.hypot(from.x(), from.y());
+        double least = Double.POSITIVE_INFINITY;
+        for (double height = LOWEST; height < RADIUS; height += 0.01) {
+            double along = Math.max(0.0, horizontal - Math.sqrt(RADIUS * RADIUS - height * height));
+            least = Math.min(least, SLOW_TO_SINK.time(along, height - from.z()));
+        }
+        return least;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"30, 400, 60", "400, 150, 120", "-300, -400, 10", "-400, 20, 90"})
+    void theDroneCannotArriveSoonerAfterTheLatestDetectionInTime(double x, double y, double z) {
+        RouteProblem problem = problem(0.0, 48);
+        WeakestRoute route = from(problem, x, y, z);
+        RouteFinish finish =
+                new RouteFinish(problem.withField(new SummedExposure(List.of(), 1.0)), ZONE::entry, RESPONSE);
+        RoutePath counted = finish.counted(route.path());
+        Position latest = counted.points().get(counted.points().size() - 1);
+        Position end = route.path().points().get(route.path().points().size() - 1);
+
+        assertThat(least(latest)).isBetween(RESPONSE - 0.1, RESPONSE + 1e-3);
+        assertThat(ZONE.distance(end)).isZero();
+        assertThat(end.length()).isCloseTo(RADIUS, within(0.1));
+        assertThat(route.lower()).isLessThanOrEqualTo(route.exposure());
+    }
+
+    /** Where it decides whether a detection is in time; farther away, the flight is to a post in the zone. */
+    @Test
+    void theTimeToGoIsThatOfAStraightFlight() {
+        TimeToGo times = routes(problem(0.0, 48)).timeToGo();
+        for (int post = 0; post < GRID.size(); post++) {
+            Position at = GRID.position(post);
+            double least = least(at);
+            if (ZONE.distance(at) > 0.0) {
+                double excess = least < 1.1 * RESPONSE ? 0.05 : Double.POSITIVE_INFINITY;
+                assertThat(times.at(post).orElseThrow()).as("%s", at).isBetween(least - 1e-3, least + excess);
+            }
+        }
+    }
+
+    @Test
+    void turnsKeepTheirRoom() {
+        RouteProblem problem = problem(40.0, 16);
+        RoutePath path = from(problem, 30, 400, 60).path();
+        LegLimits limits = new LegLimits(problem);
+        for (int i = 1; i < path.modes().size(); i++) {
+            Position in = path.points().get(i).minus(path.points().get(i - 1));
+            Position out = path.points().get(i + 1).minus(path.points().get(i));
+            assertThat(limits.isTurnable(in.x(), in.y(), out.x(), out.y())).isTrue();
+        }
+    }
+}

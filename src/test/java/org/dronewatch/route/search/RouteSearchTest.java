@@ -1,0 +1,318 @@
+package org.dronewatch.route.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import org.dronewatch.geometry.Position;
+import org.junit.jupiter.api.Test;
+
+class RouteSearchTest {
+    private static final RouteMode POWERED = new RouteMode("powered", 2.0, 0.5, 1.0, Double.POSITIVE_INFINITY);
+    private static final RouteMode GLIDE =
+            new RouteMode("glide", 1.5, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, -0.25);
+
+    /** A rate for each post, direction and mode: a multiple of 1/64, so that single precision is exact. */
+    private record Table(RouteGrid grid, PlanDirections directions, int[] rates) implements ExposureField {
+        static Table random(RouteGrid grid, PlanDirections directions, SplittableRandom random) {
+            int[] rates = new int[2 * directions.count() * grid.size()];
+            Arrays.setAll(rates, i -> random.nextInt(4) == 0 ? 0 : random.nextInt(256));
+            return new Table(grid, directions, rates);
+        }
+
+        double at(int post, int direction, int mode) {
+            return rates[(mode * directions.count() + direction) * grid.size() + post] / 64.0;
+        }
+
+        @Override
+        public double rate(double x, double y, double z, double heading, int mode) {
+            int nearest = 0;
+            for (int i = 1; i < directions.count(); i++) {
+                nearest = distance(i, heading) < distance(nearest, heading) ? i : nearest;
+            }
+            return at(grid.nearest(new Position(x, y, z)), nearest, mode);
+        }
+
+        private double distance(int direction, double heading) {
+            return Math.abs(Math.IEEEremainder(directions.heading(direction) - heading, 2.0 * Math.PI));
+        }
+
+        @Override
+        public double least(Position low, Position high, int mode) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int post = 0; post < grid.size(); post++) {
+                Position at = grid.position(post);
+                boolean isNear = Math.abs(at.x() - 0.5 * (low.x() + high.x())) < 2.0
+                        && Math.abs(at.y() - 0.5 * (low.y() + high.y())) < 2.0;
+                for (int direction = 0; isNear && direction < directions.count(); direction++) {
+                    least = Math.min(least, at(post, direction, mode));
+                }
+            }
+            return least;
+        }
+    }
+
+    private static RouteGrid smallGrid(SplittableRandom random) {
+        int columns = 2 + random.nextInt(3);
+        int rows = 2 + random.nextInt(3);
+        double[] heights = random.nextBoolean() ? new double[] {1.0} : new double[] {1.0, 1.5, 2.5};
+        double[] ground = new double[columns * rows];
+        Arrays.setAll(ground, i -> 0.25 * random.nextInt(3));
+        BitSet closed = new BitSet();
+        for (int post = 0; post < columns * rows * heights.length; post++) {
+            closed.set(post, random.nextInt(6) == 0);
+        }
+        return new RouteGrid(0.0, 0.0, 1.0, columns, rows, heights, ground, closed);
+    }
+
+    private static RouteProblem smallProblem(SplittableRandom random) {
+        RouteGrid grid = smallGrid(random);
+        PlanDirections directions = PlanDirections.of(8 << random.nextInt(3));
+        BitSet starts = new BitSet();
+        BitSet goals = new BitSet();
+        starts.set(random.nextInt(grid.size()));
+        goals.set(random.nextInt(grid.size()));
+        return new RouteProblem(
+                grid,
+                Table.random(grid, directions, random),
+                random.nextBoolean() ? List.of(POWERED) : List.of(POWERED, GLIDE),
+                random.nextInt(3) == 0 ? 1.0 : 0.0,
+                directions,
+                starts,
+                goals);
+    }
+
+    /** A leg between two states. */
+    private record Leg(int from, int to, double cost) {}
+
+    /** All legs, from their definition: forwards, from every state in every direction. */
+    private static List<Leg> legs(RouteProblem problem) {
+        List<Leg> legs = new ArrayList<>();
+        RouteGrid grid = problem.grid();
+        int headings = problem.turnRadius() > 0.0 ? problem.directions().count() : 1;
+        for (int mode = 0; mode < problem.modes().size(); mode++) {
+            for (int heading = 0; heading < headings; heading++) {
+                for (int post = 0; post < grid.size(); post++) {
+                    int state = (mode * headings + heading) * grid.size() + post;
+                    if (mode + 1 < problem.modes().size()) {
+                        legs.add(new Leg(state, state + headings * grid.size(), 0.0));
+                    }
+                    for (int direction = 0; direction < problem.directions().count(); direction++) {
+                        if (headings == 1 || direction == heading) {
+                            addLegs(legs, problem, mode, post, direction, state);
+                        }
+                    }
+                }
+            }
+        }
+        return legs;
+    }
+
+    private static void addLegs(List<Leg> legs, RouteProblem problem, int mode, int post, int direction, int state) {
+        RouteGrid grid = problem.grid();
+        PlanDirections directions = problem.directions();
+        int column = post % grid.columns();
+        int row = post / grid.columns() % grid.rows();
+        int level = post / grid.columns() / grid.rows();
+        double unit = Math.hypot(directions.east(direction), directions.north(direction));
+        for (int climb = -1; climb <= 1; climb++) {
+            if (level + climb < 0 || level + climb >= grid.levels()) {
+                continue;
+            }
+            int repeats = (int) Math.max(1, Math.ceil(problem.turnRadius() * directions.widest() / unit));
+            if (mode == 1 && climb == -1) {
+                double drop = grid.height(level) - grid.height(level - 1);
+                repeats = Math.max(repeats, (int) (drop * 4.0 / unit));
+            }
+            int toColumn = column + repeats * directions.east(direction);
+            int toRow = row + repeats * directions.north(direction);
+            if (toColumn < 0 || toRow < 0 || toColumn >= grid.columns() || toRow >= grid.rows()) {
+                continue;
+            }
+            double cost = cost(problem, mode, post, grid.post(toColumn, toRow, level + climb), direction);
+            for (int turn = -1; turn <= 1; turn++) {
+                int heading = problem.turnRadius() > 0.0 ? Math.floorMod(direction + turn, directions.count()) : 0;
+                int headings = problem.turnRadius() > 0.0 ? directions.count() : 1;
+                int to = (mode * headings + heading) * grid.size() + grid.post(toColumn, toRow, level + climb);
+                legs.add(new Leg(state, to, cost));
+            }
+        }
+    }
+
+    private static double cost(RouteProblem problem, int mode, int from, int to, int direction) {
+        RouteGrid grid = problem.grid();
+        Table table = (Table) problem.field();
+        int columns = grid.columns();
+        int east = to % columns - from % columns;
+        int north = to / columns % grid.rows() - from / columns % grid.rows();
+        int pieces = Math.max(Math.abs(east), Math.abs(north));
+        double rise = grid.z(to) - grid.z(from);
+        double horizontal = Math.hypot(east, north);
+        if (mode == 1 && rise > -0.25 * horizontal + 1e-9 * (horizontal + Math.abs(rise))) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double time = Math.hypot(horizontal, rise) / (mode == 0 ? 2.0 : 1.5);
+        if (mode == 0) {
+            time = Math.max(time, rise > 0.0 ? rise / 0.5 : -rise);
+        }
+        double sum = 0.0;
+        for (int i = 0; i <= pieces; i++) {
+            int column = from % columns + (int) Math.floor((double) east * i / pieces + 0.5);
+            int row = from / columns % grid.rows() + (int) Math.floor((double) north * i / pieces + 0.5);
+            int level = (2 * i < pieces ? from : to) / columns / grid.rows();
+            int post = grid.post(column, row, level);
+            if (!grid.isOpen(post)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            sum += table.at(post, direction, mode) * (i == 0 || i == pieces ? 0.5 : 1.0);
+        }
+        return time * sum / pieces;
+    }
+
+    /** Bellman and Ford's algorithm: legs are tried until nothing changes. */
+    private static double[] brute(RouteProblem problem) {
+        double[] cost = new double[problem.states()];
+        for (int state = 0; state < cost.length; state++) {
+            cost[state] = problem.goals().get(state % problem.grid().size()) ? 0.0 : Double.POSITIVE_INFINITY;
+        }
+        List<Leg> legs = legs(problem);
+        boolean isChanged = true;
+        while (isChanged) {
+            isChanged = false;
+            for (Leg leg : legs) {
+                double through = leg.cost() + cost[leg.to()];
+                if (through < cost[leg.from()]) {
+                    cost[leg.from()] = through;
+                    isChanged = true;
+                }
+            }
+        }
+        return cost;
+    }
+
+    @Test
+    void thousandRandomProblemsAgreeWithBruteForce() {
+        long seed = 4711;
+        SplittableRandom random = new SplittableRandom(seed);
+        int reachable = 0;
+        for (int i = 0; i < 1000; i++) {
+            RouteProblem problem = smallProblem(random);
+            double[] expected = brute(problem);
+            RouteTree found = RouteSearch.toGoals(problem);
+            for (int state = 0; state < expected.length; state++) {
+                if (expected[state] < Double.POSITIVE_INFINITY) {
+                    assertThat(found.costOfState(state))
+                            .as("seed %d, problem %d, state %d", seed, i, state)
+                            .isCloseTo(expected[state], within(1e-9 * (1.0 + expected[state])));
+                    reachable++;
+                } else {
+                    assertThat(found.costOfState(state)).isEqualTo(expected[state]);
+                }
+            }
+        }
+        assertThat(reachable).isGreaterThan(20_000);
+    }
+
+    /** The path that is given has the exposure that is stated, and its smoothed form no more. */
+    @Test
+    void theBoundIsBelowAndTheSmoothedRouteNotAboveTheOneOverPosts() {
+        long seed = 4712;
+        SplittableRandom random = new SplittableRandom(seed);
+        int found = 0;
+        for (int i = 0; i < 300; i++) {
+            RouteProblem problem = smallProblem(random);
+            WeakestRoutes routes = WeakestRoutes.of(problem, problem.goals());
+            int start = problem.starts().nextSetBit(0);
+            if (routes.from(problem.starts()).isEmpty()) {
+                continue;
+            }
+            found++;
+            WeakestRoute route = routes.from(problem.starts()).get();
+            assertThat(route.lower())
+                    .as("seed %d, problem %d", seed, i)
+                    .isLessThanOrEqualTo(routes.overPosts(start))
+                    .isLessThanOrEqualTo(route.exposure());
+        }
+        assertThat(found).isGreaterThan(100);
+    }
+
+    @Test
+    void theOrderOfSensorsDoesNotMatterAndEachAddsExposure() {
+        long seed = 4713;
+        SplittableRandom random = new SplittableRandom(seed);
+        RouteGrid grid = RouteGrid.level(0.0, 0.0, 10.0, 21, 21, 10.0, 30.0);
+        BitSet starts = new BitSet();
+        starts.set(grid.post(0, 0, 0));
+        BitSet goals = new BitSet();
+        goals.set(grid.post(20, 20, 1));
+        for (int i = 0; i < 10; i++) {
+            Map<String, ExposureField> sensors = new HashMap<>();
+            double before = 0.0;
+            for (int sensor = 0; sensor < 6; sensor++) {
+                Position at = new Position(200.0 * random.nextDouble(), 200.0 * random.nextDouble(), 0.0);
+                sensors.put("sensor " + sensor, new PointExposure(at, 100.0 * random.nextDouble(), 2));
+                double now = least(grid, sensors, starts, goals);
+                assertThat(now).as("seed %d", seed).isGreaterThan(before);
+                before = now;
+            }
+            Map<String, ExposureField> backwards = new TreeMap<>(Comparator.reverseOrder());
+            backwards.putAll(sensors);
+            assertThat(least(grid, backwards, starts, goals)).isEqualTo(before);
+        }
+    }
+
+    private static double least(RouteGrid grid, Map<String, ExposureField> sensors, BitSet starts, BitSet goals) {
+        RouteProblem problem = new RouteProblem(
+                grid,
+                ExposureField.ofSensors(sensors),
+                List.of(RouteMode.free("flight", 10.0)),
+                0.0,
+                PlanDirections.of(16),
+                starts,
+                goals);
+        return RouteSearch.toGoals(problem).cost(starts.nextSetBit(0));
+    }
+
+    /** Published factors by which grids are too long: 1.0824, 1.0275, 1.0131. */
+    @Test
+    void stretchOfTheDirections() {
+        assertThat(PlanDirections.of(8).stretch()).isCloseTo(1.0824, within(5e-5));
+        assertThat(PlanDirections.of(16).stretch()).isCloseTo(1.0275, within(5e-5));
+        assertThat(PlanDirections.of(32).stretch()).isCloseTo(1.0131, within(5e-5));
+        assertThat(PlanDirections.of(48).stretch()).isCloseTo(1.0034, within(5e-5));
+        for (int count : new int[] {8, 16, 32, 48}) {
+            assertThat(PlanDirections.of(count).count()).isEqualTo(count);
+        }
+    }
+
+    @Test
+    void numbersComeOutOfTheQueueInTheOrderOfTheirKeys() {
+        long seed = 4714;
+        SplittableRandom random = new SplittableRandom(seed);
+        RadixHeap heap = new RadixHeap();
+        double[] keys = new double[20_000];
+        int added = 0;
+        double last = 0.0;
+        for (int i = 0; added < keys.length || !heap.isEmpty(); i++) {
+            if (added < keys.length && (heap.isEmpty() || random.nextInt(3) > 0)) {
+                keys[added] = last + (random.nextInt(5) == 0 ? 0.0 : random.nextDouble());
+                heap.add(keys[added], added++);
+            } else {
+                int out = heap.poll();
+                assertThat(heap.key())
+                        .as("seed %d, step %d", seed, i)
+                        .isEqualTo(keys[out])
+                        .isGreaterThanOrEqualTo(last);
+                last = heap.key();
+            }
+        }
+    }
+}
