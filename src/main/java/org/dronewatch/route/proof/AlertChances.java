@@ -55,27 +55,21 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
     }
 
     private static AlertChances ofAnySensor(LookSchedule schedule, AlertSettings alert) {
-        int sensors = schedule.sensors().size();
-        double[] missed = new double[sensors];
+        List<ConfirmedMisses> confirmed = schedule.sensors().stream()
+                .map(sensor -> new ConfirmedMisses(alert.confirm()))
+                .toList();
+        double[] undetected = schedule.missedAfterEach();
+        double[] missed = new double[schedule.sensors().size()];
         Arrays.fill(missed, 1.0);
-        List<List<ScheduledLook>> taken = new ArrayList<>();
-        List<ConfirmedMisses> confirmed = new ArrayList<>();
-        for (int sensor = 0; sensor < sensors; sensor++) {
-            taken.add(new ArrayList<>());
-            confirmed.add(new ConfirmedMisses(alert.confirm()));
-        }
         List<Double> times = new ArrayList<>();
         List<Double> probabilities = new ArrayList<>();
         double before = 1.0;
-        for (ScheduledLook look : schedule.looks()) {
+        for (int i = 0; i < undetected.length; i++) {
+            ScheduledLook look = schedule.looks().get(i);
             int sensor = look.number();
-            if (schedule.sensors().get(sensor).chance() == Chance.PER_LOOK) {
-                missed[sensor] = confirmed.get(sensor).after(look.probability());
-            } else if (look.probability() > 0.0) {
-                taken.get(sensor).add(look);
-                missed[sensor] = MissedLooks.probability(
-                        taken.get(sensor), schedule.sensors().get(sensor));
-            }
+            missed[sensor] = schedule.sensors().get(sensor).chance() == Chance.PER_LOOK
+                    ? confirmed.get(sensor).after(look.probability())
+                    : undetected[i];
             double now = Arrays.stream(missed).reduce(1.0, (one, other) -> one * other);
             if (now < before) {
                 times.add(look.time());

@@ -7,8 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
-import java.util.function.ToDoubleBiFunction;
-import java.util.stream.IntStream;
+import java.util.function.IntToDoubleFunction;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.ResponseTime;
@@ -16,10 +15,6 @@ import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.sensor.Chance;
-import org.dronewatch.sensor.Observation;
-import org.dronewatch.statistics.Proportion;
-import org.dronewatch.world.World;
 
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
@@ -34,20 +29,9 @@ public final class FlownRoute {
     /** A probability that is estimated from random rays is the mean of this many estimates, of 32 traces each. */
     public static final int ESTIMATES = 16;
 
-    /** The route as it is flown from one of the moments on. */
-    private record Flight(SceneSettings settings, World world, LookSchedule schedule) {
-        double detection() {
-            return 1.0 - schedule.missed(settings.run().duration());
-        }
-
-        double detection(int sensor) {
-            return 1.0 - schedule.missed(sensor, settings.run().duration());
-        }
-    }
-
     private final ModelCache models;
     private final List<String> sensors;
-    private final List<Flight> flights = new ArrayList<>();
+    private final List<BegunFlight> flights = new ArrayList<>();
 
     private FlownRoute(SceneSettings settings, ModelCache models, int estimates) {
         this.models = models;
@@ -57,7 +41,7 @@ public final class FlownRoute {
             SceneSettings later = RouteScene.later(settings, begin);
             Stage stage = new Stage(later, models, later.run().seed());
             int each = Math.max(1, estimates / begins.size());
-            flights.add(new Flight(later, stage.world(), LookSchedule.of(later, stage, each)));
+            flights.add(new BegunFlight(later, stage.world(), LookSchedule.of(later, stage, each)));
         }
     }
 
@@ -89,26 +73,23 @@ public final class FlownRoute {
 
     /** The probability that a run detects the drone, 0 to 1. */
     public double detection() {
-        return flights.stream().mapToDouble(Flight::detection).average().orElseThrow();
+        return flights.stream().mapToDouble(BegunFlight::detection).average().orElseThrow();
     }
 
     /** The same by sensor, as if each were the only one. */
     public Map<String, Double> bySensor() {
-        return means((flight, sensor) -> flight.detection(sensor));
+        return named(sensor -> flights.stream()
+                .mapToDouble(flight -> flight.detection(sensor))
+                .average()
+                .orElseThrow());
     }
 
-    private Map<String, Double> means(ToDoubleBiFunction<Flight, Integer> figure) {
-        Map<String, Double> means = new LinkedHashMap<>();
+    private Map<String, Double> named(IntToDoubleFunction figure) {
+        Map<String, Double> named = new LinkedHashMap<>();
         for (int sensor = 0; sensor < sensors.size(); sensor++) {
-            int one = sensor;
-            means.put(
-                    sensors.get(sensor),
-                    flights.stream()
-                            .mapToDouble(flight -> figure.applyAsDouble(flight, one))
-                            .average()
-                            .orElseThrow());
+            named.put(sensors.get(sensor), figure.applyAsDouble(sensor));
         }
-        return means;
+        return named;
     }
 
     /**
@@ -119,15 +100,9 @@ public final class FlownRoute {
         List<LookExposure> each = flights.stream()
                 .map(flight -> LookExposure.of(flight.schedule()))
                 .toList();
-        Map<String, Double> bySensor = new LinkedHashMap<>();
-        for (int sensor = 0; sensor < sensors.size(); sensor++) {
-            int one = sensor;
-            bySensor.put(
-                    sensors.get(sensor),
-                    FlownExposure.ofMean(each.stream()
-                            .mapToDouble(exposure -> exposure.bySensor().get(one))
-                            .toArray()));
-        }
+        Map<String, Double> bySensor = named(sensor -> FlownExposure.ofMean(each.stream()
+                .mapToDouble(exposure -> exposure.bySensor().get(sensor))
+                .toArray()));
         return new FlownExposure(each.stream().map(LookExposure::steps).toList(), bySensor);
     }
 
@@ -144,7 +119,7 @@ public final class FlownRoute {
     public OptionalDouble interruption(double response) {
         ResponseTime force = new ResponseTime(response, SPREAD * response);
         double sum = 0.0;
-        for (Flight flight : flights) {
+        for (BegunFlight flight : flights) {
             Optional<AlertChances> alerts =
                     AlertChances.of(flight.schedule(), flight.settings().alert());
             if (alerts.isEmpty()) {
@@ -169,62 +144,6 @@ public final class FlownRoute {
         if (runs < 1) {
             throw new IllegalArgumentException(runs + " runs: must be 1 or more");
         }
-        boolean[] isDetected = new boolean[runs];
-        Workers.forEach(
-                runs,
-                () -> flights.stream()
-                        .map(flight -> new SeededFlights(flight.schedule(), flight.world()))
-                        .toList(),
-                (seeded, run) -> {
-                    SceneSettings settings = ofRun(run).settings();
-                    long seed = RouteProof.seed(settings, run);
-                    Optional<Observation> detected =
-                            seeded.get(run % flights.size()).firstDetection(seed);
-                    if (RouteProof.isPlain(run)) {
-                        check(detected, settings, seed);
-                    }
-                    isDetected[run] = detected.isPresent();
-                    progress.accept(1);
-                });
-        int count =
-                (int) IntStream.range(0, runs).filter(run -> isDetected[run]).count();
-        int plain = (int) IntStream.range(0, runs).filter(RouteProof::isPlain).count();
-        return new RouteProof(predicted(runs), bySensor(), new Proportion(count, runs), plain, Optional.empty());
-    }
-
-    private Flight ofRun(int run) {
-        return flights.get(run % flights.size());
-    }
-
-    /**
-     * The mean probability that a run detects the drone. The first moments have one run more than the others if the
-     * number of runs is not a multiple of that of the moments.
-     */
-    private double predicted(int runs) {
-        double[] each = flights.stream().mapToDouble(Flight::detection).toArray();
-        return IntStream.range(0, Math.min(runs, each.length))
-                .mapToDouble(begin -> each[begin] * ((runs - 1 - begin) / each.length + 1) / runs)
-                .sum();
-    }
-
-    private void check(Optional<Observation> replayed, SceneSettings settings, long seed) {
-        Optional<Observation> plain = RouteProof.plain(settings, seed, models);
-        if (!isSame(replayed, plain, settings)) {
-            throw new IllegalStateException("the run with seed " + seed + " first detects the drone " + plain
-                    + ", but its looks alone " + replayed);
-        }
-    }
-
-    /**
-     * Whether the same look detects the drone first: with the same values, too, where chance is drawn for each look.
-     * Of the looks of observers, only what the next ones depend on is replayed.
-     */
-    private static boolean isSame(Optional<Observation> replayed, Optional<Observation> plain, SceneSettings settings) {
-        return replayed.map(Observation::look).equals(plain.map(Observation::look))
-                && (replayed.filter(look -> isDrawnPerLook(look, settings)).isEmpty() || replayed.equals(plain));
-    }
-
-    private static boolean isDrawnPerLook(Observation look, SceneSettings settings) {
-        return settings.sensors().get(look.sensor()).chance() == Chance.PER_LOOK;
+        return new ProofRuns(flights, models).of(runs, bySensor(), progress);
     }
 }

@@ -23,28 +23,21 @@ record LookExposure(List<FlownExposure.Step> steps, List<Double> bySensor) {
     /** The exposure, {@code -ln} of the probability that all looks have missed. */
     static LookExposure of(LookSchedule schedule) {
         double[] sums = new double[schedule.sensors().size()];
-        List<List<ScheduledLook>> taken = new ArrayList<>();
-        schedule.sensors().forEach(sensor -> taken.add(new ArrayList<>()));
+        double[] missed = schedule.missedAfterEach();
         List<FlownExposure.Step> steps = new ArrayList<>();
-        for (ScheduledLook look : schedule.looks()) {
-            if (look.probability() > 0.0) {
-                SensorSettings<?> sensor = schedule.sensors().get(look.number());
-                double before = sums[look.number()];
-                double now = sensor.chance() == Chance.PER_LOOK
-                        ? before - Math.log1p(-Math.min(FieldExposure.HIGHEST, look.probability()))
-                        : ofEncounters(taken.get(look.number()), look, sensor);
-                if (now > before) {
-                    double time = look.time() - schedule.begin();
-                    steps.add(new FlownExposure.Step(Math.max(0.0, time - 1.0 / sensor.rate()), time, now - before));
-                    sums[look.number()] = now;
-                }
+        for (int i = 0; i < missed.length; i++) {
+            ScheduledLook look = schedule.looks().get(i);
+            SensorSettings<?> sensor = schedule.sensors().get(look.number());
+            double before = sums[look.number()];
+            double now = sensor.chance() == Chance.PER_LOOK
+                    ? before - Math.log1p(-Math.min(FieldExposure.HIGHEST, look.probability()))
+                    : -Math.log(Math.max(Double.MIN_NORMAL, missed[i]));
+            if (now > before) {
+                double time = look.time() - schedule.begin();
+                steps.add(new FlownExposure.Step(Math.max(0.0, time - 1.0 / sensor.rate()), time, now - before));
+                sums[look.number()] = now;
             }
         }
         return new LookExposure(steps, Arrays.stream(sums).boxed().toList());
-    }
-
-    private static double ofEncounters(List<ScheduledLook> taken, ScheduledLook look, SensorSettings<?> sensor) {
-        taken.add(look);
-        return -Math.log(Math.max(Double.MIN_NORMAL, MissedLooks.probability(taken, sensor)));
     }
 }

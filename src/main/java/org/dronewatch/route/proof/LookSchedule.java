@@ -146,9 +146,25 @@ final class LookSchedule {
 
     /** The same of one sensor. */
     double missed(int sensor, double until) {
-        List<ScheduledLook> own = looks.stream()
-                .filter(look -> look.number() == sensor && look.time() <= until)
-                .toList();
+        List<ScheduledLook> own =
+                of(sensor).stream().filter(look -> look.time() <= until).toList();
         return MissedLooks.probability(own, sensors.get(sensor));
+    }
+
+    private List<ScheduledLook> of(int sensor) {
+        return looks.stream().filter(look -> look.number() == sensor).toList();
+    }
+
+    /**
+     * For each look, in the order of {@link #looks}, the probability that its sensor has not detected the drone on the
+     * route, neither in this look nor before.
+     */
+    double[] missedAfterEach() {
+        double[][] ofSensors = new double[sensors.size()][];
+        Arrays.setAll(ofSensors, sensor -> MissedLooks.afterEach(of(sensor), sensors.get(sensor)));
+        int[] taken = new int[sensors.size()];
+        return looks.stream()
+                .mapToDouble(look -> ofSensors[look.number()][taken[look.number()]++])
+                .toArray();
     }
 }

@@ -1,7 +1,7 @@
 package org.dronewatch.route.proof;
 
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -23,33 +23,52 @@ final class MissedLooks {
      * @param looks in order of time
      */
     static double probability(List<ScheduledLook> looks, SensorSettings<?> sensor) {
-        if (sensor.chance() == Chance.PER_LOOK) {
-            return looks.stream()
-                    .mapToDouble(look -> 1.0 - look.probability())
-                    .reduce(1.0, (one, other) -> one * other);
-        }
-        double missed = 1.0;
-        for (List<ScheduledLook> encounter : encounters(looks, sensor).values()) {
-            missed *= ofEncounter(encounter, sensor.rate());
-        }
-        return missed;
+        double[] after = afterEach(looks, sensor);
+        return after.length == 0 ? 1.0 : after[after.length - 1];
     }
 
-    private static Map<Long, List<ScheduledLook>> encounters(List<ScheduledLook> looks, SensorSettings<?> sensor) {
+    /**
+     * For each look, the probability that neither it nor any before it does. What is seen before the route begins only
+     * decides to which encounter a look belongs.
+     *
+     * @param looks in order of time
+     */
+    static double[] afterEach(List<ScheduledLook> looks, SensorSettings<?> sensor) {
+        double[] after = new double[looks.size()];
+        double missed = 1.0;
+        int done = 0;
+        if (sensor.chance() == Chance.PER_LOOK) {
+            for (ScheduledLook look : looks) {
+                missed *= 1.0 - look.probability();
+                after[done++] = missed;
+            }
+            return after;
+        }
+        for (List<ScheduledLook> encounter : encounters(looks, sensor)) {
+            EncounterMisses misses = new EncounterMisses(encounter, sensor.rate());
+            double before = missed;
+            for (ScheduledLook look : encounter) {
+                if (look.counts() && look.probability() > 0.0) {
+                    missed = Math.min(missed, before * misses.after(look));
+                }
+                after[done++] = missed;
+            }
+        }
+        return after;
+    }
+
+    /** The looks of each encounter in turn. */
+    private static Collection<List<ScheduledLook>> encounters(List<ScheduledLook> looks, SensorSettings<?> sensor) {
         Map<Long, List<ScheduledLook>> encounters = new TreeMap<>();
         Encounters before = Encounters.NONE;
         for (ScheduledLook scheduled : looks) {
             Look look = scheduled.look().withEncounters(before);
             Encounter now = look.encounter(scheduled.drone().id(), sensor.rate());
-            if (scheduled.counts()) {
-                encounters
-                        .computeIfAbsent(now.index(), index -> new ArrayList<>())
-                        .add(scheduled);
-            }
+            encounters.computeIfAbsent(now.index(), index -> new ArrayList<>()).add(scheduled);
             before = Encounters.after(
                     look, sensor.rate(), List.of(observation(scheduled, Double.POSITIVE_INFINITY, sensor)));
         }
-        return encounters;
+        return encounters.values();
     }
 
     /** What such a look of an observer records, as far as the looks that follow depend on it. */
@@ -57,25 +76,5 @@ final class MissedLooks {
         Reading reading = new Reading(look.probability(), threshold, "");
         return new Observation(look.look().id(sensor.kind()), look.drone().id(), 0.0, reading)
                 .withFigures(Map.of(Observation.PROBABILITY, look.probability()));
-    }
-
-    /**
-     * The mean over the number u that the observer draws, from 0 to 1, of the probability that the search fails in all
-     * looks with {@code p >= u}. Between two neighbouring probabilities, it is the same for all u.
-     */
-    private static double ofEncounter(List<ScheduledLook> looks, double rate) {
-        List<ScheduledLook> easiest = looks.stream()
-                .sorted(Comparator.comparingDouble(look -> -look.probability()))
-                .toList();
-        double missed = 0.0;
-        double above = 1.0;
-        double exponent = 0.0;
-        for (ScheduledLook look : easiest) {
-            missed += (above - look.probability()) * Math.exp(-exponent);
-            above = look.probability();
-            // Nobody has searched before the run begins.
-            exponent += look.probability() * Math.min(1.0 / rate, look.time()) / Encounter.SEARCH_TIME;
-        }
-        return missed + above * Math.exp(-exponent);
     }
 }
