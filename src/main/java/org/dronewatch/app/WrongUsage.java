@@ -8,18 +8,23 @@ import java.util.Optional;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The message for a command line that cannot be read, with what may have been meant. */
 final class WrongUsage {
+    private static final String WHOLE = "a whole number";
+
     private WrongUsage() {}
 
     /** One line. */
     static String message(ParameterException problem) {
         String said = problem instanceof UnmatchedArgumentException unmatched
                 ? unmatched(unmatched)
-                : PlainText.line(problem.getMessage()) + meantValue(problem);
+                : notANumber(problem).orElseGet(() -> PlainText.line(problem.getMessage()) + meantValue(problem));
         return said + " (see '" + problem.getCommandLine().getCommandSpec().qualifiedName() + " --help')";
     }
 
@@ -39,6 +44,28 @@ final class WrongUsage {
         return commands.isEmpty()
                 ? PlainText.line(problem.getMessage())
                 : "unknown command '" + PlainText.value(word) + "'" + Spelling.didYouMean(word, commands);
+    }
+
+    /** Where a number is needed, and something else was given, the option, its value and what it must be. */
+    private static Optional<String> notANumber(ParameterException problem) {
+        ArgSpec option = problem.getArgSpec();
+        if (!(problem.getCause() instanceof TypeConversionException) || option == null || problem.getValue() == null) {
+            return Optional.empty();
+        }
+        String value = PlainText.value(problem.getValue());
+        String name = option instanceof OptionSpec named ? named.longestName() : option.paramLabel();
+        return needed(option.type(), value).map(needed -> (name + " " + value).strip() + ": must be " + needed);
+    }
+
+    private static Optional<String> needed(Class<?> type, String value) {
+        boolean isTooLarge = value.matches("[-+]?[0-9]+");
+        if (type == int.class || type == Integer.class) {
+            return Optional.of(isTooLarge ? Integer.MIN_VALUE + " to " + Integer.MAX_VALUE : WHOLE);
+        }
+        if (type == long.class || type == Long.class) {
+            return Optional.of(isTooLarge ? Long.MIN_VALUE + " to " + Long.MAX_VALUE : WHOLE);
+        }
+        return type == double.class || type == Double.class ? Optional.of("a number") : Optional.empty();
     }
 
     /** The value of an option that is one of a few words. */

@@ -18,8 +18,6 @@ import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -176,66 +174,6 @@ class RouteCommandTest {
         assertThat(lines.subList(table + 2, table + 10)).allMatch(line -> line.matches("[a-z-]+ +(0|20) of 20 .* yes"));
     }
 
-    /** A microphone does not hear a glider: its motors stop and stay off, flights agree, and all is repeatable. */
-    @Test
-    void motorsStopWhereTheyWouldBeHeard(@TempDir Path other) throws IOException {
-        FieldSite.in(
-                other,
-                "  ear: {kind: acoustic, position: [0, 0, 4],"
-                        + " propagation: {kind: level-model, initialRays: 1, maxOrder: 1}}\n"
-                        + "alert: {protect: {centre: [0, 0, 10], radius: 30}, response: 5 s}\n");
-        Path site = other.resolve("site.yaml");
-        Files.writeString(
-                site,
-                Files.readString(site)
-                        .replaceFirst("  one:\n", "  one:\n    performance: {glideRatio: 8, glideSpeed: 10 m/s}\n"));
-        Outcome glided = Program.run(
-                "route",
-                site.toString(),
-                "--heights=10,20,30,45",
-                "--side=500",
-                "--cell=50",
-                "--set=drones.one.soundLevel=43",
-                "--stopped=0.8",
-                "--proof=20",
-                "--out=" + other.resolve("glided"));
-        assertThat(glided.code()).as(glided.err()).isZero();
-        assertThat(glided.out()).contains("motors off", "stopped", "with its motors off for the last");
-        JsonNode found = JsonMapper.builder()
-                .build()
-                .readTree(other.resolve("glided/route.json").toFile());
-        assertThat(glided.err()).contains("no scenes of the routes are written: world.models.0.file: ");
-        assertThat(found.get("modes")).extracting(JsonNode::asString).containsExactly("powered", "glide");
-        int glides = 0;
-        for (JsonNode route : found.get("routes")) {
-            JsonNode proof = route.get("proof");
-            assertThat(proof.propertyNames()).containsExactly("runs", "k", "low", "high", "predicted", "agrees");
-            assertThat(proof.get("runs").asInt()).isEqualTo(20);
-            assertThat(route.get("p_detect").asDouble())
-                    .isCloseTo(proof.get("predicted").asDouble(), within(1e-5));
-            assertThat(proof.get("agrees").asBoolean()).isTrue();
-            assertThat(route.get("p_e").asDouble())
-                    .isCloseTo(0.8 * route.get("p_i").asDouble(), within(1e-5));
-            JsonNode before = null;
-            for (JsonNode point : route.get("points")) {
-                if (before != null && before.get("mode").asString().equals("glide")) {
-                    assertThat(point.get("mode").asString()).isEqualTo("glide");
-                    assertThat(point.get("z").asDouble())
-                            .isLessThan(before.get("z").asDouble());
-                    glides++;
-                }
-                before = point;
-            }
-        }
-        assertThat(glides).isPositive();
-        Outcome again =
-                Program.run("again", other.resolve("glided/provenance.json").toString());
-        assertThat(again.code()).as(again.out() + again.err()).isZero();
-        assertThat(again.out())
-                .contains("same       route.json", "same       routes.png", "same       time-to-go.png")
-                .contains("same       view.png", "same       profile.png");
-    }
-
     /** The pieces of each route follow one another from its start to its end. */
     @Test
     void mapsHaveTheRoutesInPieces() throws IOException {
@@ -258,51 +196,5 @@ class RouteCommandTest {
             before = line.get(line.size() - 1);
         }
         assertThat(routes).isEqualTo(8);
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--launch={centre: [150, 120], radius: 30}|0",
-                "--launch={centre: [0, 65], radius: 3}|2",
-                "--launch={centre: [0, 65]}|2",
-                "--launch=nowhere|2",
-                "--response=-1|2",
-                "--response=5 kg|2",
-                "--response=|2",
-                "--response=0|0",
-                "--response=100|0",
-                "--heights=600|2",
-                "--cell=300|2",
-                "--pointing=up|2",
-                "--modes=powered,glide|2",
-                "--modes=glide,powered|2",
-                "--modes=swim|2",
-                "--modes=|2",
-                "--stopped=1.1|2",
-                "--proof=0|2",
-                "--drone=two|2",
-                "--set=sensors.round.enabled=false|0",
-            })
-    void isRefusedInOneLineOrSearched(String option, int code) {
-        String name = "option" + option.hashCode();
-        Outcome other = Program.run(
-                "route",
-                directory.resolve("site.yaml").toString(),
-                "--side=400",
-                option.startsWith("--cell") ? "--seed=1" : "--cell=40",
-                option.startsWith("--heights") ? "--seed=2" : "--heights=10",
-                option,
-                // Pictures take time.
-                code == 0 ? "--threads=2" : "--out=" + directory.resolve(name));
-        assertThat(other.code()).as(other.err()).isEqualTo(code);
-        assertThat(other.out().contains("no detection can be in time")).isEqualTo(option.equals("--response=100"));
-        if (code == 2) {
-            assertThat(other.err()).doesNotContain(" : ");
-            assertThat(other.complaints()).hasSize(1);
-            assertThat(other.err()).doesNotContain("--set alert");
-            assertThat(directory.resolve(name)).doesNotExist();
-        }
     }
 }
