@@ -29,11 +29,11 @@ public final class RouteLines {
 
     private static SiteLines.Line line(SectorRoute route, RouteSurvey survey) {
         double response = survey.response();
-        String inTime = response > 0.0 ? ", " + RouteWords.percent(route.inTime(response)) + " in time" : "";
+        String inTime = response > 0.0 ? ", " + RouteNumbers.percent(route.inTime(response)) + " in time" : "";
         String words = RouteWords.sector(route) + ": "
                 + (route.detection() == 0.0
                         ? "not detected"
-                        : RouteWords.percent(route.detection()) + " detected" + inTime);
+                        : RouteNumbers.percent(route.detection()) + " detected" + inTime);
         List<SiteLines.Piece> pieces =
                 RoutePieces.of(route).stream().map(RouteLines::piece).toList();
         return new SiteLines.Line(words, pieces);

@@ -104,8 +104,8 @@ final class RoutePictures {
         sheet.line(survey.response() > 0.0 ? "from: detected (in time)" : "from: detected");
         for (SectorRoute route : survey.routes()) {
             String timely =
-                    survey.response() > 0.0 ? " (" + RouteWords.percent(route.inTime(survey.response())) + ")" : "";
-            sheet.line(abbreviation(route) + ": " + RouteWords.percent(route.detection()) + timely);
+                    survey.response() > 0.0 ? " (" + RouteNumbers.percent(route.inTime(survey.response())) + ")" : "";
+            sheet.line(abbreviation(route) + ": " + RouteNumbers.percent(route.detection()) + timely);
         }
         sheet.space();
         if (!stage.protection().isEmpty()) {

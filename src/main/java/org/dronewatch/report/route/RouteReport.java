@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.stream.Stream;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
@@ -30,6 +29,7 @@ final class RouteReport {
     private final RouteInputs inputs;
     private final Stage stage;
     private final RouteWords words;
+    private final RouteNotes notes;
 
     RouteReport(RouteResults results, RouteInputs inputs, Stage stage) {
         this.results = results;
@@ -37,6 +37,7 @@ final class RouteReport {
         this.inputs = inputs;
         this.stage = stage;
         this.words = new RouteWords(inputs);
+        this.notes = new RouteNotes(inputs);
     }
 
     /**
@@ -52,12 +53,10 @@ final class RouteReport {
                 "The routes",
                 introduction()
                         + table()
-                        + Stream.of(words.begins(survey), words.withoutAlert(results))
-                                .flatMap(Optional::stream)
+                        + notes.notes(results).stream()
                                 .map(text -> Html.plain("p", text))
                                 .reduce("", String::concat)
-                        + Stream.of(words.tooShort(survey), words.misjudged(survey))
-                                .flatMap(Optional::stream)
+                        + notes.warnings(survey).stream()
                                 .map(text -> Html.plain("p", "Warning: " + text + "."))
                                 .reduce("", String::concat));
         for (Figure figure : figures) {
@@ -129,25 +128,25 @@ final class RouteReport {
         List<String> row = new ArrayList<>(List.of(
                 RouteWords.sector(route),
                 number(Math.rint(route.profile().medianHeight())) + " m",
-                RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
-                RouteWords.percent(route.detection()),
-                RouteWords.percent(route.searched().detection()),
-                RouteWords.seconds(route.left())));
+                RouteNumbers.seconds(OptionalDouble.of(route.route().seconds())),
+                RouteNumbers.percent(route.detection()),
+                RouteNumbers.percent(route.searched().detection()),
+                RouteNumbers.seconds(route.left())));
         if (RouteWords.mayGlide(survey)) {
-            row.add(RouteWords.seconds(RouteWords.gliding(route, survey)));
+            row.add(RouteNumbers.seconds(RouteWords.gliding(route, survey)));
         }
         if (survey.response() > 0.0) {
-            row.add(RouteWords.percent(route.inTime(survey.response())));
-            row.add(RouteWords.margin(route.left(), survey.response()));
+            row.add(RouteNumbers.percent(route.inTime(survey.response())));
+            row.add(RouteNumbers.margin(route.left(), survey.response()));
         }
         if (!results.timely().isEmpty()) {
-            row.add(RouteWords.orDash(results.timely().get(route.sector())));
+            row.add(RouteNumbers.orDash(results.timely().get(route.sector())));
         }
         if (inputs.stopped().isPresent()) {
-            row.add(RouteWords.orDash(results.effectiveness(route, inputs).orElse(null)));
+            row.add(RouteNumbers.orDash(results.effectiveness(route, inputs).orElse(null)));
         }
-        row.add(RouteWords.exposure(route.route().exposure()));
-        row.add(RouteWords.exposure(route.route().lower()));
+        row.add(RouteNumbers.exposure(route.route().exposure()));
+        row.add(RouteNumbers.exposure(route.route().lower()));
         return row;
     }
 
@@ -157,7 +156,7 @@ final class RouteReport {
                 .map(route -> List.of(
                         RouteWords.sector(route),
                         route.mostExposedTo()
-                                .map(sensor -> sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
+                                .map(sensor -> sensor + " (" + RouteNumbers.percent(route.share(sensor)) + ")")
                                 .orElse("-"),
                         RouteWords.reason(route).orElse("-")))
                 .toList();
@@ -172,9 +171,9 @@ final class RouteReport {
                 rows.add(List.of(
                         RouteWords.sector(route),
                         proof.detections().count() + " of " + proof.detections().of(),
-                        RouteWords.percent(proof.interval().low()) + " to "
-                                + RouteWords.percent(proof.interval().high()),
-                        RouteWords.percent(proof.predicted()),
+                        RouteNumbers.percent(proof.interval().low()) + " to "
+                                + RouteNumbers.percent(proof.interval().high()),
+                        RouteNumbers.percent(proof.predicted()),
                         proof.agrees() ? "yes" : "no",
                         proof.cued()
                                 .map(cued -> cued.count() + " of " + cued.of())
@@ -206,7 +205,7 @@ final class RouteReport {
                 + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
         inputs.stopped()
                 .ifPresent(share -> items.add("The response is not simulated; it is assumed to stop the drone in "
-                        + RouteWords.percent(share) + " of the cases in which the alert is in time."));
+                        + RouteNumbers.percent(share) + " of the cases in which the alert is in time."));
         items.add("Sensors count as independent, which they are not where they look past the same obstacle.");
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());

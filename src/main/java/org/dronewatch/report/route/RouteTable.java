@@ -53,12 +53,10 @@ public final class RouteTable {
             lines.addAll(proofs(results));
         }
         lines.add("");
-        RouteWords words = new RouteWords(inputs);
-        lines.add(words.weakest(results));
-        words.begins(survey).ifPresent(lines::add);
-        words.withoutAlert(results).ifPresent(lines::add);
-        words.tooShort(survey).ifPresent(text -> lines.add("warning: " + text));
-        words.misjudged(survey).ifPresent(text -> lines.add("warning: " + text));
+        lines.add(new RouteWords(inputs).weakest(results));
+        RouteNotes notes = new RouteNotes(inputs);
+        lines.addAll(notes.notes(results));
+        notes.warnings(survey).forEach(text -> lines.add("warning: " + text));
         return lines;
     }
 
@@ -68,32 +66,35 @@ public final class RouteTable {
         String line = text(
                 ROW,
                 name,
-                RouteWords.seconds(OptionalDouble.of(route.route().seconds())),
-                RouteWords.exposure(route.route().exposure()),
-                RouteWords.exposure(route.route().lower()),
-                RouteWords.percent(route.searched().detection()),
-                RouteWords.percent(route.detection()),
-                RouteWords.seconds(route.left()));
+                RouteNumbers.seconds(OptionalDouble.of(route.route().seconds())),
+                RouteNumbers.exposure(route.route().exposure()),
+                RouteNumbers.exposure(route.route().lower()),
+                RouteNumbers.percent(route.searched().detection()),
+                RouteNumbers.percent(route.detection()),
+                RouteNumbers.seconds(route.left()));
         String glide =
-                RouteWords.mayGlide(survey) ? text(GLIDE, RouteWords.seconds(RouteWords.gliding(route, survey))) : "";
+                RouteWords.mayGlide(survey) ? text(GLIDE, RouteNumbers.seconds(RouteWords.gliding(route, survey))) : "";
         String timely = response > 0.0
-                ? text(IN_TIME, RouteWords.percent(route.inTime(response)), RouteWords.margin(route.left(), response))
+                ? text(
+                        IN_TIME,
+                        RouteNumbers.percent(route.inTime(response)),
+                        RouteNumbers.margin(route.left(), response))
                 : "";
         String alert = results.timely().isEmpty()
                 ? ""
-                : text(ALERT, RouteWords.orDash(results.timely().get(route.sector())));
+                : text(ALERT, RouteNumbers.orDash(results.timely().get(route.sector())));
         String stopped = inputs.stopped().isEmpty()
                 ? ""
                 : text(
                         STOPPED,
-                        RouteWords.orDash(results.effectiveness(route, inputs).orElse(null)));
+                        RouteNumbers.orDash(results.effectiveness(route, inputs).orElse(null)));
         return line
                 + glide
                 + timely
                 + alert
                 + stopped
                 + route.mostExposedTo()
-                        .map(sensor -> "  " + sensor + " (" + RouteWords.percent(route.share(sensor)) + ")")
+                        .map(sensor -> "  " + sensor + " (" + RouteNumbers.percent(route.share(sensor)) + ")")
                         .orElse("  -");
     }
 
@@ -110,9 +111,9 @@ public final class RouteTable {
                                 RouteWords.sector(sector),
                                 proof.detections().count() + " of "
                                         + proof.detections().of(),
-                                RouteWords.percent(proof.interval().low()) + " to "
-                                        + RouteWords.percent(proof.interval().high()),
-                                RouteWords.percent(proof.predicted()),
+                                RouteNumbers.percent(proof.interval().low()) + " to "
+                                        + RouteNumbers.percent(proof.interval().high()),
+                                RouteNumbers.percent(proof.predicted()),
                                 proof.agrees() ? "yes" : "no")
                         + proof.cued()
                                 .map(cued -> text(CUED, cued.count() + " of " + cued.of()))

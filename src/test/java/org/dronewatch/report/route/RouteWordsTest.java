@@ -138,9 +138,8 @@ class RouteWordsTest {
     }
 
     private String warning(SectorRoute route) {
-        return new RouteWords(inputs)
-                .misjudged(results(route, Map.of()).survey())
-                .orElseThrow();
+        return String.join(
+                "\n", new RouteNotes(inputs).warnings(results(route, Map.of()).survey()));
     }
 
     /** What the profile draws meets the line of the latest detection in time where the table says. */

@@ -1,0 +1,114 @@
+package org.dronewatch.report.route;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.setting.PlainText;
+
+/** What has to be known of the figures of routes: over which flights they are means, and where they mislead. */
+final class RouteNotes {
+    private final RouteInputs inputs;
+
+    RouteNotes(RouteInputs inputs) {
+        this.inputs = inputs;
+    }
+
+    /** Notes on the results, one line each. */
+    List<String> notes(RouteResults results) {
+        return Stream.of(begins(results.survey()), withoutAlert(results))
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    /** Warnings, one line each. */
+    List<String> warnings(RouteSurvey survey) {
+        return Stream.of(tooShort(survey), misjudged(survey))
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    /** Which routes the search misjudges, and which length of cells to try; empty if none. */
+    private Optional<String> misjudged(RouteSurvey survey) {
+        List<String> sectors = survey.routes().stream()
+                .filter(route -> route.isMisjudged(survey.response()))
+                .map(RouteWords::sector)
+                .toList();
+        return sectors.isEmpty()
+                ? Optional.empty()
+                : Optional.of("the search in cells of "
+                        + Numbers.text(inputs.grid().cell()) + " m misjudges the "
+                        + (sectors.size() == 1 ? "route" : "routes") + " from the "
+                        + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
+                        + ": in flight, the chance of a detection, or of one in time, differs by more than 20 points"
+                        + causes(survey));
+    }
+
+    /** Why the search misjudges routes, and what to try. */
+    private String causes(RouteSurvey survey) {
+        List<SectorRoute> routes = survey.routes().stream()
+                .filter(route -> route.isMisjudged(survey.response()))
+                .toList();
+        Optional<String> slowest =
+                RouteBegins.slowest(inputs.settings().enabledSensors()).map(PlainText::value);
+        String scan =
+                slowest.isPresent() && routes.stream().anyMatch(route -> route.isMisjudgedForScans(survey.response()))
+                        ? ", because the search assumes that '" + slowest.get()
+                                + "' may look at any moment, whereas it looks only every " + period()
+                        : "";
+        boolean isCells = routes.stream().anyMatch(route -> route.isMisjudgedForCells(survey.response()));
+        boolean isFiner = isCells && 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;
+        return scan
+                + (isFiner ? "; try --cell " + Numbers.text(0.5 * inputs.grid().cell()) + "m" : "");
+    }
+
+    /** States over which moments the figures of the flights are means; empty if all sensors look often. */
+    private Optional<String> begins(RouteSurvey survey) {
+        boolean isFlown =
+                survey.routes().stream().anyMatch(route -> route.flown().isPresent());
+        return RouteBegins.slowest(inputs.settings().enabledSensors())
+                .filter(sensor -> isFlown)
+                .map(sensor -> "All figures of flights are means over " + RouteBegins.MOST
+                        + " flights of each route, which begin at moments spread over the " + period() + " in which '"
+                        + PlainText.value(sensor) + "' scans once.");
+    }
+
+    private String period() {
+        return number(RouteBegins.period(inputs.settings().enabledSensors().values())) + " s";
+    }
+
+    /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */
+    private Optional<String> tooShort(RouteSurvey survey) {
+        OptionalDouble longest = survey.routes().stream()
+                .mapToDouble(route -> route.searched().end().time())
+                .max();
+        return longest.isPresent() && longest.getAsDouble() < inputs.response()
+                ? Optional.of("no detection can be in time, because each route takes " + RouteNumbers.seconds(longest)
+                        + " at most, and the response " + number(inputs.response())
+                        + " s: let the routes begin farther away with a larger --side, if the site extends that far, or by"
+                        + " --launch")
+                : Optional.empty();
+    }
+
+    /**
+     * States that it is not known whether an alert comes in time; empty if it is known, or if no response is required.
+     */
+    private Optional<String> withoutAlert(RouteResults results) {
+        boolean isFlight = results.survey().routes().stream()
+                .anyMatch(route -> route.route().seconds() > 0.0);
+        return inputs.response() > 0.0 && results.timely().isEmpty() && isFlight
+                ? Optional.of("The probability that an alert comes in time cannot be computed "
+                        + (inputs.isCued()
+                                ? "where sensors on positioners count as cued: flights have no cues."
+                                : "for the alert rule of this scene: only for rules by which any sensor alone raises one,"
+                                        + " after at most twelve looks."))
+                : Optional.empty();
+    }
+}
