@@ -126,11 +126,6 @@ public final class SiteRoutes {
         return starts(sector).stream().mapToDouble(routes::overPosts).min().orElse(Double.POSITIVE_INFINITY);
     }
 
-    /** The weakest route from any start; empty if none leads from there within the endurance. */
-    public Optional<WeakestRoute> fromAnywhere() {
-        return within(problem.starts());
-    }
-
     /** The weakest route that does not take longer than the drone's endurance. */
     private Optional<WeakestRoute> within(BitSet starts) {
         return routes.from(starts)

@@ -1,7 +1,6 @@
 package org.dronewatch.route;
 
 import java.util.List;
-import java.util.OptionalInt;
 import org.apache.commons.numbers.gamma.Erfc;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
@@ -67,59 +66,11 @@ public record TimelyDetection(List<PathTask> tasks, Sensing sensing, double comm
         return spread == 0.0 ? (early >= 0.0 ? 1.0 : 0.0) : 0.5 * Erfc.value(-early / (spread * ROOT));
     }
 
-    /** The probability that the intruder is detected at all, in time or not, 0 to 1. */
-    public double detection() {
-        double undetected = 1.0;
-        for (PathTask task : tasks) {
-            undetected *= 1.0 - task.probability();
-        }
-        return 1.0 - undetected;
-    }
-
-    /** The expected time from a detection in a task, counted from 0, to the end of the path, s. */
-    public double timeLeft(int task) {
-        double left = sensing.left() * tasks.get(task).mean();
-        for (PathTask later : tasks.subList(task + 1, tasks.size())) {
-            left += later.mean();
-        }
-        return left;
-    }
-
-    /** The time that remains after the response to a detection in a task, s; negative if it comes too late. */
-    public double margin(int task) {
-        return timeLeft(task) - response.mean();
-    }
-
-    /**
-     * The critical detection point: the last task, counted from 0, in which a detection is expected to be in time;
-     * empty if none is.
-     */
-    public OptionalInt criticalTask() {
-        double left = 0.0;
-        for (int i = tasks.size() - 1; i >= 0; i--) {
-            double mean = tasks.get(i).mean();
-            if (left + sensing.left() * mean >= response.mean()) {
-                return OptionalInt.of(i);
-            }
-            left += mean;
-        }
-        return OptionalInt.empty();
-    }
-
     /**
      * The effectiveness of the whole system, {@code P_E = P_I P_N}.
      *
-     * @param neutralisation probability that a response in time stops the intruder, 0 to 1
-     */
-    public double effectiveness(double neutralisation) {
-        return effectiveness(interruption(), neutralisation);
-    }
-
-    /**
-     * The same, from a probability of interruption that is known.
-     *
      * @param interruption probability P_I of a timely detection, 0 to 1
-     * @param neutralisation as above
+     * @param neutralisation probability P_N that a response in time stops the intruder, 0 to 1
      */
     public static double effectiveness(double interruption, double neutralisation) {
         return interruption * Check.between("neutralisation", neutralisation, 0.0, 1.0, Quantity.RATIO);

@@ -80,11 +80,13 @@ class PackagedRouteTest {
         for (Site site : SITES) {
             int before = all;
             int chances = undecided;
+            long begun = System.nanoTime();
             try (Workers workers = new Workers(2)) {
                 workers.call(() -> compare(site, new SplittableRandom(seed)));
             }
             System.out.println(site.scene() + ": " + (all - before) + " flights, " + (undecided - chances)
-                    + " of them left to chance; outside: " + outside);
+                    + " of them left to chance, in " + (System.nanoTime() - begun) / 1_000_000_000
+                    + " s; outside: " + outside);
         }
         System.out.println(all + " flights, " + undecided + " of them undecided, outside: " + outside
                 + ", outside Wilson's interval only: " + rare);

@@ -2,6 +2,7 @@ package org.dronewatch.route;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,6 +14,7 @@ import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
@@ -23,6 +25,8 @@ import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -34,6 +38,18 @@ class RouteInvarianceTest {
     private record Site(String scene, String drone, double side, double cell) {}
 
     private static final String MICROPHONE = "microphone";
+
+    /** A radar that looks every five seconds, and an observer. */
+    private static final String SLOW =
+            """
+              slow: {kind: radar, position: [-20, 5, 4], rate: 0.2, minRange: 1, maxRange: 300, elevationWidth: 90 deg,
+                budget: {range: 90, crossSection: 0.01}, minSpeed: 0 m/s, detection: {kind: chance, pulses: 8}}
+              observer: {kind: camera, position: [0, 3, 4], fov: 60 deg, width: 640, height: 480, rate: 25,
+                detection: {kind: target-task, task: detection, byChance: true}}
+            """;
+
+    private static final String ZONE = "{protect: {centre: [0, 0, 10], radius: 25}, response: 3 s}\n";
+
     private static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0);
 
     static List<Site> sites() {
@@ -68,8 +84,26 @@ class RouteInvarianceTest {
         // Each look of a microphone takes up to a tenth of a second.
         SceneSettings settings = scene.sensors().containsKey(MICROPHONE) ? scene.withEnabled(MICROPHONE, false) : scene;
         Stage stage = runner.stage(settings);
+        assertInvariant(settings, stage, site);
+    }
+
+    /** Of every kind, on a positioner, by chance in each look and in each encounter, often and every five seconds. */
+    @Test
+    void sensorsOfEveryKindAddUp(@TempDir Path directory) throws IOException {
+        FieldSite site = FieldSite.in(directory, FieldSite.ALL + SLOW + "alert: " + ZONE);
+
+        assertInvariant(
+                site.settings(), site.stage(), new Site("every kind", FieldSite.DRONE, 400, LongForm.IS_ON ? 20 : 80));
+    }
+
+    private static void assertInvariant(SceneSettings settings, Stage stage, Site site) {
         DetectionField field = field(settings, stage, site, 1);
         SiteRoutes all = routes(field, settings, stage, site);
+        boolean isExposed = false;
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            isExposed |= all.overPosts(sector) > 0.0;
+        }
+        assertThat(isExposed).isTrue();
 
         for (String sensor : field.sensors()) {
             SceneSettings fewer = settings.withEnabled(sensor, false);

@@ -56,24 +56,21 @@ class TimelyDetectionTest {
                 .isCloseTo(0.7475, within(5e-5));
     }
 
-    /** Six tasks, the third of which is detected as it ends; 20 s pass before the detection is assessed. */
-    @Test
-    void theMarginOfDeterministicTimes() {
+    /**
+     * Six tasks, one of which is detected as it ends; 20 s pass before the detection is assessed. After the third task,
+     * 480 s are left then, 180 s more than a response of 300 s takes, and 1320 s less than one of 1800 s. After the
+     * fourth, the critical detection point, 440 s are left at its end, and after the fifth 240 s.
+     */
+    @ParameterizedTest
+    @CsvSource({"150, 300, 1", "150, 480, 1", "150, 480.001, 0", "150, 1800, 0", "60, 300, 1", "200, 300, 0"})
+    void deterministicTimes(double detected, double response, double expected) {
         List<PathTask> tasks = new ArrayList<>();
         for (double duration : new double[] {20, 40, 150, 60, 200, 240}) {
-            tasks.add(new PathTask(duration == 150.0 ? 1.0 : 0.0, duration, 0.0));
+            tasks.add(new PathTask(duration == detected ? 1.0 : 0.0, duration, 0.0));
         }
-        TimelyDetection quick = new TimelyDetection(tasks, Sensing.END, 1.0, new ResponseTime(20.0 + 300.0, 0.0));
-        TimelyDetection slow = new TimelyDetection(tasks, Sensing.END, 1.0, new ResponseTime(20.0 + 1800.0, 0.0));
+        TimelyDetection path = new TimelyDetection(tasks, Sensing.END, 1.0, new ResponseTime(20.0 + response, 0.0));
 
-        assertThat(quick.timeLeft(2) - 20.0).isEqualTo(480.0);
-        assertThat(quick.margin(2)).isEqualTo(180.0);
-        assertThat(slow.margin(2)).isEqualTo(-1320.0);
-        assertThat(quick.interruption()).isEqualTo(1.0);
-        assertThat(slow.interruption()).isEqualTo(0.0);
-        // After the fourth task, 440 s are left; after the fifth, 240 s.
-        assertThat(quick.criticalTask()).hasValue(3);
-        assertThat(slow.criticalTask()).isEmpty();
+        assertThat(path.interruption()).isEqualTo(expected);
     }
 
     /** {@code P_C (1 - exp(-lambda (T - R)))}, of .02/s along 120 s with a response of 60 s: .6988. */
@@ -86,8 +83,6 @@ class TimelyDetectionTest {
                 Collections.nCopies(slices, slice), Sensing.MIDDLE, 1.0, new ResponseTime(60.0, 0.0));
 
         assertThat(flight.interruption()).isCloseTo(-Math.expm1(-1.2), within(2e-4));
-        assertThat(flight.detection()).isCloseTo(-Math.expm1(-2.4), within(1e-9));
-        assertThat(flight.criticalTask().orElseThrow() * duration).isCloseTo(60.0, within(2.0 * duration));
     }
 
     /** Against draws of all durations and detections, within four standard errors. */
@@ -122,11 +117,8 @@ class TimelyDetectionTest {
 
     @Test
     void effectivenessIsTheProductWithNeutralisation() {
-        TimelyDetection path = new TimelyDetection(WORKSHEET, Sensing.BEGIN, 0.95, new ResponseTime(200.0, 60.0));
-
-        assertThat(path.effectiveness(0.5)).isEqualTo(0.5 * path.interruption());
         assertThat(TimelyDetection.effectiveness(0.8, 0.5)).isEqualTo(0.4);
-        assertThatThrownBy(() -> path.effectiveness(1.1)).hasMessageContaining("neutralisation");
+        assertThatThrownBy(() -> TimelyDetection.effectiveness(0.8, 1.1)).hasMessageContaining("neutralisation");
     }
 
     @Test

@@ -97,8 +97,8 @@ public record FieldSite(SceneSettings settings, Stage stage) {
                 budget: {range: 5000, crossSection: 0.01}}
             """;
 
-    /** Sensors of all kinds that are assessable. */
-    static final String ALL = ROUND
+    /** Sensors of all kinds that are assessable, one of them on a positioner. */
+    public static final String ALL = ROUND
             + """
               notched: {kind: radar, position: [5, 0, 4], minRange: 1, maxRange: 400, elevationWidth: 90 deg, azimuthWidth: 120 deg,
                 budget: {range: 160, crossSection: 0.01}, notch: {kind: high-pass, halfPowerSpeed: 4 m/s},

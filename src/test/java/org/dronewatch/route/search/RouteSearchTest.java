@@ -6,12 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
 import org.junit.jupiter.api.Test;
 
@@ -242,77 +238,5 @@ class RouteSearchTest {
                     .isLessThanOrEqualTo(route.exposure());
         }
         assertThat(found).isGreaterThan(100);
-    }
-
-    @Test
-    void theOrderOfSensorsDoesNotMatterAndEachAddsExposure() {
-        long seed = 4713;
-        SplittableRandom random = new SplittableRandom(seed);
-        RouteGrid grid = RouteGrid.level(0.0, 0.0, 10.0, 21, 21, 10.0, 30.0);
-        BitSet starts = new BitSet();
-        starts.set(grid.post(0, 0, 0));
-        BitSet goals = new BitSet();
-        goals.set(grid.post(20, 20, 1));
-        for (int i = 0; i < 10; i++) {
-            Map<String, ExposureField> sensors = new HashMap<>();
-            double before = 0.0;
-            for (int sensor = 0; sensor < 6; sensor++) {
-                Position at = new Position(200.0 * random.nextDouble(), 200.0 * random.nextDouble(), 0.0);
-                sensors.put("sensor " + sensor, new PointExposure(at, 100.0 * random.nextDouble(), 2));
-                double now = least(grid, sensors, starts, goals);
-                assertThat(now).as("seed %d", seed).isGreaterThan(before);
-                before = now;
-            }
-            Map<String, ExposureField> backwards = new TreeMap<>(Comparator.reverseOrder());
-            backwards.putAll(sensors);
-            assertThat(least(grid, backwards, starts, goals)).isEqualTo(before);
-        }
-    }
-
-    private static double least(RouteGrid grid, Map<String, ExposureField> sensors, BitSet starts, BitSet goals) {
-        RouteProblem problem = new RouteProblem(
-                grid,
-                ExposureField.ofSensors(sensors),
-                List.of(RouteMode.free("flight", 10.0)),
-                0.0,
-                PlanDirections.of(16),
-                starts,
-                goals);
-        return RouteSearch.toGoals(problem).cost(starts.nextSetBit(0));
-    }
-
-    /** Published factors by which grids are too long: 1.0824, 1.0275, 1.0131. */
-    @Test
-    void stretchOfTheDirections() {
-        assertThat(PlanDirections.of(8).stretch()).isCloseTo(1.0824, within(5e-5));
-        assertThat(PlanDirections.of(16).stretch()).isCloseTo(1.0275, within(5e-5));
-        assertThat(PlanDirections.of(32).stretch()).isCloseTo(1.0131, within(5e-5));
-        assertThat(PlanDirections.of(48).stretch()).isCloseTo(1.0034, within(5e-5));
-        for (int count : new int[] {8, 16, 32, 48}) {
-            assertThat(PlanDirections.of(count).count()).isEqualTo(count);
-        }
-    }
-
-    @Test
-    void numbersComeOutOfTheQueueInTheOrderOfTheirKeys() {
-        long seed = 4714;
-        SplittableRandom random = new SplittableRandom(seed);
-        RadixHeap heap = new RadixHeap();
-        double[] keys = new double[20_000];
-        int added = 0;
-        double last = 0.0;
-        for (int i = 0; added < keys.length || !heap.isEmpty(); i++) {
-            if (added < keys.length && (heap.isEmpty() || random.nextInt(3) > 0)) {
-                keys[added] = last + (random.nextInt(5) == 0 ? 0.0 : random.nextDouble());
-                heap.add(keys[added], added++);
-            } else {
-                int out = heap.poll();
-                assertThat(heap.key())
-                        .as("seed %d, step %d", seed, i)
-                        .isEqualTo(keys[out])
-                        .isGreaterThanOrEqualTo(last);
-                last = heap.key();
-            }
-        }
     }
 }

@@ -1,0 +1,171 @@
+package org.dronewatch.route;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.SplittableRandom;
+import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.field.DetectionField;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.search.RouteExposure;
+import org.dronewatch.route.search.RouteMode;
+import org.dronewatch.route.search.RoutePath;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Rates of a radar that looks once a second, detects within 150 m what moves radially, and sees nothing behind boxes. */
+class FieldExposureTest {
+    private static final FieldGrid GRID = new FieldGrid(0, 0, 500, 20, List.of(10.0, 26.0, 60.0));
+    private static final Position RADAR = new Position(0, 0, 4);
+    private static final double CERTAIN = -Math.log(1e-6);
+
+    @TempDir
+    private Path directory;
+
+    private FieldSite site;
+    private DetectionField field;
+
+    @BeforeEach
+    void assess() throws IOException {
+        site = FieldSite.in(
+                directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 10], radius: 30}, response: 5 s}\n");
+        field = site.field(GRID, 2);
+    }
+
+    private FieldExposure exposure() {
+        DroneSettings drone = site.settings().drones().get(FieldSite.DRONE);
+        return FieldExposure.of(ModeField.powered(field, drone), site.settings());
+    }
+
+    private double rate() {
+        return site.settings().enabledSensors().get("round").rate();
+    }
+
+    @Test
+    void ratesAreThoseOfTheLooksInEveryCell() {
+        FieldExposure exposure = exposure();
+        long seed = 31;
+        SplittableRandom random = new SplittableRandom(seed);
+        int detecting = 0;
+        for (int i = 0; i < 2000; i++) {
+            int level = random.nextInt(3);
+            int column = random.nextInt(25);
+            int row = random.nextInt(25);
+            int course = random.nextInt(8);
+            Position at = field.middle(level, column, row);
+            double found = exposure.rate(at.x(), at.y(), at.z(), 2.0 * Math.PI * course / 8, 0);
+            int crossing = crossing(at, course);
+            int steps = field.steps(0, level, column, row, crossing >= 0 ? crossing : course);
+            double expected = steps == 250 ? rate() * CERTAIN : -rate() * Math.log(1.0 - steps / 250.0);
+            assertThat(found).as("seed %d, cell %d", seed, i).isCloseTo(expected, within(1e-6 * (1.0 + expected)));
+            Position edge = new Position(at.x() + 9.9, at.y() - 9.9, at.z());
+            assertThat(exposure.least(at, edge, 0)).isLessThanOrEqualTo(found);
+            detecting += found > 0.0 ? 1 : 0;
+        }
+        assertThat(detecting).isBetween(200, 1800);
+    }
+
+    /** On both courses across its line of sight, the radar is blind; elsewhere it is not. */
+    @Test
+    void aCourseAcrossTheLineOfSightHasItsOwnRate() {
+        FieldExposure exposure = exposure();
+        double bearing = Math.atan2(90.0, -50.0);
+        for (double side = -1.0; side <= 1.0; side += 2.0) {
+            double across = bearing + side * Math.PI / 2;
+            assertThat(exposure.rate(90.0, -50.0, 60.0, across, 0)).isEqualTo(0.0);
+            assertThat(exposure.rate(90.0, -50.0, 60.0, across + Math.toRadians(4.9), 0))
+                    .isEqualTo(0.0);
+        }
+        assertThat(exposure.rate(90.0, -50.0, 60.0, bearing, 0)).isCloseTo(rate() * CERTAIN, within(1e-6));
+    }
+
+    /** At any position, heading, speed and climb, in cells that are in sight: as if the drone were assessed there. */
+    @Test
+    void aRadarIsBlindExactlyWhereTheRadialSpeedIsTooLow() {
+        FieldExposure exposure = exposure();
+        Assessor assessor = new Assessor(
+                "round",
+                site.settings().enabledSensors().get("round"),
+                site.stage().world());
+        Drone drone = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
+        SplittableRandom random = new SplittableRandom(5);
+        int blind = 0;
+        int compared = 0;
+        while (compared < 1500) {
+            int level = random.nextInt(3);
+            Position at = field.middle(level, random.nextInt(25), random.nextInt(25))
+                    .plus(new Position(random.nextDouble(), random.nextDouble(), random.nextDouble()).times(9.0));
+            Position away = at.minus(RADAR).unit().times(12.0);
+            LegMotion receding = LegMotion.along(away.x(), away.y(), away.z(), 1.0);
+            double heading = 2.0 * Math.PI * random.nextDouble();
+            double speed = 4.0 + 8.0 * random.nextDouble();
+            LegMotion motion = LegMotion.along(
+                    speed * Math.sin(heading), speed * Math.cos(heading), 6.0 * (random.nextDouble() - 0.5), 1.0);
+            boolean isSeen = exposure.rate(at.x(), at.y(), at.z(), receding, 0) > 0.0
+                    && isDetected(assessor, drone, at, receding);
+            if (isSeen) {
+                boolean isExpected = isDetected(assessor, drone, at, motion);
+                assertThat(exposure.rate(at.x(), at.y(), at.z(), motion, 0))
+                        .as("%s, %s", at, motion)
+                        .isCloseTo(isExpected ? rate() * CERTAIN : 0.0, within(1e-6));
+                blind += isExpected ? 0 : 1;
+                compared++;
+            }
+        }
+        assertThat(blind).isBetween(300, 1000);
+    }
+
+    /** Coming closer by less than 3 m/s, a drone at 12 m/s is never detected: the lower bound of 0 is reached. */
+    @Test
+    void aSpiralRoundARadarIsNotExposed() {
+        RouteMode mode = RouteMode.free("powered", 12.0);
+        RouteExposure exposure = new RouteExposure(exposure(), List.of(mode), 1.0);
+        List<Position> spiral = new ArrayList<>();
+        double bearing = 0.0;
+        for (double radius = 145.0; radius > 40.0; radius -= 0.5) {
+            spiral.add(new Position(radius * Math.sin(bearing), radius * Math.cos(bearing), 26.0));
+            bearing += 4.0 / radius;
+        }
+        double straight = exposure.leg(spiral.get(0), spiral.get(spiral.size() - 1), 0);
+        assertThat(straight).isGreaterThan(20.0);
+        assertThat(exposure.along(new RoutePath(spiral, Collections.nCopies(spiral.size() - 1, 0))))
+                .isZero();
+    }
+
+    private static boolean isDetected(Assessor assessor, Drone drone, Position at, LegMotion motion) {
+        Position velocity = new Position(motion.east(), motion.north(), motion.up());
+        return assessor.assess(
+                        drone.at(new FlightState(at, velocity, motion.heading())), Optional.empty(), new Random(0))
+                .cause()
+                .equals(Cause.DETECTED);
+    }
+
+    /** Only a course that is exactly that of the compass is nearer than one across the line of sight. */
+    private int crossing(Position at, int course) {
+        double heading = 2.0 * Math.PI * course / 8;
+        for (int i = 8; i < field.courses().size(); i++) {
+            Course other = field.courses().get(i);
+            double angle = Math.abs(Math.IEEEremainder(other.heading(at) - heading, 2.0 * Math.PI));
+            if (other.kind() == Course.Kind.CROSSING && angle == 0.0) {
+                return i;
+            }
+        }
+        return -1;
+    }
+}
