@@ -29,7 +29,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Rates of a radar that looks once a second, detects within 150 m what moves radially, and sees nothing behind boxes. */
+/** Rates of a radar that looks once a second, detects what moves radially within 150 m, and not behind boxes. */
 class FieldExposureTest {
     private static final FieldGrid GRID = new FieldGrid(0, 0, 500, 20, List.of(10.0, 26.0, 60.0));
     private static final Position RADAR = new Position(0, 0, 4);
