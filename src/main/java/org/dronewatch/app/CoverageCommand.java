@@ -66,7 +66,7 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--height",
             paramLabel = "H",
-            description = "Height of a plan above the highest surface; 10 m by default.")
+            description = "Height of a plan above the surface (ground or roof) at each point; 10 m by default.")
     private String height;
 
     @Option(

@@ -12,8 +12,8 @@ final class DroneOption {
 
     /** Name of the drone, which the scene has. */
     String of(SceneSettings settings) {
-        String first = FieldRequest.firstDrone(settings)
-                .orElseThrow(() -> new InputException("the scene has no drone to place on the plan"));
+        String first =
+                FieldRequest.firstDrone(settings).orElseThrow(() -> new InputException("the scene has no drone"));
         String id = drone == null ? first : drone;
         if (!settings.individualDrones().containsKey(id)) {
             throw new InputException(GivenOption.words("--drone", id) + ": no such drone; the scene has "

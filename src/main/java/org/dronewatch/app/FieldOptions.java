@@ -41,15 +41,15 @@ final class FieldOptions {
             names = COVERED,
             paramLabel = "P",
             description =
-                    "The probability with which a sensor covers a cell, in one look or within a time (--within): 0.008 to"
-                            + " 0.996, or 1, compared in steps of 1/250; 0.5 by default.")
+                    "Minimum probability of detection, in one look or within a time (--within), at which a sensor covers a"
+                            + " cell: 0.008 to 0.996, or 1, compared in steps of 1/250; 0.5 by default.")
     private Double covered;
 
     @Option(
             names = WITHIN,
             paramLabel = "S",
-            description = "Time in which a sensor has to detect the drone with that probability, as long as it stays"
-                    + " in its cell; one look by default.")
+            description = "Time within which a sensor must detect the drone with the probability of --covered while the"
+                    + " drone stays in its cell; a single look by default.")
     private String within;
 
     @Option(

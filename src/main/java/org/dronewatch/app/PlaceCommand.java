@@ -44,7 +44,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, among sensors that may be bought and the places where they may stand, those that cover the most"
-                        + " air within a budget, give the longest warning, or leave no weak route; prints the layout, a bound"
+                        + " airspace within a budget, give the longest warning, or leave no weak route; prints the layout, a bound"
                         + " on what any other could reach, and the order in which to buy its sensors.",
         footer = {
             "",
@@ -69,8 +69,8 @@ final class PlaceCommand implements Callable<Integer> {
             names = "--gap",
             paramLabel = "G",
             description =
-                    "Ends the search once no layout can cover more than the best so far by more than this fraction of"
-                            + " it, 0 to 1; 0.001 by default; 0 proves the best.")
+                    "Ends the search once no layout can exceed the value of the best so far by more than this fraction"
+                            + " of it, 0 to 1; 0.001 by default; 0 proves that the best is optimal.")
     private double gap = DEFAULT_GAP;
 
     @Option(
@@ -126,7 +126,7 @@ final class PlaceCommand implements Callable<Integer> {
                             case WEAKEST_ROUTE -> placeAgainstRoutes(given, plan, limits, target, shown);
                         };
                 if (!isComplete) {
-                    spec.commandLine().getErr().println("interrupted: the best layout so far");
+                    spec.commandLine().getErr().println("interrupted: this is the best layout so far");
                 }
                 return 0;
             });

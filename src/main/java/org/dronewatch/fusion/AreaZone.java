@@ -77,6 +77,13 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
                 .map(its -> new AreaZone(name, its, 0.0, 0.0));
     }
 
+    /** The names of the zones that {@link #inPlan} finds: those of the areas, then that of the sphere, if any. */
+    public static List<String> namesInPlan(AlertSettings alert) {
+        List<String> names = new ArrayList<>(alert.zones().keySet());
+        alert.protect().ifPresent(ball -> names.add(Protection.ZONE));
+        return names;
+    }
+
     /** The corners of its outline; those of a circle lie on it. */
     public List<GroundPoint> outline() {
         if (!settings.area().isEmpty()) {

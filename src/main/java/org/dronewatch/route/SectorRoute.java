@@ -64,8 +64,8 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the probability of the search and that of the flight differ by more than 20 points: of a detection, or of
-     * one that is early enough for a response.
+     * Whether the probability of the search and that of the flight differ by more than 20 percentage points: of a
+     * detection, or of one that is early enough for a response.
      *
      * @param response time that the response takes, s; 0 if none is required
      */

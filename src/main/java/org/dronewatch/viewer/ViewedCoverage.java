@@ -61,7 +61,7 @@ final class ViewedCoverage {
                 ? ""
                 : String.format(
                         Locale.ROOT,
-                        " Cancelled: %d of %d heights are complete.",
+                        " Cancelled: complete for %d of %d heights.",
                         grid().heights().size(),
                         request.grid().heights().size());
     }

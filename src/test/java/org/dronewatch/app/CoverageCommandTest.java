@@ -201,7 +201,8 @@ class CoverageCommandTest {
                 "--out=" + site.resolve("yard"));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out())
-                .contains("known cells in 'yard' at each height, covered within 50 s, and causes of single looks:")
+                .contains(
+                        "known cells in 'yard' at each height, covered within 50 s, and causes of misses in single looks:")
                 .contains("from a distance of 385 m");
         JsonNode file = JsonMapper.builder()
                 .build()

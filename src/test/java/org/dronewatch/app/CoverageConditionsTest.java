@@ -138,7 +138,7 @@ class CoverageConditionsTest {
                 "--set=world.light.illuminance=0.001 lx",
                 "--conditions=" + Files.writeString(directory.resolve("rain.yaml"), "rain: {world.rain: 10 mm/h}"),
                 "--out=" + directory.resolve("nothing"));
-        assertThat(nothing.out()).contains("rain: nothing is covered as it is, so nothing can be lost");
+        assertThat(nothing.out()).contains("rain: nothing is covered in the scene as it is, so nothing can be lost");
         assertThat(Files.readString(directory.resolve("nothing/report.html"))).doesNotContain("most by");
     }
 

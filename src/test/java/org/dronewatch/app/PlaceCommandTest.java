@@ -103,7 +103,9 @@ class PlaceCommandTest {
         Outcome empty = place(PlacedSite.in(other, "budget: 0\n"), "--out=" + other.resolve("."));
 
         assertThat(empty.code()).as(empty.err()).isZero();
-        assertThat(empty.out()).contains("The layout covers 0.0 % of the air").doesNotContain("best layout for each");
+        assertThat(empty.out())
+                .contains("The layout covers 0.0 % of the airspace")
+                .doesNotContain("best layout for each");
         assertThat(Files.readString(other.resolve("report.html"))).contains("No sensor that the budget allows covers");
         assertThat(other.resolve("layout-10.png")).doesNotExist();
         assertThat(other.resolve("front.png")).isRegularFile();
@@ -129,7 +131,7 @@ class PlaceCommandTest {
     @Test
     void itPrintsWhatTheLayoutIsWorth() {
         assertThat(outcome.out())
-                .contains("best layout of 15 candidates for a budget of 6, in the order in which to buy:")
+                .contains("best layout from 15 candidates for a budget of 6, in the order in which to buy:")
                 .contains("The layout covers ")
                 .contains("The scene's own 1 sensor covers ")
                 .contains(", whose loss is worst, the layout covers ")
@@ -154,6 +156,7 @@ class PlaceCommandTest {
                 "warning: best                                    | 'warning: ''best'' is not one of [worst, mean]'",
                 "conditions: {anyoneLost: {warning: 20 s}}        | 'conditions.anyoneLost: needs ''atLeast'' alone'",
                 "conditions: {base: [0, 0, -5]}                  | 'candidates.radar: none of its places has a line of sight'",
+                "air: {area: yard}                               | 'air.area yard: no such zone; the scene protects nothing'",
                 "objective: weakest-route and fold                | 'conditions.fold: has no meaning for the objective'",
             })
     void namesWhatIsWrong(String line, String message) throws IOException {

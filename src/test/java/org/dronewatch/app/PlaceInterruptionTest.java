@@ -41,10 +41,10 @@ class PlaceInterruptionTest {
 
         assertThat(outcome.code()).as(outcome.err()).isEqualTo(143);
         assertThat(outcome.err())
-                .contains("interrupted: the best layout so far")
+                .contains("interrupted: this is the best layout so far")
                 .doesNotContain("error")
                 .doesNotContain("Exception");
-        assertThat(outcome.out()).contains("best layout of 14 candidates");
+        assertThat(outcome.out()).contains("best layout from 14 candidates");
         JsonNode json = JsonMapper.builder()
                 .build()
                 .readTree(directory.resolve("place.json").toFile());

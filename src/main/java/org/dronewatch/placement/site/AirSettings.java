@@ -11,8 +11,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The air that is to be covered, and the terms on which a sensor covers it, which are the options of {@code coverage}
- * of the same names.
+ * The airspace that is to be covered, and the terms on which a sensor covers it, which are the options of
+ * {@code coverage} of the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
  * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default.
@@ -20,12 +20,12 @@ import org.dronewatch.setting.Quantity;
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
  *     default
- * @param covered the probability with which a sensor covers a cell, 0.008 to 0.996, or 1; 0.5 by default
- * @param within time in which a sensor has to detect the drone, s; one look by default
+ * @param covered minimum probability of detection at which a sensor covers a cell, 0.008 to 0.996, or 1; 0.5 by default
+ * @param within time within which a sensor must detect the drone, s; a single look by default
  * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell
  *     counts on the heading towards the protected zone. {@code any} by default
- * @param pointing whether sensors on positioners have turned to the drone, {@code cued}, or search for it,
- *     {@code search}; {@code cued} by default, and {@code search} for {@code weakest-route}
+ * @param pointing whether sensors on positioners have turned to the drone ({@code cued}) or search for it
+ *     ({@code search}); {@code cued} by default, and {@code search} for {@code weakest-route}
  */
 public record AirSettings(
         Optional<String> area,
@@ -44,7 +44,7 @@ public record AirSettings(
         INBOUND
     }
 
-    /** The air in a square of 500 m around the candidates. */
+    /** The airspace in a square of 500 m around the candidates. */
     @Defaults
     public static final AirSettings DEFAULT = new AirSettings(
             Optional.empty(),

@@ -16,12 +16,15 @@ import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
 
 /**
  * The air that each sensor covers: a row for each cell and each of eight headings, or for each cell and the heading
@@ -90,11 +93,8 @@ public final class CoveredCells {
         try {
             if (air.area().isPresent()) {
                 AreaZone zone = AreaZone.inPlan(air.area().get(), plan.present().alert())
-                        .orElseThrow(() -> new InputException("air.area "
-                                + air.area().get()
-                                + ": no such zone; the scene protects "
-                                + String.join(
-                                        ", ", plan.present().alert().zones().keySet())));
+                        .orElseThrow(
+                                () -> noArea(air.area().get(), plan.present().alert()));
                 double side = FieldGrid.over(zone, air.square(), air.heights()).side();
                 return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.heights());
             }
@@ -110,6 +110,12 @@ public final class CoveredCells {
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }
+    }
+
+    private static InputException noArea(String name, AlertSettings alert) {
+        List<String> known = AreaZone.namesInPlan(alert);
+        return new InputException("air.area " + PlainText.value(name) + ": no such zone; the scene protects "
+                + (known.isEmpty() ? "nothing" : String.join(", ", known)) + Spelling.didYouMean(name, known));
     }
 
     /** The grid. */

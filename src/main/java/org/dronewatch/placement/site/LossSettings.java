@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * What must remain after a loss.
  *
- * @param atLeast the least fraction of the air that is still covered or, for {@code weakest-route}, the least
+ * @param atLeast the least fraction of the airspace that is still covered or, for {@code weakest-route}, the least
  *     probability with which the drone is still detected on any route, 0 to 1
  * @param warning the least warning that is still given, for {@code warning-time}, s
  */

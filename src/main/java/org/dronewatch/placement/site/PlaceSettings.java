@@ -12,20 +12,21 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A placement: a search for the sensors, and for their places among several, that cover the most air within a budget.
+ * A placement: a search for the sensors, and for their places among several, that cover the most airspace within a
+ * budget.
  *
  * @param scene a packaged scene by name, or a scene file beside this file or below it
  * @param drone of the scene, which is to be detected; the first by default
  * @param objective the quantity that is maximised: {@code coverage}; {@code warning-time}, the time from the first
  *     detection until the drone reaches the protected zone; or {@code weakest-route}, the exposure on the least exposed
- *     route there
+ *     route to that zone
  * @param warning which warning counts for {@code warning-time}: the {@code worst} over all bearings and heights, or
  *     their {@code mean}; {@code worst} by default
  * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
  * @param candidates sensors that may be bought, by the names that those in the layout begin with
  * @param keep sensors of the scene that stay, at no cost
  * @param conditions what the layout must comply with
- * @param air that is to be covered
+ * @param air airspace that is to be covered
  */
 public record PlaceSettings(
         String scene,

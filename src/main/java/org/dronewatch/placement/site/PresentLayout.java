@@ -4,6 +4,6 @@ package org.dronewatch.placement.site;
  * The scene's own sensors, for comparison.
  *
  * @param sensors their number
- * @param value fraction of the air that they cover
+ * @param value fraction of the airspace that they cover
  */
 public record PresentLayout(int sensors, double value) {}

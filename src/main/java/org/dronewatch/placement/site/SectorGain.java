@@ -1,7 +1,7 @@
 package org.dronewatch.placement.site;
 
 /**
- * The part of the air in which a layout gains most over another: an eighth of the compass around the middle of the air,
+ * The part of the airspace in which a layout gains most over another: an eighth of the compass around its middle,
  * at some heights.
  *
  * @param bearing of the middle of the eighth, clockwise from north, rad

@@ -12,7 +12,7 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The best layout of a plan that was found. Values are fractions of the air: of the rows that {@link CoveredCells}
+ * The best layout of a plan that was found. Values are fractions of the airspace: of the rows that {@link CoveredCells}
  * counts.
  *
  * @param plan what was asked for
@@ -56,7 +56,7 @@ public record SitePlacement(
         return problem.table().rows();
     }
 
-    /** The fraction of the air that the layout covers. */
+    /** The fraction of the airspace that the layout covers. */
     public double value() {
         return result.value() / rows();
     }
@@ -66,7 +66,7 @@ public record SitePlacement(
         return result.bound() / rows();
     }
 
-    /** The fraction of the air that a chosen sensor covers by itself. */
+    /** The fraction of the airspace that a chosen sensor covers by itself. */
     public double alone(SiteCandidate sensor) {
         CandidateColumn column = problem.table().column(plan.candidates().indexOf(sensor));
         return (double) column.size() / rows();

@@ -145,6 +145,6 @@ public final class WarningSearch {
                 plan.settings()
                         .conditions()
                         .anyoneLost()
-                        .map(loss -> "a warning of " + Quantity.DURATION.inWords(loss.seconds()) + " s"));
+                        .map(loss -> "a warning of " + Quantity.DURATION.inWords(loss.seconds())));
     }
 }

@@ -25,8 +25,8 @@ public final class ChangeMap {
         BOTH("covered before and after"),
         GAINED("gained"),
         LOST("lost"),
-        NEITHER("covered by neither"),
-        NOTHING("inside, outside or unknown");
+        NEITHER("covered neither before nor after"),
+        NOTHING("solid, outside the area or unknown");
 
         private final String words;
 

@@ -19,7 +19,7 @@ public final class ConditionTable {
         lines.add("covered under each condition, in % of the known cells:");
         addRows(lines, conditions, height -> percent(height, height.summary().covered()));
         lines.add("");
-        lines.add("covered as it is, but not under the condition, in % of the cells known as it is:");
+        lines.add("covered in the scene as it is, but not under the condition, in % of the cells known without it:");
         addRows(lines, conditions.subList(1, conditions.size()), ConditionTable::lost);
         lines.add("");
         lines.add("sensor that covers most under each condition, and its % of the known cells:");
@@ -105,7 +105,7 @@ public final class ConditionTable {
             }
         }
         if (asItIs.heights().stream().allMatch(height -> height.summary().covered() == 0)) {
-            return condition.name() + ": nothing is covered as it is, so nothing can be lost";
+            return condition.name() + ": nothing is covered in the scene as it is, so nothing can be lost";
         }
         return condition.name() + ": "
                 + (bands.isEmpty()

@@ -170,7 +170,7 @@ public final class CoveragePicture {
         g.setFont(TEXT);
         for (String line : List.of(
                 "detection of a drone flying " + plain(grid.height()) + " m",
-                "above the highest surface towards the",
+                "above the surface below it, towards the",
                 "sensor, with a probability of 0.5 or more;",
                 drone,
                 "cells of " + plain(grid.step()) + " m")) {

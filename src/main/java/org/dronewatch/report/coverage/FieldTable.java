@@ -32,7 +32,7 @@ public final class FieldTable {
                         + (inputs.hasDefaultProbability()
                                 ? ""
                                 : " with a probability of " + Numbers.text(inputs.covered()) + " or more")
-                        + ", and causes of single looks")
+                        + ", and causes of misses in single looks")
                 .orElseGet(() -> inputs.hasDefaultProbability()
                         ? ""
                         : ", covered with a probability of " + Numbers.text(inputs.covered())

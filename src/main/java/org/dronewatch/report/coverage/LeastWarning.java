@@ -43,14 +43,14 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
 
     /**
      * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 bearings}, of flights that are all
-     * those at a height, from north.
+     * those at a height, from north; {@code any bearing} if a drone arrives undetected from each.
      *
      * @param all the flights
      */
     String bearings(List<Warning> all) {
         int count = flights.size();
         if (count == of && count > 1) {
-            return "all bearings";
+            return isNone() ? "any bearing" : "all bearings";
         }
         // Where an arc begins: the flight before it is not among them.
         List<Integer> starts = IntStream.range(0, of)
@@ -69,11 +69,14 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
         return String.valueOf(Math.round(Math.toDegrees(one.bearing())));
     }
 
-    /** The bearings in a sentence: {@code the north}, {@code every bearing} or {@code 7 bearings}. */
+    /** In a sentence: {@code the north}, {@code every bearing}, {@code any bearing} or {@code 7 bearings}. */
     String directions() {
         if (flights.size() == 1) {
             return "the " + CompassPoint.of(flights.get(0).bearing());
         }
-        return flights.size() == of ? "every bearing" : flights.size() + " bearings";
+        if (flights.size() == of) {
+            return isNone() ? "any bearing" : "every bearing";
+        }
+        return flights.size() + " bearings";
     }
 }

@@ -8,7 +8,7 @@ import org.dronewatch.analysis.field.FieldSurvey;
 public final class SurveyTables {
     private SurveyTables() {}
 
-    /** What an interruption left out: {@code 3 of 5 heights are complete; missing: warnings}. */
+    /** What an interruption left out: {@code complete for 3 of 5 heights; missing: warnings}. */
     public static String missing(FieldSurvey survey) {
         List<String> missing = new ArrayList<>();
         if (survey.visible().isEmpty()) {
@@ -24,8 +24,8 @@ public final class SurveyTables {
         if (conditions > 0) {
             missing.add(conditions + " of " + survey.asked() + " conditions");
         }
-        return survey.summary().heights().size() + " of "
-                + survey.grid().heights().size() + " heights are complete"
+        return "complete for " + survey.summary().heights().size() + " of "
+                + survey.grid().heights().size() + " heights"
                 + (missing.isEmpty() ? "" : "; missing: " + String.join(", ", missing));
     }
 

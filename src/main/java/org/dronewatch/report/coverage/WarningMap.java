@@ -43,8 +43,8 @@ final class WarningMap {
         sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
         sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + " is first detected;");
         if (inputs.within().isPresent()) {
-            sheet.line("it counts as detected " + inputs.timeInWords() + " after");
-            sheet.line("the first place at which a sensor covers it;");
+            sheet.line("it counts as detected " + inputs.timeInWords() + " after it");
+            sheet.line("reaches the first place where a sensor covers it;");
         }
         sheet.line("shortest warning before it arrives:");
         sheet.space();

@@ -114,7 +114,8 @@ final class WarningWords {
                     + " undetected; this happens in " + cases + ".";
         } else {
             boolean isOneHeight = worst.flights().stream().allMatch(one -> one.height() == height);
-            first = "The shortest warning of a straight inbound flight is " + time(worst) + " before it reaches " + zone
+            first = "The shortest warning of a straight inbound flight comes " + time(worst) + " before it reaches "
+                    + zone
                     + (isOneHeight
                             ? ": at " + number(height) + " m above the ground, from "
                                     + least(at(height)).directions() + "."
@@ -133,7 +134,8 @@ final class WarningWords {
         String isLate = late > 0 ? required + "not given in " + share(late, warnings.all()) + " cases." : "";
         return undecided == 0
                 ? isLate
-                : isLate + " In " + share(undecided, warnings.all()) + " cases, it is unknown whether it is given:"
-                        + " the drone is detected where its flight or the known ground begins.";
+                : isLate + " In " + share(undecided, warnings.all()) + " cases, it is unknown whether "
+                        + (late > 0 ? "it" : "the required warning of " + number(warnings.response()) + " s")
+                        + " is given: the drone is detected where its flight or the known ground begins.";
     }
 }

@@ -26,8 +26,9 @@ final class FieldsTable {
     /** A table, the largest gap of the layout in a sentence, and how to assess it again. */
     static List<String> lines(LayoutFields fields, SitePlacement placement) {
         List<String> lines = new ArrayList<>();
-        lines.add("coverage" + heading(fields) + ", in % of the known cells, and the largest gap in ha:");
-        lines.add(PlaceTable.text(ROW, "", "covered", "", "worst loss", "", "gap", ""));
+        lines.add("coverage" + heading(fields)
+                + ", in % of the known cells, also after the worst loss of a sensor, and the" + " largest gap in ha:");
+        lines.add(PlaceTable.text(ROW, "", "covered", "", "after loss", "", "gap", ""));
         lines.add(PlaceTable.text(ROW, "height", "today", "layout", "today", "layout", "today", "layout"));
         for (int height = 0; height < fields.layout().heights().size(); height++) {
             lines.add(row(fields, height));

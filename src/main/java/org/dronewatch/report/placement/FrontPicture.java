@@ -35,7 +35,9 @@ final class FrontPicture {
     XYChart chart() {
         String currency = plan.present().prices().currency();
         XYChart chart = Charts.chart(
-                plan.scene().name() + ": best layouts for the money", "cost [" + currency + "]", "air covered [%]");
+                plan.scene().name() + ": best layouts for the money",
+                "cost [" + currency + "]",
+                "airspace covered [%]");
         addLayouts(chart);
         addBound(chart);
         front.best().present().ifPresent(own -> addToday(chart, own));

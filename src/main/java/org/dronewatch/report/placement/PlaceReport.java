@@ -27,6 +27,7 @@ import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.SensorTables;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.Counted;
 
 /** The best layout for those who decide: what to buy, what more money buys, and what changes on the site. */
 final class PlaceReport {
@@ -99,7 +100,7 @@ final class PlaceReport {
         return Html.plain(
                         "p",
                         "The sensors in the order in which to buy them: each time the one that adds most for its price."
-                                + " 'Alone' is the part of the air that a sensor covers by itself, 'together' what all"
+                                + " 'Alone' is the part of the airspace that a sensor covers by itself, 'together' what all"
                                 + " sensors so far cover.")
                 + Html.table(head, rows);
     }
@@ -133,8 +134,8 @@ final class PlaceReport {
                         "p",
                         "Each row is the best layout that was found for its cost, in a separate search; a dearer layout"
                                 + " need not contain a cheaper one. 'At most' is what no layout for that money can exceed."
-                                + " The change states what is bought, and the part of the air, seen from its middle,"
-                                + " in which most is gained.")
+                                + " The change states what is bought, and where most is gained: the direction from the"
+                                + " middle of the area, and the heights.")
                 + Html.table(List.of(words.priced("cost"), "more", "covered", "at most", "change"), rows);
     }
 
@@ -191,8 +192,9 @@ final class PlaceReport {
         FieldGrid grid = best.grid();
         AirSettings air = plan.settings().air();
         List<String> items = new ArrayList<>();
-        items.add("Only the " + plan.candidates().size() + " candidates of the placement file were compared.");
-        items.add("The air is "
+        items.add("Only the candidates of the placement file were compared: "
+                + Counted.of(plan.candidates().size(), "candidate") + ".");
+        items.add("The airspace is "
                 + air.area().map(name -> "that over '" + name + "', in ").orElse("")
                 + "a square of " + number(grid.columns() * grid.cell()) + " m in cells of " + number(grid.cell())
                 + " m, at heights of "

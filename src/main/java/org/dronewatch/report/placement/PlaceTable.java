@@ -14,6 +14,7 @@ import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Aimed;
+import org.dronewatch.setting.Counted;
 
 /** The best layout as tables and in words. */
 public final class PlaceTable {
@@ -44,8 +45,9 @@ public final class PlaceTable {
 
     private static List<String> sensors(SitePlacement placement) {
         List<String> lines = new ArrayList<>();
-        lines.add("best layout of " + placement.plan().candidates().size() + " candidates for a budget of "
-                + Numbers.text(placement.plan().settings().budget()) + ", in the order in which to buy:");
+        lines.add("best layout from " + Counted.of(placement.plan().candidates().size(), "candidate")
+                + " for a budget of " + Numbers.text(placement.plan().settings().budget())
+                + ", in the order in which to buy:");
         lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
         placement.chosen().stream()
                 .filter(sensor -> sensor.candidate().fixed())
@@ -76,9 +78,10 @@ public final class PlaceTable {
         results.fields().ifPresent(fields -> lines.add(together(fields, placement)));
         placement
                 .present()
-                .ifPresent(own -> lines.add("The scene's own " + own.sensors()
-                        + (own.sensors() == 1 ? " sensor covers " : " sensors cover ") + FrontWords.percent(own.value())
-                        + "."));
+                .ifPresent(own ->
+                        lines.add("The scene's own " + Counted.of(own.sensors(), "sensor covers ", "sensors cover ")
+                                + FrontWords.percent(own.value())
+                                + "."));
         worstLoss(placement).ifPresent(lines::add);
         return lines;
     }
@@ -102,10 +105,10 @@ public final class PlaceTable {
 
     private static String worth(SitePlacement placement) {
         int fold = placement.plan().settings().conditions().fold();
-        String covered = "The layout covers " + FrontWords.percent(placement.value()) + " of the air ("
-                + placement.cells() + " cells"
-                + (placement.headings() > 1 ? ", " + placement.headings() + " headings)" : ")")
-                + (fold > 1 ? ", each covered by " + fold + " sensors or more," : "") + " for "
+        String covered = "The layout covers " + FrontWords.percent(placement.value()) + " of the airspace"
+                + (fold > 1 ? " with " + fold + " sensors or more" : "") + " ("
+                + Counted.of(placement.cells(), "cell")
+                + (placement.headings() > 1 ? ", " + placement.headings() + " headings)" : ")") + " for "
                 + Numbers.text(placement.result().cost());
         boolean isBest = placement.value() == placement.bound();
         return covered

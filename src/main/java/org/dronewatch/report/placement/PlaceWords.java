@@ -8,6 +8,7 @@ import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.setting.Counted;
 
 /** The best layout in a few sentences, for those who decide. */
 final class PlaceWords {
@@ -29,17 +30,17 @@ final class PlaceWords {
         }
         List<String> sentences = new ArrayList<>();
         int sensors = best.chosen().size();
-        sentences.add("The best layout that was found has " + sensors + (sensors == 1 ? " sensor" : " sensors")
+        sentences.add("The best layout that was found has " + Counted.of(sensors, "sensor")
                 + " for "
-                + amount(best.result().cost()) + " and covers " + FrontWords.percent(best.value()) + " of the air"
+                + amount(best.result().cost()) + " and covers " + FrontWords.percent(best.value()) + " of the airspace"
                 + (best.plan().settings().conditions().fold() > 1
                         ? " with " + best.plan().settings().conditions().fold() + " sensors or more"
                         : "")
                 + "; no layout for " + amount(best.plan().settings().budget()) + " can cover more than "
                 + FrontWords.percent(best.bound()) + ".");
         best.present()
-                .ifPresent(own -> sentences.add(
-                        "Today's " + own.sensors() + (own.sensors() == 1 ? " sensor covers " : " sensors cover ")
+                .ifPresent(
+                        own -> sentences.add("Today's " + Counted.of(own.sensors(), "sensor covers ", "sensors cover ")
                                 + FrontWords.percent(own.value()) + "."));
         cheaper()
                 .ifPresent(point -> sentences.add("For " + amount(point.cost()) + ", "
@@ -47,7 +48,7 @@ final class PlaceWords {
         PlaceTable.worstLoss(best).ifPresent(sentences::add);
         results.fields().ifPresent(fields -> {
             HeightSummary least = leastCovered(fields);
-            sentences.add("With all its sensors it covers least at " + PlaceTable.text("%.0f", least.height())
+            sentences.add("With all its sensors, the layout covers least at " + PlaceTable.text("%.0f", least.height())
                     + " m above the ground:"
                     + (best.headings() > 1 ? " on the heading that is worst in each cell, " : " ")
                     + new HeightFigures(least).covered() + " %.");

@@ -12,6 +12,7 @@ import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.WeakestRouteSearch;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.route.search.WeakestRoute;
+import org.dronewatch.setting.Counted;
 
 /**
  * The best layout against the weakest route as a table, in the order in which its sensors are best bought, and the
@@ -26,7 +27,8 @@ public final class RoutePlaceTable {
     /** The lines. */
     public static List<String> lines(RoutePlacement placement) {
         List<String> lines = new ArrayList<>();
-        lines.add("best layout of " + placement.plan().candidates().size() + " candidates for a budget of "
+        lines.add("best layout from " + Counted.of(placement.plan().candidates().size(), "candidate")
+                + " for a budget of "
                 + Numbers.text(placement.plan().settings().budget())
                 + " against the weakest route, in the order in which to buy:");
         lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
@@ -51,8 +53,7 @@ public final class RoutePlaceTable {
         lines.add(lower(placement));
         placement
                 .present()
-                .ifPresent(own -> lines.add("Past the scene's own " + own.sensors()
-                        + (own.sensors() == 1 ? " sensor" : " sensors")
+                .ifPresent(own -> lines.add("Past the scene's own " + Counted.of(own.sensors(), "sensor")
                         + ", the drone is detected with a probability of " + detected(own.value())
                         + " on the weakest route."));
         placement.without().entrySet().stream()
@@ -81,8 +82,8 @@ public final class RoutePlaceTable {
     private static String bound(RoutePlacement placement) {
         double value = placement.result().value();
         double bound = placement.result().bound();
-        String search = " (" + placement.rounds() + (placement.rounds() == 1 ? " layout" : " layouts") + " tried, "
-                + placement.routes() + " routes compared)";
+        String search = " (" + Counted.of(placement.rounds(), "layout") + " tried, "
+                + Counted.of(placement.routes(), "route") + " compared)";
         return bound <= value
                 ? "No layout within the budget has a weakest route that is more exposed" + search + "."
                 : "No layout within the budget detects the drone on its weakest route with a probability of more than "

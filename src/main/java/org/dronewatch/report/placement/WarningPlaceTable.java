@@ -12,6 +12,7 @@ import org.dronewatch.placement.site.SiteCandidate;
 import org.dronewatch.placement.site.WarningMeasure;
 import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.report.Numbers;
+import org.dronewatch.setting.Counted;
 
 /**
  * The layout with the longest warning as a table, in the order in which its sensors are best bought, and its warning in
@@ -26,9 +27,10 @@ public final class WarningPlaceTable {
     /** The lines. */
     public static List<String> lines(WarningPlacement placement) {
         List<String> lines = new ArrayList<>();
-        lines.add("best layout of " + placement.plan().candidates().size() + " candidates for a budget of "
+        lines.add("best layout from " + Counted.of(placement.plan().candidates().size(), "candidate")
+                + " for a budget of "
                 + Numbers.text(placement.plan().settings().budget()) + " for the longest "
-                + (isWorst(placement) ? "worst" : "mean") + " warning, in the order in which to buy:");
+                + (isWorst(placement) ? "minimum" : "mean") + " warning, in the order in which to buy:");
         lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
         placement.chosen().stream()
                 .filter(sensor -> sensor.candidate().fixed())
@@ -49,9 +51,10 @@ public final class WarningPlaceTable {
         lines.add(worth(placement));
         placement
                 .present()
-                .ifPresent(own -> lines.add("The scene's own " + own.sensors()
-                        + (own.sensors() == 1 ? " sensor gives " : " sensors give ") + warning(placement, own.value())
-                        + "."));
+                .ifPresent(own ->
+                        lines.add("The scene's own " + Counted.of(own.sensors(), "sensor gives ", "sensors give ")
+                                + warning(placement, own.value())
+                                + "."));
         placement.withoutEach().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
                 .ifPresent(worst -> lines.add("Without " + worst.getKey() + ", whose loss is worst, the layout gives "
@@ -64,14 +67,13 @@ public final class WarningPlaceTable {
     }
 
     private static String warning(WarningPlacement placement, double seconds) {
-        return (isWorst(placement) ? "a shortest warning of " : "a mean warning of ") + seconds(seconds);
+        return (isWorst(placement) ? "a minimum warning of " : "a mean warning of ") + seconds(seconds);
     }
 
     private static String worth(WarningPlacement placement) {
         String given = "The layout gives " + warning(placement, placement.value()) + " of straight flights from "
                 + InboundWarnings.BEARINGS + " bearings at "
-                + placement.grid().heights().size()
-                + (placement.grid().heights().size() == 1 ? " height" : " heights") + ", for "
+                + Counted.of(placement.grid().heights().size(), "height") + ", for "
                 + Numbers.text(placement.result().cost());
         String detected = " It detects " + placement.detected() + " of " + placement.flights()
                 + " before they arrive; a flight that is detected where it begins gives "

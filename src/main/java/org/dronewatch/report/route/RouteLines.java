@@ -17,7 +17,7 @@ public final class RouteLines {
     public static SiteLines of(RouteSurvey survey) {
         Map<String, Color> legend = new LinkedHashMap<>();
         for (RouteColours style : RouteColours.values()) {
-            legend.put("detected within 1 s: " + style.words(), style.colour());
+            legend.put("chance of a detection within 1 s: " + style.words(), style.colour());
         }
         return new SiteLines(
                 survey.routes().stream()

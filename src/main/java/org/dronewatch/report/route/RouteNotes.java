@@ -47,7 +47,8 @@ final class RouteNotes {
                         + Numbers.text(inputs.grid().cell()) + " m misjudges the "
                         + (sectors.size() == 1 ? "route" : "routes") + " from the "
                         + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
-                        + ": in flight, the chance of a detection, or of one in time, differs by more than 20 points"
+                        + ": in flight, the chance of a detection, or of one in time, differs by more than 20"
+                        + " percentage points"
                         + causes(survey));
     }
 
@@ -92,7 +93,7 @@ final class RouteNotes {
         return longest.isPresent() && longest.getAsDouble() < inputs.response()
                 ? Optional.of("no detection can be in time, because each route takes " + RouteNumbers.seconds(longest)
                         + " at most, and the response " + number(inputs.response())
-                        + " s: let the routes begin farther away with a larger --side, if the site extends that far, or by"
+                        + " s: let the routes begin farther away with a larger --side, if the site extends that far, or with"
                         + " --launch")
                 : Optional.empty();
     }

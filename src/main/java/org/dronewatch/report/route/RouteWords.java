@@ -101,7 +101,8 @@ final class RouteWords {
             return "";
         }
         Double alert = results.timely().get(route.sector());
-        return ". It is detected in time with a probability of " + RouteNumbers.percent(route.inTime(inputs.response()))
+        return ". The drone is detected in time with a probability of "
+                + RouteNumbers.percent(route.inTime(inputs.response()))
                 + (alert == null
                         ? ""
                         : ", and an alert comes in time with a probability of " + RouteNumbers.percent(alert));

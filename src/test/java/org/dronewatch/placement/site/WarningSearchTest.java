@@ -1,6 +1,7 @@
 package org.dronewatch.placement.site;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -21,7 +22,9 @@ import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -105,5 +108,16 @@ class WarningSearchTest {
         assertThat(placement.bound()).isCloseTo(best, within(1e-9));
         assertThat(placement.withoutEach().values()).allMatch(left -> left >= remaining - 1e-9);
         assertThat(warning(plan, stage, placement, placement.result().chosen())).isCloseTo(best, within(1e-9));
+    }
+
+    @Test
+    void whatCannotRemainAfterALossIsStated() throws IOException {
+        PlacePlan plan = plan("warning: worst\nbudget: 0\nconditions: {anyoneLost: {warning: 30 s}}\n");
+        Stage stage = plan.runner().stage(plan.present());
+        WarningSearch search = new WarningSearch(plan, stage, LayerStore.NONE, new ExactSolver());
+
+        assertThatThrownBy(() -> search.found(SolverLimits.NONE, cells -> {}, () -> {}))
+                .isInstanceOf(InputException.class)
+                .hasMessageEndingWith(", and a warning of 30 s after the loss of any one");
     }
 }

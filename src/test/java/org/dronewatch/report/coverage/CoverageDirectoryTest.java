@@ -78,7 +78,7 @@ class CoverageDirectoryTest {
 
         assertThat(SurveyTables.missing(
                         new FieldSurvey(grid, low, Optional.empty(), Optional.empty(), Optional.empty(), List.of(), 2)))
-                .isEqualTo("1 of 2 heights are complete; missing: least visible heights, least detectable heights,"
+                .isEqualTo("complete for 1 of 2 heights; missing: least visible heights, least detectable heights,"
                         + " warnings, 2 of 2 conditions");
         assertThat(SurveyTables.missing(new FieldSurvey(
                         grid,
@@ -88,7 +88,7 @@ class CoverageDirectoryTest {
                         whole.warnings(),
                         List.of(ConditionCoverage.asItIs(whole.summary()), ConditionCoverage.asItIs(whole.summary())),
                         3)))
-                .isEqualTo("2 of 2 heights are complete; missing: 2 of 3 conditions");
+                .isEqualTo("complete for 2 of 2 heights; missing: 2 of 3 conditions");
 
         try (CoverageDirectory target = new CoverageDirectory(out)) {
             target.write(whole, inputs, there, Map.of());

@@ -208,7 +208,7 @@ class CoverageReportTest {
         assertThat(words)
                 .contains(
                         "undetected; this happens in 72 of 72 combinations of bearing and height.",
-                        "none from every bearing")
+                        "none from any bearing")
                 .contains("Nothing is covered, so nothing can be lost.")
                 .doesNotContain("NaN", "Infinity", "adds nothing");
         assertThat(none.idleSensors()).isEmpty();

@@ -66,8 +66,8 @@ class WarningWordsTest {
                 .contains("The flights begin 200 m away, so a warning of more than 15 s cannot be found.")
                 .contains("That is less than the required response")
                 .contains("at least 15 s from every bearing")
-                .contains("shortest warning of a straight inbound flight is at least 15 s before")
-                .contains("In 72 of 72 cases, it is unknown whether it is given")
+                .contains("shortest warning of a straight inbound flight comes at least 15 s before")
+                .contains("In 72 of 72 cases, it is unknown whether the required warning of 30 s is given: the drone")
                 .doesNotContain("not met");
         assertThat(table(all))
                 .contains(">= 15.0 s from all bearings")
@@ -80,7 +80,7 @@ class WarningWordsTest {
         InboundWarnings some = flights(12, bearing -> bearing < 2 ? 9 : LONGEST, bearing -> bearing >= 2);
         assertThat(words(some))
                 .contains("a warning of more than 15 s cannot be found.")
-                .contains("The shortest warning of a straight inbound flight is 9 s before")
+                .contains("The shortest warning of a straight inbound flight comes 9 s before")
                 .contains("The required warning of 12 s is not given in 4 of 72 cases.")
                 .doesNotContain("unknown", "less than the required response");
         assertThat(table(some))
@@ -91,14 +91,15 @@ class WarningWordsTest {
 
     @Test
     void noBearingIsSingledOutAmongEquals() {
-        assertThat(table(flights(0, bearing -> -1, bearing -> false))).contains("none from all bearings");
+        assertThat(table(flights(0, bearing -> -1, bearing -> false))).contains("none from any bearing");
         assertThat(table(flights(0, bearing -> bearing >= 34 || bearing < 2 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 340 to 10 deg  ");
         assertThat(table(flights(0, bearing -> bearing % 2, bearing -> false))).contains("  0.0 s from 18 bearings  ");
         assertThat(table(flights(0, bearing -> bearing == 7 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 70 deg  ");
         assertThat(words(flights(0, bearing -> bearing == 9 ? 3 : 8, bearing -> false)))
-                .contains("3 s from the east", "is 3 s before it reaches the protected zone, in 2 of 72 combinations");
+                .contains(
+                        "3 s from the east", "comes 3 s before it reaches the protected zone, in 2 of 72 combinations");
         assertThat(words(flights(0, bearing -> bearing < 5 ? -1 : 8, bearing -> false)))
                 .contains("none from 5 bearings", "undetected; this happens in 10 of 72 combinations");
     }

@@ -105,7 +105,7 @@ class RouteWordsTest {
         assertThat(new RouteWords(inputs)
                         .weakest(results(
                                 route(three, 1.0, route.flown().orElseThrow().flights()), Map.of())))
-                .contains("mostly by b. It is detected in time with a probability of 39 %.");
+                .contains("mostly by b. The drone is detected in time with a probability of 39 %.");
     }
 
     @Test
