@@ -22,6 +22,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Repeats a run or a campaign, and compares the results. */
 @Command(
@@ -46,6 +49,9 @@ final class AgainCommand implements Callable<Integer> {
 
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
+
+    @Mixin
+    private JsonOption json = new JsonOption();
 
     @Spec
     private CommandSpec spec;
@@ -73,22 +79,42 @@ final class AgainCommand implements Callable<Integer> {
     private int repeat(Path given, RecordedCommand recorded, Replay replay, Path target) {
         List<String> words = replay.words(target);
         words.add("--threads=" + threads.number());
+        if (Notes.areOff(spec)) {
+            words.add("--quiet");
+        }
         int code = Main.execute(
                 new PrintWriter(Writer.nullWriter()), spec.commandLine().getErr(), words.toArray(String[]::new));
         if (code != 0) {
             return code;
         }
-        PrintWriter print = spec.commandLine().getOut();
         List<String> changed = recorded.differences(RecordedCommand.read(target.resolve(ProvenanceFile.NAME)));
-        if (!changed.isEmpty()) {
-            print.println("changed since the recorded run: " + String.join(", ", changed));
-        }
         Map<String, SameBytes.State> states = SameBytes.compare(given.resolveSibling(""), target);
-        states.forEach((name, state) ->
-                print.printf("%-9s  %s%n", state.name().toLowerCase(Locale.ROOT), PlainText.value(name)));
         boolean same = !states.isEmpty() && states.values().stream().allMatch(state -> state == SameBytes.State.SAME);
-        print.println(same ? "the results have the same bytes" : "the results are not the same");
+        json.print(() -> toJson(same, changed, states), out -> print(same, changed, states, out));
         return same ? 0 : Main.FAILED;
+    }
+
+    private static void print(
+            boolean same, List<String> changed, Map<String, SameBytes.State> states, PrintWriter out) {
+        if (!changed.isEmpty()) {
+            out.println("changed since the recorded run: " + String.join(", ", changed));
+        }
+        states.forEach((name, state) -> out.printf("%-9s  %s%n", word(state), PlainText.value(name)));
+        out.println(same ? "the results have the same bytes" : "the results are not the same");
+    }
+
+    private static ObjectNode toJson(boolean same, List<String> changed, Map<String, SameBytes.State> states) {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("same", same);
+        ArrayNode since = root.putArray("changed");
+        changed.forEach(since::add);
+        ObjectNode files = root.putObject("files");
+        states.forEach((name, state) -> files.put(name, word(state)));
+        return root;
+    }
+
+    private static String word(SameBytes.State state) {
+        return state.name().toLowerCase(Locale.ROOT);
     }
 
     private static void delete(Path directory) throws IOException {

@@ -1,8 +1,10 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.fusion.AlertRule;
@@ -50,8 +52,8 @@ final class AlarmsCommand implements Callable<Integer> {
             new Confirmation(3, 4),
             new Confirmation(3, 5),
             new Confirmation(5, 8));
-    private static final double EVEN = 0.5;
-    private static final double LIKELY = 0.9;
+    static final double EVEN = 0.5;
+    static final double LIKELY = 0.9;
     private static final double MOST_PER_HOUR = 1e7;
 
     @Mixin
@@ -73,6 +75,9 @@ final class AlarmsCommand implements Callable<Integer> {
             description = "Desired number of false alarms per hour, above 0 and at most 1e7.")
     private Double perHour;
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @Spec
     private CommandSpec spec;
 
@@ -82,16 +87,27 @@ final class AlarmsCommand implements Callable<Integer> {
             throw new InputException("--sensor and --per-hour belong together: give both or neither");
         }
         SceneRunner runner = choice.runner(choice.create());
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(Notes.of(spec));
         SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
-        PrintWriter out = spec.commandLine().getOut();
         if (sensor != null) {
-            out.println(wanted(settings));
+            Map.Entry<String, String> wanted = wanted(settings);
+            json.print(() -> AlarmsJson.of(wanted), out -> out.println(wanted.getKey() + "=" + wanted.getValue()));
             return 0;
         }
-        printSensors(settings, out);
-        printRules(settings, out);
+        json.print(() -> AlarmsJson.of(settings, rules(settings.alert())), out -> {
+            printSensors(settings, out);
+            printRules(settings, out);
+        });
         return 0;
+    }
+
+    /** The confirmations whose false alerts are stated: common ones, and at the end that of the scene if it is none. */
+    private static List<Confirmation> rules(AlertSettings alert) {
+        List<Confirmation> rules = new ArrayList<>(TRIED);
+        if (!rules.contains(alert.confirm())) {
+            rules.add(alert.confirm());
+        }
+        return rules;
     }
 
     private static void printSensors(SceneSettings settings, PrintWriter out) {
@@ -115,20 +131,11 @@ final class AlarmsCommand implements Callable<Integer> {
         AlertSettings alert = settings.alert();
         out.println();
         if (alert.rule() instanceof AlertRule.UnionOfProbabilities) {
-            out.println("false alerts: "
-                    + FalseAlertRate.of(
-                                    alert,
-                                    settings.enabledSensors(),
-                                    settings.world().weather())
-                            .inWords());
+            out.println("false alerts: " + rate(alert, settings).inWords());
             return;
         }
         out.printf("%-8s %18s %18s   %s%n", "confirm", "50 % per look", "90 % per look", "false alerts");
-        boolean isTried = TRIED.contains(alert.confirm());
-        TRIED.forEach(confirm -> printRule(settings, confirm, out));
-        if (!isTried) {
-            printRule(settings, alert.confirm(), out);
-        }
+        rules(alert).forEach(confirm -> printRule(settings, confirm, out));
     }
 
     private static void printRule(SceneSettings settings, Confirmation confirm, PrintWriter out) {
@@ -140,15 +147,17 @@ final class AlarmsCommand implements Callable<Integer> {
                 confirm.hits() + " of " + confirm.looks(),
                 100.0 * confirm.probability(EVEN),
                 100.0 * confirm.probability(LIKELY),
-                FalseAlertRate.of(
-                                        changed,
-                                        settings.enabledSensors(),
-                                        settings.world().weather())
-                                .inWords()
-                        + (isOwn ? "  <- this scene" : ""));
+                rate(changed, settings).inWords() + (isOwn ? "  <- this scene" : ""));
     }
 
-    private String wanted(SceneSettings settings) {
+    /** The rate of false alerts with another rule. */
+    static FalseAlertRate rate(AlertSettings alert, SceneSettings settings) {
+        return FalseAlertRate.of(
+                alert, settings.enabledSensors(), settings.world().weather());
+    }
+
+    /** The setting that yields the desired number of false alarms, and its value. */
+    private Map.Entry<String, String> wanted(SceneSettings settings) {
         if (!(perHour > 0.0 && perHour <= MOST_PER_HOUR)) {
             throw new InputException(
                     "--per-hour " + Quantity.NUMBER.inWords(perHour) + ": must be above 0 and at most 1e7");
@@ -175,7 +184,7 @@ final class AlarmsCommand implements Callable<Integer> {
                         : ".falseAlarms.probability");
         String value = String.format(Locale.ROOT, "%.3e", probability);
         checkSettable(setting, value);
-        return setting + "=" + value;
+        return Map.entry(setting, value);
     }
 
     /** Refuses a probability that {@code --set} would refuse, with its limit. */
@@ -190,7 +199,8 @@ final class AlarmsCommand implements Callable<Integer> {
         }
     }
 
-    private static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor, Weather weather) {
+    /** The false-alarm rate of a sensor, if it has one. */
+    static Optional<FalseAlarmRate> rate(SensorSettings<?> sensor, Weather weather) {
         return sensor.as(FalseAlarming.class).flatMap(capability -> capability.falseAlarmRate(weather));
     }
 }

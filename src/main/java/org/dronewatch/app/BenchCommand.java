@@ -18,6 +18,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -30,7 +31,7 @@ import tools.jackson.databind.node.ObjectNode;
         name = "bench",
         mixinStandardHelpOptions = true,
         description = "Measures how many rays per second are traced in a model; prints one JSON line for each"
-                + " set of rays.",
+                + " set of rays, or with --json a single object.",
         footer = {"", "Example:", "  dronewatch bench models/hill.obj --passes 9"})
 final class BenchCommand implements Callable<Integer> {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
@@ -55,7 +56,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--query",
             defaultValue = "nearest",
-            paramLabel = "NAME",
+            paramLabel = "nearest|occluded",
             description = "nearest (the nearest triangle along each ray) or occluded (whether any lies on the"
                     + " segment from a ray's origin to the end of its direction, which need not be a unit vector);"
                     + " nearest by default.")
@@ -87,6 +88,9 @@ final class BenchCommand implements Callable<Integer> {
             description = "Seed of generated rays; 1 by default.")
     private long seed;
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @Spec
     private CommandSpec spec;
 
@@ -96,13 +100,19 @@ final class BenchCommand implements Callable<Integer> {
         WholeFile hitsFile = hits == null ? null : new WholeFile("--hits", hits);
         RaySet given = rays == null ? null : readRays();
         LoadedModel loaded = new ModelLoader(Path.of("")).loadAsWritten(model);
-        spec.commandLine().getErr().println("read " + loaded.describe());
+        Notes.of(spec).accept("read " + loaded.describe());
         KernelBench bench = new KernelBench(loaded.mesh(), traversal, threads);
-        spec.commandLine().getErr().println(KDTreeStats.of(bench.tree()));
+        Notes.of(spec).accept(KDTreeStats.of(bench.tree()).toString());
         List<RaySet> sets = given == null ? madeRays(bench) : List.of(given);
+        List<ObjectNode> lines = new ArrayList<>();
         for (RaySet set : sets) {
-            measure(bench, set);
+            ObjectNode line = measure(bench, set);
+            lines.add(line);
+            if (!json.isAsked()) {
+                spec.commandLine().getOut().println(MAPPER.writeValueAsString(line));
+            }
         }
+        json.print(() -> toJson(lines), out -> {});
         if (hitsFile != null) {
             hitsFile.write(stream -> RayFile.writeHits(stream, bench.distances(), bench.sourceTriangles()));
         }
@@ -150,14 +160,21 @@ final class BenchCommand implements Callable<Integer> {
         if (diffuse.count() > 0) {
             sets.add(diffuse);
         } else {
-            spec.commandLine().getErr().println("no diffuse rays: the camera's rays do not hit this model");
+            Notes.of(spec).accept("no diffuse rays: the camera's rays do not hit this model");
         }
         return sets;
     }
 
-    private void measure(KernelBench bench, RaySet set) {
+    private ObjectNode toJson(List<ObjectNode> lines) {
+        ObjectNode root = MAPPER.createObjectNode();
+        root.put("model", model);
+        root.putArray("sets").addAll(lines);
+        return root;
+    }
+
+    private ObjectNode measure(KernelBench bench, RaySet set) {
         TracingSpeed measured;
-        try (ProgressBar bar = Progress.barOf(set.name(), 1 + passes)) {
+        try (ProgressBar bar = Notes.areOff(spec) ? null : Progress.barOf(set.name(), 1 + passes)) {
             measured = bench.measure(set, passes, name -> {
                 if (bar != null) {
                     bar.step();
@@ -177,7 +194,7 @@ final class BenchCommand implements Callable<Integer> {
         if (rays == null) {
             line.put("seed", seed);
         }
-        spec.commandLine().getOut().println(MAPPER.writeValueAsString(line));
+        return line;
     }
 
     private static double rounded(double value) {

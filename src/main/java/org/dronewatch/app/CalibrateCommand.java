@@ -4,10 +4,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.CalibratedEntry;
 import org.dronewatch.analysis.Calibration;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
@@ -24,6 +26,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Fits a sensor's threshold to a known range. */
 @Command(
@@ -83,6 +88,9 @@ final class CalibrateCommand implements Callable<Integer> {
                             + " replaced only if 'calibrate' wrote it.")
     private String out;
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @Spec
     private CommandSpec spec;
 
@@ -93,7 +101,7 @@ final class CalibrateCommand implements Callable<Integer> {
         double least = value("--probability", probability, Quantity.RATIO, Double.MIN_NORMAL, 1.0);
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(Notes.of(spec));
         SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
         known("--sensor", "sensor", sensor, settings.sensors().keySet());
         known("--drone", "drone", drone, settings.individualDrones().keySet());
@@ -110,12 +118,30 @@ final class CalibrateCommand implements Callable<Integer> {
                 .text(scene.directory(), target.path())
                 .getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));
-        swept.ifPresent(which -> spec.commandLine()
-                .getErr()
-                .println("fitted for " + PlainText.line(which) + (isAsked("--run") ? "" : "; --run chooses another")));
-        CalibratedEntry.lines(fit).forEach(spec.commandLine().getOut()::println);
-        spec.commandLine().getErr().println("sensor in " + PlainText.value(out));
+        swept.ifPresent(which -> Notes.of(spec)
+                .accept("fitted for " + PlainText.line(which) + (isAsked("--run") ? "" : "; --run chooses another")));
+        json.print(() -> toJson(fit), tables -> CalibratedEntry.lines(fit).forEach(tables::println));
+        Notes.of(spec).accept("sensor in " + PlainText.value(out));
         return 0;
+    }
+
+    private ObjectNode toJson(Calibration fit) {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("sensor", sensor);
+        root.put("drone", drone);
+        root.put("setting", fit.scale().setting());
+        root.put("unit", fit.scale().quantity().unit());
+        root.put("value", Numbers.rounded(fit.threshold()));
+        root.put("range_m", Numbers.rounded(fit.range()));
+        ArrayNode ranges = root.putArray("ranges");
+        new TreeMap<>(fit.ranges()).forEach((value, metres) -> {
+            ObjectNode one = ranges.addObject();
+            one.put("value", Numbers.rounded(value));
+            // Some whole numbers are not reached at any range.
+            one.put("range_m", metres.isNaN() ? null : Numbers.rounded(metres));
+        });
+        root.put("file", out);
+        return root;
     }
 
     private void warnOfNoiseSources(SceneSettings settings) {

@@ -1,6 +1,7 @@
 package org.dronewatch.app;
 
 import java.awt.image.BufferedImage;
+import java.util.Locale;
 import java.util.OptionalInt;
 import javax.imageio.ImageIO;
 import org.dronewatch.render.CameraView;
@@ -52,7 +53,9 @@ final class CameraRendering extends Rendering {
         RunHistory history =
                 turns || Simulation.isSteered(settings) ? simulation().until(shown, () -> false) : new RunHistory();
         if (turns) {
-            spec.commandLine().getErr().printf("camera '%s' points as it did at its look at %.3f s%n", id, shown);
+            Notes.of(spec)
+                    .accept(String.format(
+                            Locale.ROOT, "camera '%s' points as it did at its look at %.3f s", id, shown));
         }
         if (samples.isPresent()) {
             BufferedImage photo = threads.call(() -> view(history).photograph(shown, samples.getAsInt()));

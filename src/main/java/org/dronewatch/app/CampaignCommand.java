@@ -15,6 +15,7 @@ import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.Shard;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -91,6 +92,9 @@ final class CampaignCommand implements Callable<Integer> {
 
     @Mixin
     private ProgressOptions display = new ProgressOptions();
+
+    @Mixin
+    private JsonOption json = new JsonOption();
 
     @ParentCommand
     private Main main;
@@ -175,7 +179,7 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     private int runOne(CampaignPlan plan, TaskProgress shown) {
-        return single.run(plan, threads.number(), spec.commandLine().getOut(), shown);
+        return single.run(plan, threads.number(), json, shown);
     }
 
     private int runAll(CampaignPlan plan, Shard part, String name, TaskProgress shown) {
@@ -197,7 +201,7 @@ final class CampaignCommand implements Callable<Integer> {
             }
             interruption.letFinish();
             CampaignResult result = files.finish(Optional.of(caseCommand()));
-            CampaignLines.print(plan, result, spec.commandLine().getOut());
+            json.print(new CampaignFile(plan, result)::toJson, target -> CampaignLines.print(plan, result, target));
             int failure = CampaignLines.warn(result.summary(), err);
             if (report != null) {
                 report.write(stream -> files.writeJunit(result, stream));

@@ -1,6 +1,5 @@
 package org.dronewatch.app;
 
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -60,7 +59,7 @@ final class CaseOptions {
     }
 
     /** Runs the case; returns the exit code. */
-    int run(CampaignPlan plan, int threads, PrintWriter out, TaskProgress shown) {
+    int run(CampaignPlan plan, int threads, JsonOption json, TaskProgress shown) {
         if (number < 0 || number >= plan.size()) {
             throw new InputException("--case " + number + ": must be 0 to " + (plan.size() - 1));
         }
@@ -69,16 +68,17 @@ final class CaseOptions {
             throw new InputException("--variant " + PlainText.value(variant) + ": no such variant; the campaign has "
                     + String.join(", ", variants));
         }
-        SceneWindow window = new SceneWindow(threads, shown.err());
+        SceneWindow window = new SceneWindow(threads, shown.err(), shown.notes());
         if (view && !window.canOpen()) {
             return Main.NO_DISPLAY;
         }
         WholeFile target = picture == null ? null : new WholeFile("--picture", picture);
-        CampaignLines.printValues(plan, number, out);
-        for (String one : variant == null ? variants : List.of(variant)) {
-            CaseResult result = CaseRun.of(plan, number, one);
-            CampaignLines.print(result, out);
-        }
+        List<CaseResult> results = (variant == null ? variants : List.of(variant))
+                .stream().map(one -> CaseRun.of(plan, number, one)).toList();
+        json.print(() -> CaseJson.of(plan, number, results), out -> {
+            CampaignLines.printValues(plan, number, out);
+            results.forEach(result -> CampaignLines.print(result, out));
+        });
         String pictured = variant == null ? variants.get(0) : variant;
         if (variant == null && variants.size() > 1 && (view || picture != null)) {
             shown.notes().accept("showing " + pictured + "; --variant shows another");

@@ -1,10 +1,12 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
-import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -13,6 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Reads and validates a scene and runs nothing. */
 @Command(
@@ -24,6 +28,9 @@ final class CheckCommand implements Callable<Integer> {
     @Mixin
     private SceneChoice choice;
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @Spec
     private CommandSpec spec;
 
@@ -31,33 +38,55 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        PrintWriter err = spec.commandLine().getErr();
-        runner.notes(err::println);
+        runner.notes(Notes.of(spec));
         List<SceneSettings> runs = runner.settingsOfRuns();
         runs.forEach(runner::checkPilot);
         runner.adviseOnConditions();
         runs.forEach(runner::stage);
-        SceneSettings first = runs.get(0);
-        spec.commandLine()
-                .getOut()
-                .printf(
-                        "%s is valid: %s, %s, %s, %s of %s s%n",
-                        scene.name(),
-                        site(first.world()),
-                        drones(first),
-                        sensors(first),
-                        counted(runs.size(), "run"),
-                        first.run().duration());
-        first.drones().forEach(this::printLabel);
+        json.print(() -> toJson(scene, runs), out -> print(scene, runs, out));
         return 0;
     }
 
-    private void printLabel(String id, DroneSettings drone) {
-        if (!drone.label().equals(ThreatLabel.DEFAULT)) {
-            spec.commandLine()
-                    .getOut()
-                    .printf("drone '%s' is labelled %s%n", id, drone.label().inWords());
-        }
+    private static void print(Scene scene, List<SceneSettings> runs, PrintWriter out) {
+        SceneSettings first = runs.get(0);
+        out.printf(
+                "%s is valid: %s, %s, %s, %s of %s s%n",
+                scene.name(),
+                site(first.world()),
+                drones(first),
+                sensors(first),
+                counted(runs.size(), "run"),
+                first.run().duration());
+        labels(first).forEach((id, label) -> out.printf("drone '%s' is labelled %s%n", id, label));
+    }
+
+    /** The labels of the drones that have one, in words. */
+    private static Map<String, String> labels(SceneSettings run) {
+        Map<String, String> labels = new LinkedHashMap<>();
+        run.drones().forEach((id, drone) -> {
+            if (!drone.label().equals(ThreatLabel.DEFAULT)) {
+                labels.put(id, drone.label().inWords());
+            }
+        });
+        return labels;
+    }
+
+    private static ObjectNode toJson(Scene scene, List<SceneSettings> runs) {
+        SceneSettings first = runs.get(0);
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("scene", scene.name());
+        root.put("terrain", first.world().terrain().isPresent());
+        root.put("buildings", first.world().buildings().isPresent());
+        root.put("models", first.world().models().size());
+        root.put("drones", first.individualDrones().size() - first.birds().size());
+        root.put("birds", first.birds().size());
+        root.put("sensors", first.sensors().size());
+        root.put("switched_off", first.disabled().size());
+        root.put("runs", runs.size());
+        root.put("duration_s", Numbers.rounded(first.run().duration()));
+        ObjectNode labels = root.putObject("labels");
+        labels(first).forEach(labels::put);
+        return root;
     }
 
     private static String site(WorldSettings world) {

@@ -1,6 +1,5 @@
 package org.dronewatch.app;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -10,6 +9,7 @@ import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.campaign.SummedCases;
+import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
@@ -63,6 +63,9 @@ final class CompareCommand implements Callable<Integer> {
     @Mixin
     private ProgressOptions display = new ProgressOptions();
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @ParentCommand
     private Main main;
 
@@ -87,9 +90,7 @@ final class CompareCommand implements Callable<Integer> {
             LoadingNotes loading = new LoadingNotes(shown.notes());
             CampaignPlan plan = new CampaignPlan(settings, directory(), SceneChoice::named, loading::note);
             loading.done();
-            return isSingle
-                    ? single.run(plan, threads.number(), spec.commandLine().getOut(), shown)
-                    : run(plan, shown);
+            return isSingle ? single.run(plan, threads.number(), json, shown) : run(plan, shown);
         });
     }
 
@@ -103,11 +104,12 @@ final class CompareCommand implements Callable<Integer> {
     }
 
     private int run(CampaignPlan plan, TaskProgress shown) {
-        PrintWriter target = spec.commandLine().getOut();
         CampaignResult result =
                 out == null ? inMemory(plan, shown) : inDirectory(plan, PathWord.of("--out", out), shown);
-        CampaignLines.print(plan, result, target);
-        CampaignLines.printDeciding(plan, result.summary(), target);
+        json.print(new CampaignFile(plan, result)::toJson, target -> {
+            CampaignLines.print(plan, result, target);
+            CampaignLines.printDeciding(plan, result.summary(), target);
+        });
         return CampaignLines.warn(result.summary(), spec.commandLine().getErr());
     }
 

@@ -60,8 +60,7 @@ final class CostsCommand implements Callable<Integer> {
         threads.number();
         TriangleMesh mesh =
                 new ModelLoader(Path.of("")).load(ModelSettings.of(drone)).mesh();
-        CostStudy study =
-                new CostStudy(mesh, largest, next -> spec.commandLine().getErr().println("measuring " + next));
+        CostStudy study = new CostStudy(mesh, largest, next -> Notes.of(spec).accept("measuring " + next));
         CostReport.write(PathWord.of("--out", out), () -> threads.call(study::run));
         spec.commandLine().getOut().println("tables and plots in " + out);
         return 0;

@@ -1,6 +1,5 @@
 package org.dronewatch.app;
 
-import java.io.PrintWriter;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
@@ -24,6 +23,8 @@ import org.dronewatch.report.coverage.CoverageInputs;
 import org.dronewatch.report.coverage.CoveragePicture;
 import org.dronewatch.report.coverage.CoverageSite;
 import org.dronewatch.report.coverage.CoverageTable;
+import org.dronewatch.report.coverage.FieldFile;
+import org.dronewatch.report.coverage.PlanJson;
 import org.dronewatch.report.coverage.SurveyTables;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
@@ -86,7 +87,7 @@ final class CoverageCommand implements Callable<Integer> {
 
     @Option(
             names = "--out",
-            paramLabel = "DIR|FILE.png",
+            paramLabel = "DIR|PICTURE",
             description = "Directory for report.html, coverage.json and maps, or the picture file of a plan.")
     private String out;
 
@@ -101,6 +102,9 @@ final class CoverageCommand implements Callable<Integer> {
 
     @Mixin
     private ProgressOptions display = new ProgressOptions();
+
+    @Mixin
+    private JsonOption json = new JsonOption();
 
     @ParentCommand
     private Main main;
@@ -154,7 +158,7 @@ final class CoverageCommand implements Callable<Integer> {
             String words = "drone '" + id + "'";
             CoveragePicture picture = CoveragePicture.of(scene.name(), coverage, stage.world(), words, stage.credits());
             target.write(picture::writePng);
-            print(coverage);
+            print(coverage, scene.name(), id);
             return 0;
         });
     }
@@ -247,15 +251,17 @@ final class CoverageCommand implements Callable<Integer> {
         return FieldOptions.value(name, text, CoverageGrid.class, name);
     }
 
-    private void print(Coverage coverage) {
-        PrintWriter target = spec.commandLine().getOut();
-        CoverageTable.areas(coverage).forEach(target::println);
-        target.println();
-        CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
+    private void print(Coverage coverage, String scene, String id) {
+        json.print(() -> PlanJson.of(coverage, scene, id), target -> {
+            CoverageTable.areas(coverage).forEach(target::println);
+            target.println();
+            CoverageTable.causes(coverage, coverage.causes()).forEach(target::println);
+        });
     }
 
     private void print(FieldSurvey survey, CoverageInputs inputs) {
-        SurveyTables.lines(survey, inputs).forEach(spec.commandLine().getOut()::println);
+        json.print(() -> FieldFile.toJson(survey, inputs), target -> SurveyTables.lines(survey, inputs)
+                .forEach(target::println));
         if (!survey.isComplete()) {
             spec.commandLine().getErr().println("interrupted: " + SurveyTables.missing(survey));
         }

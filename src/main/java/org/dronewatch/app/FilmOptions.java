@@ -57,12 +57,13 @@ final class FilmOptions {
     }
 
     /**
-     * Writes a film with a progress bar, whole or not at all.
+     * Writes a film, whole or not at all.
      *
+     * @param isShown whether a bar shows its progress
      * @throws java.util.concurrent.CancellationException when it is interrupted
      */
-    static void write(FilmMaker maker, WholeFile target, BooleanSupplier cancelled) {
-        ProgressBar bar = Progress.barOf("video", maker.film().frames());
+    static void write(FilmMaker maker, WholeFile target, BooleanSupplier cancelled, boolean isShown) {
+        ProgressBar bar = isShown ? Progress.barOf("video", maker.film().frames()) : null;
         try {
             target.writeFile(partial -> maker.write(
                     partial,

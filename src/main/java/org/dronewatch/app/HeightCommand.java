@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -19,6 +20,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Prints the heights of a site at a place, and what is there. */
 @Command(
@@ -47,13 +51,16 @@ final class HeightCommand implements Callable<Integer> {
                             + " '{east: 120 m, north: -40 m}'.")
     private String at;
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() {
         SceneRunner runner = choice.runner(choice.create());
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(Notes.of(spec));
         SceneSettings settings = SceneChoice.settingsOfRun(runner, 0);
         // Anything that is not a place is refused before the site is loaded.
         Position place = runner.place(AT, at, settings);
@@ -70,12 +77,45 @@ final class HeightCommand implements Callable<Integer> {
         }
         Optional<Geodesy> geodesy = settings.world().origin().map(Geodesy::new);
         boolean aboveTheSea = new Places(settings.world(), world::newGround).heightsAreKnown();
-        print(place, column, geodesy, aboveTheSea);
+        json.print(
+                () -> toJson(place, column, geodesy, aboveTheSea),
+                out -> print(place, column, geodesy, aboveTheSea, out));
         return 0;
     }
 
-    private void print(Position place, SurfaceColumn column, Optional<Geodesy> geodesy, boolean aboveTheSea) {
-        PrintWriter out = spec.commandLine().getOut();
+    private static ObjectNode toJson(
+            Position place, SurfaceColumn column, Optional<Geodesy> geodesy, boolean aboveTheSea) {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        geodesy.map(earth -> earth.onEarth(place)).ifPresent(point -> {
+            root.put("latitude_deg", Numbers.rounded(point.latitude()));
+            root.put("longitude_deg", Numbers.rounded(point.longitude()));
+        });
+        root.put("x", Numbers.rounded(place.x()));
+        root.put("y", Numbers.rounded(place.y()));
+        root.put("z", Numbers.rounded(place.z()));
+        Optional<SurfaceColumn.Surface> ground = column.ground();
+        ArrayNode surfaces = root.putArray("surfaces");
+        for (SurfaceColumn.Surface surface : column.surfaces()) {
+            ObjectNode one = surfaces.addObject();
+            one.put("z", Numbers.rounded(surface.z()));
+            geodesy.filter(earth -> aboveTheSea)
+                    .ifPresent(earth -> one.put("above_sea_m", Numbers.rounded(aboveSea(earth, place, surface))));
+            ground.ifPresent(low -> one.put("above_ground_m", Numbers.rounded(surface.z() - low.z())));
+            one.put("ground", ground.filter(surface::equals).isPresent());
+            one.put("role", surface.what().model().role().name().toLowerCase(Locale.ROOT));
+            one.put("file", surface.what().model().file());
+            one.put("material", surface.what().material());
+            one.put("faces_up", surface.facesUp());
+        }
+        return root;
+    }
+
+    private static double aboveSea(Geodesy earth, Position place, SurfaceColumn.Surface surface) {
+        return earth.onEarth(new Position(place.x(), place.y(), surface.z())).height();
+    }
+
+    private static void print(
+            Position place, SurfaceColumn column, Optional<Geodesy> geodesy, boolean aboveTheSea, PrintWriter out) {
         double top = column.highest().orElseThrow().z();
         Optional<SurfaceColumn.Surface> ground = column.ground();
         geodesy.ifPresent(earth -> {
@@ -94,11 +134,8 @@ final class HeightCommand implements Callable<Integer> {
             boolean isGround = ground.filter(surface::equals).isPresent();
             String name = isGround ? "ground" : surface.z() == top ? "surface" : "below";
             String sea = geodesy.filter(earth -> aboveTheSea)
-                    .map(earth -> String.format(
-                            Locale.ROOT,
-                            ", %.2f m above sea level",
-                            earth.onEarth(new Position(place.x(), place.y(), surface.z()))
-                                    .height()))
+                    .map(earth ->
+                            String.format(Locale.ROOT, ", %.2f m above sea level", aboveSea(earth, place, surface)))
                     .orElse("");
             String over = ground.filter(low -> surface.z() > low.z())
                     .map(low -> String.format(Locale.ROOT, ", %.2f m above the ground", surface.z() - low.z()))

@@ -18,10 +18,9 @@ import org.dronewatch.setting.Kind;
 import org.dronewatch.setting.KindRegistry;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Lists what comes with the program. */
 @Command(
@@ -29,7 +28,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = "Lists the packaged scenes and the sensors of the catalogue, one per line; or the kinds that"
                 + " scenes can choose; or one entry of the catalogue with its source and its assumptions.",
-        footer = {"", "Example:", "  dronewatch list spotterrf-c550"})
+        footer = {"", "Examples:", "  dronewatch list spotterrf-c550", "  dronewatch list --json"})
 final class ListCommand implements Callable<Integer> {
     private static final String KIND_LINE = "%-19s %-19s %s; %s%n";
 
@@ -48,25 +47,31 @@ final class ListCommand implements Callable<Integer> {
                             + " ranges and settings.")
     private String name;
 
-    @Spec
-    private CommandSpec spec;
+    @Mixin
+    private JsonOption json = new JsonOption();
 
     @Override
     public Integer call() {
-        PrintWriter out = spec.commandLine().getOut();
         if (name != null) {
             if (kinds) {
                 throw new InputException("--kinds lists all kinds: leave out " + PlainText.value(name));
             }
-            out.print(CatalogTexts.of(name));
-            out.flush();
-            return 0;
+            json.print(() -> CatalogueJson.entry(name), out -> {
+                out.print(CatalogTexts.of(name));
+                out.flush();
+            });
+        } else if (kinds) {
+            json.print(CatalogueJson::kinds, out -> {
+                listKinds(out);
+                listReaders(out);
+            });
+        } else {
+            json.print(CatalogueJson::all, ListCommand::listAll);
         }
-        if (kinds) {
-            listKinds(out);
-            listReaders(out);
-            return 0;
-        }
+        return 0;
+    }
+
+    private static void listAll(PrintWriter out) {
         for (PackagedScene scene : PackagedScene.all()) {
             out.printf("scene      %-22s %s%n", scene.name(), scene.summary());
         }
@@ -94,7 +99,6 @@ final class ListCommand implements Callable<Integer> {
             CatalogEntry entry = new Positioners().entry(name).orElseThrow();
             out.printf("%-10s %-22s %s; covers %s%n", "positioner", name, entry.title(), entry.coverage());
         }
-        return 0;
     }
 
     private static void listKinds(PrintWriter out) {
@@ -117,7 +121,7 @@ final class ListCommand implements Callable<Integer> {
     }
 
     /** {@code SensorSettings}: "sensor". */
-    private static String typeInWords(Class<?> type) {
+    static String typeInWords(Class<?> type) {
         return Choices.name(type.getSimpleName().replaceFirst("Settings$", "")).replace('-', ' ');
     }
 

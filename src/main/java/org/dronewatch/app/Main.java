@@ -9,13 +9,11 @@ import javax.imageio.ImageIO;
 import org.dronewatch.campaign.CampaignCluster;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.parallel.LongTask;
-import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.KindRegistry;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -26,7 +24,7 @@ import picocli.CommandLine.Spec;
 /** The entry point of the command line. */
 @Command(
         name = "dronewatch",
-        versionProvider = Main.Version.class,
+        versionProvider = VersionText.class,
         mixinStandardHelpOptions = true,
         description = "Simulates how a set of sensors sees and hears drones in a 3D model of a real site.",
         subcommands = {
@@ -50,7 +48,8 @@ import picocli.CommandLine.Spec;
             CalibrateCommand.class,
             BenchCommand.class,
             CostsCommand.class,
-            ModelsCommand.class
+            ModelsCommand.class,
+            CompletionCommand.class
         },
         footer = {"", "Example:", "  dronewatch run camera-range --out results"})
 public final class Main implements Runnable {
@@ -66,15 +65,16 @@ public final class Main implements Runnable {
     /** The words that request a window. */
     private static final Set<String> WINDOWED = Set.of("view", "--view");
 
-    /** What {@code --version} prints. */
-    static final class Version implements IVersionProvider {
-        @Override
-        public String[] getVersion() {
-            return new String[] {ProgramVersion.PROGRAM + " " + ProgramVersion.text()};
-        }
-    }
+    @Option(
+            names = {"-q", "--quiet"},
+            scope = ScopeType.INHERIT,
+            description = "Prints results, warnings and errors only: no progress, and no notes on what is read.")
+    private boolean quiet;
 
-    @Option(names = "--verbose", scope = ScopeType.INHERIT, description = "Adds the stack trace to the error message.")
+    @Option(
+            names = {"-v", "--verbose"},
+            scope = ScopeType.INHERIT,
+            description = "Adds the stack trace to the error message.")
     private boolean verbose;
 
     @Option(
@@ -152,6 +152,7 @@ public final class Main implements Runnable {
         commands.setOut(out);
         commands.setErr(plainErr);
         commands.setCaseInsensitiveEnumValuesAllowed(true);
+        CommandHelp.complete(commands);
         commands.setParameterExceptionHandler((problem, given) -> {
             plainErr.println(WrongUsage.message(problem));
             return BAD_INPUT;
@@ -183,7 +184,9 @@ public final class Main implements Runnable {
         if (withoutStore) {
             System.setProperty(StorePlace.PROPERTY, StorePlace.OFF);
         }
-        LoadingBars.show();
+        if (!quiet) {
+            LoadingBars.show();
+        }
         try (Interruption watch = new Interruption()) {
             interruption = watch;
             return new CommandLine.RunLast().execute(parsed);
@@ -205,6 +208,11 @@ public final class Main implements Runnable {
     /** What the command that runs asks whether the user wants it to stop. */
     Interruption interruption() {
         return interruption;
+    }
+
+    /** Whether the user wants results, warnings and errors only. */
+    boolean isQuiet() {
+        return quiet;
     }
 
     /** Runs the cases of campaigns. */

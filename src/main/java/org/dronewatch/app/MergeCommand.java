@@ -11,6 +11,7 @@ import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Cases;
+import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.report.campaign.CampaignPart;
 import org.dronewatch.report.provenance.ProvenanceFile;
@@ -45,6 +46,9 @@ final class MergeCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @Spec
     private CommandSpec spec;
 
@@ -52,8 +56,7 @@ final class MergeCommand implements Callable<Integer> {
     public Integer call() {
         Path first = PathWord.of("", parts.get(0)).resolve(ProvenanceFile.NAME);
         Replay part = new Replay(first, RecordedCommand.read(first));
-        return threads.call(
-                () -> merge(part, part.campaign().plan(spec.commandLine().getErr()::println)));
+        return threads.call(() -> merge(part, part.campaign().plan(Notes.of(spec))));
     }
 
     private int merge(Replay part, CampaignPlan plan) {
@@ -69,12 +72,12 @@ final class MergeCommand implements Callable<Integer> {
             copy(plan, there, files.chunks());
             plan.sensitivity().ifPresent(further -> copy(further, there, files.chunks(further)));
             CampaignResult result = files.finish(Optional.of(part.campaign().caseCommand()));
-            CampaignLines.print(plan, result, spec.commandLine().getOut());
+            json.print(new CampaignFile(plan, result)::toJson, target -> CampaignLines.print(plan, result, target));
             PrintWriter err = spec.commandLine().getErr();
             int failure = CampaignLines.warn(result.summary(), err);
             code = Math.max(failure, CampaignLines.judge(plan, result.summary(), err));
         }
-        spec.commandLine().getErr().println("results in " + directory);
+        Notes.of(spec).accept("results in " + directory);
         return code;
     }
 

@@ -2,16 +2,19 @@ package org.dronewatch.app;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.concurrent.Callable;
-import org.dronewatch.models.Mesh;
 import org.dronewatch.models.ModelCatalogue;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Writes the packaged models again. */
 @Command(
@@ -27,24 +30,33 @@ final class ModelsCommand implements Callable<Integer> {
             description = "An existing directory to write into; files of the same names are replaced.")
     private Path out;
 
-    @Spec
-    private CommandSpec spec;
+    @Mixin
+    private JsonOption json = new JsonOption();
 
     @Override
     public Integer call() {
         if (!Files.isDirectory(out)) {
             throw new InputException("--out " + PlainText.value(out) + ": there is no such directory");
         }
+        Map<Path, Integer> sizes = new LinkedHashMap<>();
         for (ModelCatalogue model : ModelCatalogue.all()) {
-            write(model.mesh());
+            ModelCatalogue.files(model.mesh()).forEach((name, bytes) -> {
+                Path file = out.resolve(name);
+                new WholeFile("--out", file.toString()).write(stream -> stream.write(bytes));
+                sizes.put(file, bytes.length);
+            });
         }
+        json.print(
+                () -> toJson(sizes),
+                tables -> sizes.forEach((file, size) -> tables.printf("%s: %,d bytes%n", file, size)));
         return 0;
     }
 
-    private void write(Mesh mesh) {
-        ModelCatalogue.files(mesh).forEach((name, bytes) -> {
-            new WholeFile("--out", out.resolve(name).toString()).write(stream -> stream.write(bytes));
-            spec.commandLine().getOut().printf("%s: %,d bytes%n", out.resolve(name), bytes.length);
-        });
+    private static ObjectNode toJson(Map<Path, Integer> sizes) {
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        ArrayNode files = root.putArray("files");
+        sizes.forEach(
+                (file, size) -> files.addObject().put("file", file.toString()).put("bytes", size));
+        return root;
     }
 }

@@ -127,7 +127,7 @@ final class NewCommand implements Callable<Integer> {
         }
         String file = PlainText.value(Path.of(directory).resolve(scene.name() + ".yaml"));
         spec.commandLine().getOut().println("scene in " + file);
-        spec.commandLine().getErr().println("next: dronewatch view " + file + " or dronewatch run " + file);
+        Notes.of(spec).accept("next: dronewatch view " + file + " or dronewatch run " + file);
         return 0;
     }
 
@@ -206,7 +206,7 @@ final class NewCommand implements Callable<Integer> {
     private World world(Path file, boolean isFirst) {
         SceneRunner runner = new SceneRunner(new SceneFile(file)).notes(note -> {
             if (isFirst) {
-                spec.commandLine().getErr().println(note);
+                Notes.of(spec).accept(note);
             }
         });
         SceneSettings settings = runner.settings();

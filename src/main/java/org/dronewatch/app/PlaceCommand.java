@@ -21,9 +21,12 @@ import org.dronewatch.placement.site.WarningSearch;
 import org.dronewatch.placement.site.WeakestRouteSearch;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.PlaceDirectory;
+import org.dronewatch.report.placement.PlaceFile;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.PlaceTable;
+import org.dronewatch.report.placement.RoutePlaceFile;
 import org.dronewatch.report.placement.RoutePlaceTable;
+import org.dronewatch.report.placement.WarningPlaceFile;
 import org.dronewatch.report.placement.WarningPlaceTable;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
@@ -101,6 +104,9 @@ final class PlaceCommand implements Callable<Integer> {
     @Mixin
     private ProgressOptions display = new ProgressOptions();
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @ParentCommand
     private Main main;
 
@@ -140,7 +146,8 @@ final class PlaceCommand implements Callable<Integer> {
         if (target != null) {
             target.write(results, provenance(given, plan), threads.number(), shown.notes());
         }
-        PlaceTable.lines(results).forEach(spec.commandLine().getOut()::println);
+        json.print(() -> PlaceFile.toJson(results), out -> PlaceTable.lines(results)
+                .forEach(out::println));
         return results.complete();
     }
 
@@ -151,7 +158,8 @@ final class PlaceCommand implements Callable<Integer> {
         if (target != null) {
             target.write(placement, provenance(given, plan), threads.number(), shown.notes());
         }
-        WarningPlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
+        json.print(() -> WarningPlaceFile.toJson(placement), out -> WarningPlaceTable.lines(placement)
+                .forEach(out::println));
         return placement.complete();
     }
 
@@ -162,7 +170,8 @@ final class PlaceCommand implements Callable<Integer> {
         if (target != null) {
             target.write(placement, provenance(given, plan), threads.number(), shown.notes());
         }
-        RoutePlaceTable.lines(placement).forEach(spec.commandLine().getOut()::println);
+        json.print(() -> RoutePlaceFile.toJson(placement), out -> RoutePlaceTable.lines(placement)
+                .forEach(out::println));
         return placement.complete();
     }
 

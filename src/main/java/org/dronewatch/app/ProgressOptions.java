@@ -1,32 +1,29 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 
-/** The options of commands that may take minutes: how much they say while they work. */
+/** The option of commands that may take minutes: how much they say while they work. */
 final class ProgressOptions {
-    @Option(
-            names = "--quiet",
-            description = "Prints results, warnings and errors only: no progress, and no notes on what is read.")
-    private boolean quiet;
-
     @Option(names = "--progress", description = "Shows progress even without a terminal: as lines on standard error.")
     private boolean progress;
 
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
     /**
-     * How the command shows its progress. Also ends the bars of loading if it is quiet.
+     * How the command shows its progress.
      *
      * @param err receives progress and notes
-     * @throws InputException when both options are given
+     * @throws InputException when {@code --quiet} is given, too
      */
     TaskProgress on(PrintWriter err) {
+        boolean quiet = Notes.areOff(command);
         if (quiet && progress) {
             throw new InputException("--quiet: cannot be combined with --progress");
-        }
-        if (quiet) {
-            LongTask.watch(null);
         }
         TaskProgress.Amount amount = quiet
                 ? TaskProgress.Amount.NOTHING

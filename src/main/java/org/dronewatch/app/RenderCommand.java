@@ -107,9 +107,9 @@ final class RenderCommand implements Callable<Integer> {
         if (seed != null) {
             runner.seed(seed);
         }
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(Notes.of(spec));
         SceneSettings settings = SceneChoice.settingsOfRun(runner, run);
-        Simulation simulation = new Simulation(scene, runner, run, threads.number());
+        Simulation simulation = new Simulation(scene, runner, run, threads.number(), !Notes.areOff(spec));
         Rendering rendering = subject.view != null
                 ? new SiteRendering(scene.name(), settings, simulation, site, subject.view)
                 : new CameraRendering(settings, simulation, camera(settings), samples);

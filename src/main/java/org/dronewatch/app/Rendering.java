@@ -39,7 +39,7 @@ abstract class Rendering {
     final String film(Film film, WholeFile target, ThreadsOption threads, BooleanSupplier cancelled) {
         RunHistory history = simulation.until(film.to(), cancelled);
         threads.call(() -> {
-            FilmOptions.write(maker(film, history), target, cancelled);
+            FilmOptions.write(maker(film, history), target, cancelled, simulation.hasBars());
             return null;
         });
         return String.format(

@@ -9,6 +9,7 @@ import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.route.RouteDirectory;
+import org.dronewatch.report.route.RouteFile;
 import org.dronewatch.report.route.RouteInputs;
 import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.report.route.RouteScenes;
@@ -81,6 +82,9 @@ final class RouteCommand implements Callable<Integer> {
     @Mixin
     private ProgressOptions display = new ProgressOptions();
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @ParentCommand
     private Main main;
 
@@ -110,7 +114,7 @@ final class RouteCommand implements Callable<Integer> {
         RouteWindow window = new RouteWindow(
                 scene,
                 runner,
-                new SceneWindow(threads.number(), spec.commandLine().getErr()));
+                new SceneWindow(threads.number(), spec.commandLine().getErr(), shown.notes()));
         if (view && !window.canOpen()) {
             return Main.NO_DISPLAY;
         }
@@ -171,7 +175,8 @@ final class RouteCommand implements Callable<Integer> {
     }
 
     private void print(RouteResults results, RouteInputs inputs) {
-        RouteTable.lines(results, inputs).forEach(spec.commandLine().getOut()::println);
+        json.print(() -> RouteFile.toJson(results, inputs), target -> RouteTable.lines(results, inputs)
+                .forEach(target::println));
         if (!results.isComplete()) {
             spec.commandLine()
                     .getErr()

@@ -6,9 +6,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
+import org.dronewatch.report.ResultFile;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.report.labels.LabelPlan;
@@ -80,6 +82,9 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--view", description = "Opens a window to watch the run; the results are the same as without it.")
     private boolean view;
 
+    @Mixin
+    private JsonOption json = new JsonOption();
+
     @ParentCommand
     private Main main;
 
@@ -91,7 +96,8 @@ final class RunCommand implements Callable<Integer> {
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
         PrintWriter err = spec.commandLine().getErr();
-        runner.notes(err::println);
+        Consumer<String> notes = Notes.of(spec);
+        runner.notes(notes);
         configure(runner);
         runner.settings();
         Path directory = directory(scene);
@@ -101,7 +107,7 @@ final class RunCommand implements Callable<Integer> {
             return Main.NO_DISPLAY;
         }
         if (rays != null) {
-            runner.listener(rayWriter(err));
+            runner.listener(rayWriter());
         }
         if (!view) {
             run(scene, runner, directory);
@@ -109,7 +115,7 @@ final class RunCommand implements Callable<Integer> {
         }
         try (Viewer viewer = Viewer.open(scene, runner, threads.number())) {
             runner.listener(viewer.listener()).notes(line -> {
-                err.println(line);
+                notes.accept(line);
                 viewer.note(line);
             });
             try {
@@ -129,52 +135,56 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private void run(Scene scene, SceneRunner runner, Path directory) {
-        PrintWriter err = spec.commandLine().getErr();
+        Consumer<String> notes = Notes.of(spec);
         Interruption interruption = main.interruption();
         Optional<LabelPlan> plan = labels.plan(runner);
-        plan.ifPresent(labelled -> err.println("labels: " + labelled.inWords()));
+        plan.ifPresent(labelled -> notes.accept("labels: " + labelled.inWords()));
         try (RunReport report = new RunReport(scene, directory, observations);
                 Progress progress = new Progress(scene.name())) {
             plan.ifPresent(report::label);
-            SceneResult result = runner.listener(report)
-                    .listener(progress)
-                    .cancelWhen(interruption::happened)
-                    .run();
+            runner.listener(report);
+            if (!Notes.areOff(spec)) {
+                runner.listener(progress);
+            }
+            SceneResult result = runner.cancelWhen(interruption::happened).run();
             interruption.letFinish();
             report.command(spec.root().commandLine().getParseResult().originalArgs());
             report.inputs(runner.inputs());
             report.finish(result);
             progress.finish();
-            print(result, spec.commandLine().getOut());
-            printAlerts(result, spec.commandLine().getOut());
-            FalseAlarmLines.print(result, spec.commandLine().getOut());
-            err.println("results in " + directory);
+            json.print(new ResultFile(result)::toJson, out -> {
+                print(result, out);
+                printAlerts(result, out);
+                FalseAlarmLines.print(result, out);
+            });
+            notes.accept("results in " + directory);
         }
     }
 
     /** Writes the rays at the start of the first run. */
-    private SceneListener rayWriter(PrintWriter err) {
+    private SceneListener rayWriter() {
         WholeFile file = new WholeFile("--rays", rays);
         return new SceneListener() {
             @Override
             public void runStarted(RunInfo run, Stage stage) {
                 if (run.run() == 0) {
-                    writeRays(stage, file, err);
+                    writeRays(stage, file);
                 }
             }
         };
     }
 
-    private void writeRays(Stage stage, WholeFile file, PrintWriter err) {
+    private void writeRays(Stage stage, WholeFile file) {
         RayPaths paths = new RayPaths();
         stage.traceRays(0.0, paths::recorder);
         file.write(paths::writeTo);
         if (stage.tracesRays()) {
-            err.printf("%,d ray segments written%n", paths.pieces());
+            Notes.of(spec).accept(String.format(Locale.ROOT, "%,d ray segments written", paths.pieces()));
         } else {
-            err.println(
-                    "warning: --rays " + PlainText.value(rays)
-                            + ": the file contains no rays, since the scene has no drone, or no acoustic sensor that is switched on");
+            Notes.of(spec)
+                    .accept(
+                            "warning: --rays " + PlainText.value(rays)
+                                    + ": the file contains no rays, since the scene has no drone, or no acoustic sensor that is switched on");
         }
     }
 

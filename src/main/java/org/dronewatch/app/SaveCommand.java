@@ -78,12 +78,12 @@ final class SaveCommand implements Callable<Integer> {
         target = target.replacingOnly(SceneWriter.FIRST_LINE, "'save'");
         Scene scene = choice.create();
         SceneRunner runner = choice.runner(scene);
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(Notes.of(spec));
         seed.apply(runner);
         SceneSettings settings = run == null ? runner.settings() : SceneChoice.settingsOfRun(runner, run);
         byte[] text = runner.text(settings, target.path()).getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));
-        spec.commandLine().getErr().println("scene in " + PlainText.value(out));
+        Notes.of(spec).accept("scene in " + PlainText.value(out));
         return 0;
     }
 
@@ -93,19 +93,18 @@ final class SaveCommand implements Callable<Integer> {
         }
         WholeFile target = new WholeFile("--out", out).replacingOnly(PlanWriter.FIRST_LINE, "'save'");
         SceneRunner runner = choice.runner(choice.create());
-        runner.notes(spec.commandLine().getErr()::println);
+        runner.notes(Notes.of(spec));
         SceneSettings settings = SceneChoice.settingsOfRun(runner, run == null ? 0 : run);
         PlanWriter.Written plan = SavedFlight.of(settings, flight, runner);
         target.write(stream -> stream.write(plan.text().getBytes(StandardCharsets.UTF_8)));
-        spec.commandLine()
-                .getErr()
-                .printf(
+        Notes.of(spec)
+                .accept(String.format(
                         Locale.ROOT,
-                        "mission of %d %s in %s: the flight deviates from its lines by at most %.1f m%n",
+                        "mission of %d %s in %s: the flight deviates from its lines by at most %.1f m",
                         plan.items(),
                         plan.items() == 1 ? "item" : "items",
                         PlainText.value(out),
-                        plan.tolerance());
+                        plan.tolerance()));
         return 0;
     }
 }

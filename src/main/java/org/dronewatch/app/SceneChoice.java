@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.scenario.SceneSettings;
@@ -25,6 +26,7 @@ final class SceneChoice {
     @Parameters(
             index = "0",
             paramLabel = "SCENE",
+            completionCandidates = PackagedNames.class,
             description = "A packaged scene (see 'list'), a scene file in YAML, or a class that extends Scene.")
     private String name;
 
@@ -33,6 +35,14 @@ final class SceneChoice {
             paramLabel = "PATH=VALUE",
             description = "Overrides a setting by its path, with a unit or without: --set sensors.camera.fov='40 deg'.")
     private List<String> overrides = new ArrayList<>();
+
+    /** What a shell offers for the scene, beside files. */
+    static final class PackagedNames implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return PackagedScene.all().stream().map(PackagedScene::name).iterator();
+        }
+    }
 
     /** A new scene. */
     Scene create() {

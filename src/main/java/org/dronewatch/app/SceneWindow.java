@@ -13,16 +13,19 @@ import org.dronewatch.viewer.Viewer;
 final class SceneWindow {
     private final int threads;
     private final PrintWriter err;
+    private final Consumer<String> notes;
 
     /**
      * A window that is not open yet.
      *
      * @param threads that run scenes and draw
-     * @param err receives the notes of all runs
+     * @param err receives the reason why there is no window
+     * @param notes receives the notes of all runs
      */
-    SceneWindow(int threads, PrintWriter err) {
+    SceneWindow(int threads, PrintWriter err, Consumer<String> notes) {
         this.threads = threads;
         this.err = err;
+        this.notes = notes;
     }
 
     /** Whether a window can be opened; if not, says why. */
@@ -68,7 +71,7 @@ final class SceneWindow {
     /** Runs a scene for a window; returns the error, unless the window is closed. */
     private Optional<RuntimeException> run(Viewer viewer, SceneRunner runner) {
         runner.notes(line -> {
-                    err.println(line);
+                    notes.accept(line);
                     viewer.note(line);
                 })
                 .listener(viewer.listener())

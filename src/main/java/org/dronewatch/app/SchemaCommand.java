@@ -49,7 +49,7 @@ final class SchemaCommand implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         } else {
             target.write(stream -> stream.write(schema.getBytes(StandardCharsets.UTF_8)));
-            spec.commandLine().getErr().println("schema in " + PlainText.value(out));
+            Notes.of(spec).accept("schema in " + PlainText.value(out));
         }
         return 0;
     }

@@ -14,18 +14,26 @@ final class Simulation {
     private final SceneRunner runner;
     private final int run;
     private final int threads;
+    private final boolean bars;
 
     /**
      * A simulation that has not begun.
      *
      * @param runner with the overrides and the seed of the run
      * @param run its index in a sweep
+     * @param bars whether progress is shown
      */
-    Simulation(Scene scene, SceneRunner runner, int run, int threads) {
+    Simulation(Scene scene, SceneRunner runner, int run, int threads, boolean bars) {
         this.scene = scene;
         this.runner = runner;
         this.run = run;
         this.threads = threads;
+        this.bars = bars;
+    }
+
+    /** Whether progress is shown. */
+    boolean hasBars() {
+        return bars;
     }
 
     /**
@@ -52,13 +60,11 @@ final class Simulation {
     RunHistory until(double until, BooleanSupplier cancelled) {
         RunHistory history = new RunHistory();
         try (Progress progress = new Progress("simulating " + scene.name(), run, until)) {
-            runner.only(run)
-                    .until(until)
-                    .threads(threads)
-                    .cancelWhen(cancelled)
-                    .listener(history)
-                    .listener(progress)
-                    .run();
+            runner.only(run).until(until).threads(threads).cancelWhen(cancelled).listener(history);
+            if (bars) {
+                runner.listener(progress);
+            }
+            runner.run();
         }
         return history;
     }

@@ -16,8 +16,6 @@ import me.tongfei.progressbar.ProgressBar;
  * @param err receives it
  */
 record TaskProgress(Amount amount, PrintWriter err) {
-    private static final String WARNING = "warning: ";
-
     /** How much is shown. */
     enum Amount {
         /** Warnings only. */
@@ -35,11 +33,7 @@ record TaskProgress(Amount amount, PrintWriter err) {
 
     /** Receives notes and warnings for the user, a line each. */
     Consumer<String> notes() {
-        return line -> {
-            if (!isQuiet() || line.startsWith(WARNING)) {
-                err.println(line);
-            }
-        };
+        return Notes.to(err, isQuiet());
     }
 
     /**

@@ -49,7 +49,7 @@ final class ViewCommand implements Callable<Integer> {
         seed.apply(runner);
         runner.settings();
         SceneWindow window =
-                new SceneWindow(threads.number(), spec.commandLine().getErr());
+                new SceneWindow(threads.number(), spec.commandLine().getErr(), Notes.of(spec));
         if (!window.canOpen()) {
             return Main.NO_DISPLAY;
         }

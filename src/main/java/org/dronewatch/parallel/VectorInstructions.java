@@ -5,7 +5,9 @@ package org.dronewatch.parallel;
  * {@code --add-modules jdk.incubator.vector}, and the processor needs vectors of 256 bits.
  */
 public final class VectorInstructions {
-    private static final boolean AVAILABLE = look();
+    private static final String MODULE = "jdk.incubator.vector";
+    private static final int NEEDED = 256;
+    private static final boolean AVAILABLE = isModuleThere() && VectorWidth.bits() >= NEEDED;
 
     private VectorInstructions() {}
 
@@ -14,7 +16,19 @@ public final class VectorInstructions {
         return AVAILABLE;
     }
 
-    private static boolean look() {
-        return ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent() && VectorWidth.bits() >= 256;
+    /** Whether they are used and, if so, how many numbers are computed at once; if not, why. */
+    public static String inWords() {
+        if (!isModuleThere()) {
+            return "not used; 'java --add-modules " + MODULE + "' switches them on";
+        }
+        int bits = VectorWidth.bits();
+        return AVAILABLE
+                ? NEEDED + " bits, " + NEEDED / Float.SIZE + " lanes of float or " + NEEDED / Double.SIZE
+                        + " of double; the processor has " + bits + " bits"
+                : "not used; they need " + NEEDED + " bits, and the processor has " + bits;
+    }
+
+    private static boolean isModuleThere() {
+        return ModuleLayer.boot().findModule(MODULE).isPresent();
     }
 }

@@ -13,15 +13,16 @@ import tools.jackson.databind.node.ObjectNode;
  * The contents of {@code result.json}: only what depends on the scene, its settings and the seed, so that equal inputs
  * give the same bytes for any number of threads.
  */
-final class ResultFile {
+public final class ResultFile {
     private final SceneResult result;
 
-    ResultFile(SceneResult result) {
+    /** Of a run that has ended. */
+    public ResultFile(SceneResult result) {
         this.result = result;
     }
 
     /** All keys. */
-    ObjectNode toJson() {
+    public ObjectNode toJson() {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("scene", result.scene());
         root.put("seed", result.seed());

@@ -21,7 +21,7 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code campaign.json}. */
-final class CampaignFile {
+public final class CampaignFile {
     /** The confidence of all intervals. */
     static final double CONFIDENCE = 0.95;
 
@@ -31,12 +31,14 @@ final class CampaignFile {
     private final CampaignPlan plan;
     private final CampaignResult result;
 
-    CampaignFile(CampaignPlan plan, CampaignResult result) {
+    /** Of all cases that were run. */
+    public CampaignFile(CampaignPlan plan, CampaignResult result) {
         this.plan = plan;
         this.result = result;
     }
 
-    ObjectNode toJson() {
+    /** All keys. */
+    public ObjectNode toJson() {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);
         root.put("scene", plan.settings().scene());

@@ -20,13 +20,14 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code coverage.json}: equal inputs give the same bytes for any number of threads. */
-final class FieldFile {
+public final class FieldFile {
     /** The version of the keys. */
     private static final int FORMAT = 1;
 
     private FieldFile() {}
 
-    static ObjectNode toJson(FieldSurvey survey, CoverageInputs inputs) {
+    /** All keys. */
+    public static ObjectNode toJson(FieldSurvey survey, CoverageInputs inputs) {
         FieldSummary summary = survey.summary();
         FieldGrid grid = survey.grid();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
@@ -184,8 +185,7 @@ final class FieldFile {
         }
     }
 
-    /** A cause as files name it: {@code hidden-by-terrain}. */
     private static String name(Cause cause) {
-        return cause.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        return PlanJson.name(cause);
     }
 }

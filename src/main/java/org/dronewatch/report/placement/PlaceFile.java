@@ -15,10 +15,11 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
-final class PlaceFile {
+public final class PlaceFile {
     private PlaceFile() {}
 
-    static ObjectNode toJson(PlaceResults results) {
+    /** All keys. */
+    public static ObjectNode toJson(PlaceResults results) {
         SitePlacement placement = results.best();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("objective", placement.plan().settings().objective().name().toLowerCase(Locale.ROOT));

@@ -13,10 +13,11 @@ import tools.jackson.databind.node.ObjectNode;
  * The contents of {@code place.json} for the objective {@code weakest-route}: equal inputs give the same bytes for any
  * number of threads.
  */
-final class RoutePlaceFile {
+public final class RoutePlaceFile {
     private RoutePlaceFile() {}
 
-    static ObjectNode toJson(RoutePlacement placement) {
+    /** All keys. */
+    public static ObjectNode toJson(RoutePlacement placement) {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("objective", "weakest-route");
         root.put("value", Numbers.rounded(placement.result().value()));

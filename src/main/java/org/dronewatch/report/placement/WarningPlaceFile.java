@@ -12,10 +12,11 @@ import tools.jackson.databind.node.ObjectNode;
  * The contents of {@code place.json} for the objective {@code warning-time}: equal inputs give the same bytes for any
  * number of threads.
  */
-final class WarningPlaceFile {
+public final class WarningPlaceFile {
     private WarningPlaceFile() {}
 
-    static ObjectNode toJson(WarningPlacement placement) {
+    /** All keys. */
+    public static ObjectNode toJson(WarningPlacement placement) {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("objective", "warning-time");
         root.put("warning", placement.measure().name().toLowerCase(Locale.ROOT));

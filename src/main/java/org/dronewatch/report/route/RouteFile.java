@@ -14,13 +14,14 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code route.json}: equal inputs give the same bytes for any number of threads. */
-final class RouteFile {
+public final class RouteFile {
     /** The version of the keys. */
     private static final int FORMAT = 1;
 
     private RouteFile() {}
 
-    static ObjectNode toJson(RouteResults results, RouteInputs inputs) {
+    /** All keys. */
+    public static ObjectNode toJson(RouteResults results, RouteInputs inputs) {
         RouteSurvey survey = results.survey();
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);

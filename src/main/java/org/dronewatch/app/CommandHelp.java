@@ -1,0 +1,54 @@
+package org.dronewatch.app;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
+
+/** What the help of each command says beside its options: the exit codes, and examples that can be typed as shown. */
+final class CommandHelp {
+    private static final String FAILED = "an internal error, or lack of memory";
+
+    /** What code 1 means where it may also be a result. */
+    private static final Map<String, String> VERDICTS = Map.of(
+            "again", "the results differ, or " + FAILED,
+            "campaign", "an expectation is not met, no case could be run, or " + FAILED,
+            "merge", "an expectation is not met, no case could be run, or " + FAILED,
+            "compare", "no case could be run, or " + FAILED);
+
+    private CommandHelp() {}
+
+    /** Completes the help of the program and of all its commands. */
+    static void complete(CommandLine program) {
+        complete(program.getCommandSpec());
+        program.getSubcommands().values().forEach(command -> complete(command.getCommandSpec()));
+    }
+
+    private static void complete(CommandSpec command) {
+        // Examples are not wrapped: in two lines a command could not be copied.
+        command.commandLine().getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_FOOTER, help -> Arrays.stream(
+                        command.usageMessage().footer())
+                .map(line -> line + System.lineSeparator())
+                .collect(Collectors.joining()));
+        listExitCodes(command);
+    }
+
+    private static void listExitCodes(CommandSpec command) {
+        boolean opensWindows =
+                command.parent() == null || command.name().equals("view") || command.findOption("--view") != null;
+        Map<String, String> codes = new LinkedHashMap<>();
+        codes.put("  0", "done");
+        codes.put("  " + Main.FAILED, VERDICTS.getOrDefault(command.name(), FAILED));
+        codes.put("  " + Main.BAD_INPUT, "wrong usage or bad input, which standard error names in one line");
+        // 'render --view' draws a picture without a window.
+        if (opensWindows && !command.name().equals("render")) {
+            codes.put("  " + Main.NO_DISPLAY, "there is no display for a window");
+        }
+        codes.put("130", "interrupted by Ctrl-C");
+        codes.put("143", "terminated by SIGTERM");
+        command.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(codes);
+    }
+}

@@ -1,0 +1,41 @@
+package org.dronewatch.app;
+
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.report.provenance.ProgramVersion;
+import picocli.AutoComplete;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** Prints what makes a shell complete the program's commands and options. */
+@Command(
+        name = "completion",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Prints a script that makes Bash and Zsh complete commands, options, their values and packaged scenes when"
+                    + " you press the tabulator key after 'dronewatch'.",
+            "To have it in every new shell, add a line to ~/.bashrc or ~/.zshrc: source <(dronewatch completion)"
+        },
+        footer = {"", "Example:", "  dronewatch completion > ~/.dronewatch-completion"})
+final class CompletionCommand implements Callable<Integer> {
+    /** The words from which the value of an option is chosen. */
+    private static final Pattern WORDS = Pattern.compile("_option_args=\\([^)]*\\)");
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        String script = AutoComplete.bash(ProgramVersion.PROGRAM, spec.root().commandLine());
+        // Words as the help writes them; lines end as a shell wants them, on every system.
+        String written = WORDS.matcher(script)
+                .replaceAll(words -> Matcher.quoteReplacement(words.group().toLowerCase(Locale.ROOT)))
+                .replace("\r\n", "\n");
+        spec.commandLine().getOut().print(written);
+        spec.commandLine().getOut().flush();
+        return 0;
+    }
+}

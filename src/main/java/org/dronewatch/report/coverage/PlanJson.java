@@ -1,0 +1,50 @@
+package org.dronewatch.report.coverage;
+
+import java.util.Locale;
+import java.util.Map;
+import org.dronewatch.analysis.Coverage;
+import org.dronewatch.analysis.CoverageGrid;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.sensor.Cause;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The tables of a plan at one height, for programs. */
+public final class PlanJson {
+    private PlanJson() {}
+
+    /**
+     * All keys: the area in which each sensor detects the drone, and the numbers of cells by cause.
+     *
+     * @param scene name of the scene
+     * @param drone name of the drone
+     */
+    public static ObjectNode of(Coverage coverage, String scene, String drone) {
+        CoverageGrid grid = coverage.grid();
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
+        root.put("scene", scene);
+        root.put("drone", drone);
+        root.put("height_m", Numbers.rounded(grid.height()));
+        root.put("side_m", Numbers.rounded(grid.side()));
+        root.put("cells_per_side", grid.cells());
+        root.put("cells_with_ground", coverage.groundCells());
+        Map<String, Map<Cause, Integer>> causes = coverage.causes();
+        ArrayNode sensors = root.putArray("sensors");
+        coverage.sensors().forEach((id, sensor) -> {
+            ObjectNode one = sensors.addObject();
+            one.put("sensor", id);
+            one.put("kind", sensor.kind());
+            one.put("area_m2", Numbers.rounded(coverage.area(id)));
+            ObjectNode cells = one.putObject("cells");
+            cells.put(name(Cause.DETECTED), coverage.reachedCells(id));
+            causes.get(id).forEach((cause, count) -> cells.put(name(cause), count));
+        });
+        return root;
+    }
+
+    /** A cause as files name it: {@code hidden-by-terrain}. */
+    static String name(Cause cause) {
+        return cause.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}
