@@ -19,8 +19,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * A reader who does what a tutorial says, step by step, sees what it shows. The files of a tutorial are named after it;
- * its first block of YAML is one of them, and a later block stands for the line with which it begins. A block of text is
- * what the command before it prints. Ten seconds' work: run only with {@code -Ddronewatch.docs=all}; {@code =write}
+ * its first block of YAML is one of them, and a later block stands for the line with which it begins. A block of text
+ * is what the command before it prints. Ten seconds' work: run only with {@code -Ddronewatch.docs=all}; {@code =write}
  * writes these blocks.
  */
 @EnabledIfSystemProperty(named = "dronewatch.docs", matches = "all|write")
