@@ -150,6 +150,8 @@ class PlaceCommandTest {
                 "objective: money                                 | 'objective: ''money'' is not one of [coverage, warning-time, weakest-route]'",
                 "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that complies'",
                 "air: {cell: 1 m}                                 | 'air.cell: 500 x 500 cells at 5 heights on 8 headings'",
+                "air: {covered: 0.999}                            | 'air.covered: 0.999: must be 0.008 to 0.996, or 1'",
+                "air: {side: 10 m, cell: 50 m}                    | 'air: a cell of 50.0 m is longer than the side of the area'",
                 "conditions: {fold: 0}                            | 'fold 0 must be 1 to 10'",
                 "objective: weakest-route                         | 'objective weakest-route: the scene protects no zone'",
                 "objective: warning-time                          | 'objective warning-time: the scene protects no zone'",

@@ -102,8 +102,8 @@ class ConditionCoverageTest {
             List<String> names = choice == FieldCoverage.Choice.BEST
                     ? List.copyOf(CHANGES.keySet())
                     : List.of("no radar", "no chance");
-            List<ConditionCoverage> found = survey(choice, names, new AtomicLong())
-                    .conditions();
+            List<ConditionCoverage> found =
+                    survey(choice, names, new AtomicLong()).conditions();
             assertThat(found).hasSize(names.size() + 1);
             FieldCoverage asItIs = alone(request(Map.of(), choice));
             int at = 1;
