@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import javax.imageio.ImageIO;
 import org.dronewatch.render.CameraView;
 import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
@@ -39,7 +40,7 @@ final class CameraRendering extends Rendering {
                 && !camera.as(PictureSettings.class).orElseThrow().seesColour()) {
             throw new InputException("--colour: '" + id + "' (" + camera.kind() + ") does not take pictures in colour");
         }
-        if (ending.equals("mp4")) {
+        if (FilmFormat.ofEnding(ending).isPresent()) {
             camera.as(PictureSettings.class)
                     .ifPresent(picture -> checkFilm("--camera " + id, picture.width(), picture.height()));
         }

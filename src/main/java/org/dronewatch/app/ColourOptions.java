@@ -36,7 +36,8 @@ final class ColourOptions {
             throw new InputException("--colour: only for --camera; pictures of the site are in colour anyway");
         }
         if (ending.equals("pfm")) {
-            throw new InputException("--colour: a .pfm file holds distances; name a .png or .mp4 file with --out");
+            throw new InputException(
+                    "--colour: a .pfm file holds distances; name a .png, .mp4 or .gif file with --out");
         }
         return OptionalInt.of(checked("--samples", samples));
     }

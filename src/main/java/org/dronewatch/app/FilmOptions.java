@@ -3,6 +3,7 @@ package org.dronewatch.app;
 import java.util.function.BooleanSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
@@ -37,7 +38,7 @@ final class FilmOptions {
                 ? "--from " + from
                 : to != null ? "--to " + to : fps != null ? "--fps " + fps : speed != null ? "--speed " + speed : null;
         if (given != null) {
-            throw new InputException(given + ": applies only to videos (--out FILE.mp4)");
+            throw new InputException(given + ": applies only to videos (--out FILE.mp4 or FILE.gif)");
         }
     }
 
@@ -62,11 +63,17 @@ final class FilmOptions {
      * @param isShown whether a bar shows its progress
      * @throws java.util.concurrent.CancellationException when it is interrupted
      */
+<<<<<<< HEAD
     static void write(FilmMaker maker, WholeFile target, BooleanSupplier cancelled, boolean isShown) {
         ProgressBar bar = isShown ? Progress.barOf("video", maker.film().frames()) : null;
+=======
+    static void write(FilmMaker maker, WholeFile target, FilmFormat format, BooleanSupplier cancelled) {
+        ProgressBar bar = Progress.barOf("video", maker.film().frames());
+>>>>>>> cd9f0a74 (Films can be GIFs, which pages of pictures show)
         try {
             target.writeFile(partial -> maker.write(
                     partial,
+                    format,
                     done -> {
                         if (bar != null) {
                             bar.stepTo(done);

@@ -2,9 +2,11 @@ package org.dronewatch.app;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.dronewatch.render.CameraView;
+import org.dronewatch.render.FilmFormat;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -26,7 +28,8 @@ import picocli.CommandLine.Spec;
         description = {
             "Draws a picture of a scene at a given time, without a window: that of one camera (PNG in shades of"
                     + " blue or in colour, or PFM with distances in metres), or the whole site in 3D with its"
-                    + " sensors, drones and sound rays (PNG); or makes a video of either (MP4).",
+                    + " sensors, drones and sound rays (PNG); or makes a video of either (MP4, or GIF for pages that show"
+                    + " pictures but no videos).",
             "For a video, and for a camera on a positioner, the run is simulated."
         },
         footer = {
@@ -79,7 +82,11 @@ final class RenderCommand implements Callable<Integer> {
             description = "Seed of all random numbers, on which the pointing of a positioner may depend.")
     private Long seed;
 
-    @Option(names = "--out", required = true, paramLabel = "FILE", description = "File to write: .png, .pfm or .mp4.")
+    @Option(
+            names = "--out",
+            required = true,
+            paramLabel = "FILE",
+            description = "File to write: .png, .pfm, .mp4 or .gif.")
     private String out;
 
     @Option(
@@ -114,8 +121,14 @@ final class RenderCommand implements Callable<Integer> {
                 ? new SiteRendering(scene.name(), settings, simulation, site, subject.view)
                 : new CameraRendering(settings, simulation, camera(settings), samples);
         rendering.check(ending());
-        String said = ending().equals("mp4")
-                ? rendering.film(films.film(settings.run().duration()), target, threads, main.interruption()::happened)
+        Optional<FilmFormat> format = FilmFormat.ofEnding(ending());
+        String said = format.isPresent()
+                ? rendering.film(
+                        films.film(settings.run().duration()),
+                        target,
+                        format.get(),
+                        threads,
+                        main.interruption()::happened)
                 : rendering.picture(seconds(settings), ending(), target, threads, spec);
         spec.commandLine().getOut().println(out + ": " + said);
         return 0;
@@ -139,10 +152,11 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private WholeFile target() {
-        if (!List.of("png", "pfm", "mp4").contains(ending())) {
-            throw new InputException("--out " + PlainText.value(out) + ": must end in .png, .pfm or .mp4");
+        boolean isFilm = FilmFormat.ofEnding(ending()).isPresent();
+        if (!isFilm && !List.of("png", "pfm").contains(ending())) {
+            throw new InputException("--out " + PlainText.value(out) + ": must end in .png, .pfm, .mp4 or .gif");
         }
-        if (!ending().equals("mp4")) {
+        if (!isFilm) {
             films.checkUnused();
         } else if (time != null) {
             throw new InputException("--time " + PlainText.value(time) + ": a video has --from and --to");

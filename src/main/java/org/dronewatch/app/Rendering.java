@@ -3,6 +3,7 @@ package org.dronewatch.app;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
@@ -36,10 +37,15 @@ abstract class Rendering {
      * @param cancelled queried repeatedly: once it is true, there is no film
      * @throws java.util.concurrent.CancellationException when it is given up
      */
-    final String film(Film film, WholeFile target, ThreadsOption threads, BooleanSupplier cancelled) {
+    final String film(
+            Film film, WholeFile target, FilmFormat format, ThreadsOption threads, BooleanSupplier cancelled) {
         RunHistory history = simulation.until(film.to(), cancelled);
         threads.call(() -> {
+<<<<<<< HEAD
             FilmOptions.write(maker(film, history), target, cancelled, simulation.hasBars());
+=======
+            FilmOptions.write(maker(film, history), target, format, cancelled);
+>>>>>>> cd9f0a74 (Films can be GIFs, which pages of pictures show)
             return null;
         });
         return String.format(

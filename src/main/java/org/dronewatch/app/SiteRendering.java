@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.function.DoubleFunction;
 import javax.imageio.ImageIO;
 import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
@@ -31,10 +32,10 @@ final class SiteRendering extends Rendering {
     @Override
     void check(String ending) {
         if (ending.equals("pfm")) {
-            throw new InputException("--out: a picture of the site must end in .png, a video in .mp4");
+            throw new InputException("--out: a picture of the site must end in .png, a video in .mp4 or .gif");
         }
         view.check(settings);
-        if (ending.equals("mp4")) {
+        if (FilmFormat.ofEnding(ending).isPresent()) {
             view.checkFilm();
         }
     }

@@ -11,7 +11,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.DoubleFunction;
 import java.util.function.IntConsumer;
 
-/** Makes videos of runs: MP4 files with H.264, playable in browsers and presentations. */
+/**
+ * Makes videos of runs: MP4 files with H.264, playable in browsers and presentations, or GIF files for pages that show
+ * pictures only.
+ */
 public final class FilmMaker {
     private final Film film;
     private final DoubleFunction<BufferedImage> pictures;
@@ -35,6 +38,7 @@ public final class FilmMaker {
      * Writes the film to a file. The same pictures give the same bytes.
      *
      * @param file an empty file
+     * @param format how the film is stored
      * @param progress receives the number of frames written
      * @param cancelled queried before each frame
      * @throws CancellationException once {@code cancelled} is true or the thread is interrupted; the file is then
@@ -42,9 +46,10 @@ public final class FilmMaker {
      * @throws IllegalArgumentException when a picture is too large for a film
      * @throws IOException if writing fails
      */
-    public void write(Path file, IntConsumer progress, BooleanSupplier cancelled) throws IOException {
+    public void write(Path file, FilmFormat format, IntConsumer progress, BooleanSupplier cancelled)
+            throws IOException {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
-            FilmEncoder encoder = new FilmEncoder(channel, film.fps());
+            FilmEncoder encoder = format.encoder(channel, film.fps());
             for (int frame = 0; frame < film.frames(); frame++) {
                 if (cancelled.getAsBoolean()) {
                     throw new CancellationException("the video was cancelled");

@@ -20,6 +20,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.CameraView;
 import org.dronewatch.render.Film;
+import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
@@ -178,7 +179,8 @@ final class FilmExport implements AutoCloseable {
     static void write(FilmMaker maker, String file, IntConsumer progress, BooleanSupplier cancelled) {
         try (Workers workers = new Workers(Runtime.getRuntime().availableProcessors())) {
             workers.call(() -> {
-                new WholeFile("video", file).writeFile(partial -> maker.write(partial, progress, cancelled));
+                new WholeFile("video", file)
+                        .writeFile(partial -> maker.write(partial, FilmFormat.MP4, progress, cancelled));
                 return null;
             });
         }

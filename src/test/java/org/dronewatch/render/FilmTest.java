@@ -38,7 +38,7 @@ class FilmTest {
 
     private Path written(String name, Film film) throws Exception {
         Path file = Files.createFile(directory.resolve(name));
-        new FilmMaker(film, FilmTest::picture).write(file, done -> {}, () -> false);
+        new FilmMaker(film, FilmTest::picture).write(file, FilmFormat.MP4, done -> {}, () -> false);
         return file;
     }
 
@@ -121,7 +121,7 @@ class FilmTest {
         int[] done = {0};
 
         assertThatExceptionOfType(CancellationException.class)
-                .isThrownBy(() -> maker.write(file, count -> done[0] = count, () -> done[0] == 3));
+                .isThrownBy(() -> maker.write(file, FilmFormat.MP4, count -> done[0] = count, () -> done[0] == 3));
         assertThat(asked).hasSize(3);
     }
 
@@ -131,8 +131,8 @@ class FilmTest {
         FilmMaker maker = new FilmMaker(new Film(0.0, 5.0, 10, 1.0), FilmTest::picture);
 
         assertThatExceptionOfType(CancellationException.class)
-                .isThrownBy(
-                        () -> maker.write(file, count -> Thread.currentThread().interrupt(), () -> false));
+                .isThrownBy(() -> maker.write(
+                        file, FilmFormat.MP4, count -> Thread.currentThread().interrupt(), () -> false));
         assertThat(Thread.interrupted()).isTrue();
     }
 }

@@ -1,0 +1,40 @@
+package org.dronewatch.render;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.util.Arrays;
+import java.util.Optional;
+
+/** How a film is stored. */
+public enum FilmFormat {
+    /** H.264, for browsers and presentations. */
+    MP4("mp4") {
+        @Override
+        FilmEncoder encoder(FileChannel file, int fps) throws IOException {
+            return new Mp4Encoder(file, fps);
+        }
+    },
+    /** An endless animation of up to 256 colours per frame, for pages that show pictures but no videos. */
+    GIF("gif") {
+        @Override
+        FilmEncoder encoder(FileChannel file, int fps) throws IOException {
+            return new GifEncoder(file, fps);
+        }
+    };
+
+    private final String ending;
+
+    FilmFormat(String ending) {
+        this.ending = ending;
+    }
+
+    /** The format of files whose names have this ending, in lower case and without a dot; empty if they are no films. */
+    public static Optional<FilmFormat> ofEnding(String ending) {
+        return Arrays.stream(values())
+                .filter(format -> format.ending.equals(ending))
+                .findFirst();
+    }
+
+    /** Begins a film in an empty file that is open for writing and reading. */
+    abstract FilmEncoder encoder(FileChannel file, int fps) throws IOException;
+}
