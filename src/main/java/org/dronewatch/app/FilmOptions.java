@@ -63,13 +63,9 @@ final class FilmOptions {
      * @param isShown whether a bar shows its progress
      * @throws java.util.concurrent.CancellationException when it is interrupted
      */
-<<<<<<< HEAD
-    static void write(FilmMaker maker, WholeFile target, BooleanSupplier cancelled, boolean isShown) {
+    static void write(
+            FilmMaker maker, WholeFile target, FilmFormat format, BooleanSupplier cancelled, boolean isShown) {
         ProgressBar bar = isShown ? Progress.barOf("video", maker.film().frames()) : null;
-=======
-    static void write(FilmMaker maker, WholeFile target, FilmFormat format, BooleanSupplier cancelled) {
-        ProgressBar bar = Progress.barOf("video", maker.film().frames());
->>>>>>> cd9f0a74 (Films can be GIFs, which pages of pictures show)
         try {
             target.writeFile(partial -> maker.write(
                     partial,

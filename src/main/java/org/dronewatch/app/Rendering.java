@@ -41,11 +41,7 @@ abstract class Rendering {
             Film film, WholeFile target, FilmFormat format, ThreadsOption threads, BooleanSupplier cancelled) {
         RunHistory history = simulation.until(film.to(), cancelled);
         threads.call(() -> {
-<<<<<<< HEAD
-            FilmOptions.write(maker(film, history), target, cancelled, simulation.hasBars());
-=======
-            FilmOptions.write(maker(film, history), target, format, cancelled);
->>>>>>> cd9f0a74 (Films can be GIFs, which pages of pictures show)
+            FilmOptions.write(maker(film, history), target, format, cancelled, simulation.hasBars());
             return null;
         });
         return String.format(

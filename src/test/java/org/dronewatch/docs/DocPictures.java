@@ -114,6 +114,12 @@ final class DocPictures {
                             HEIGHT),
                     true));
 
+    /** The film of the readme, and the command that makes it. */
+    static final String FILM = "monaco.gif";
+
+    private static final String FILMED =
+            "render scenes/monaco.yaml --view orbit --bearing 150deg --size 800x450 --scale 0.8 --speed 12 --fps 8 --out OUT";
+
     /** Those that show how fast the machine was: {@code costs} writes them, as {@code build.png} and so on. */
     static final List<String> MEASURED = List.of(
             "costs-build",
@@ -226,6 +232,13 @@ final class DocPictures {
         for (String name : MEASURED) {
             Files.write(file(name), Files.readAllBytes(directory.resolve(name.substring("costs-".length()) + ".png")));
         }
+    }
+
+    /** Makes the film anew. */
+    static Path film(Path directory) {
+        Path written = directory.resolve(FILM);
+        run(FILMED, written);
+        return written;
     }
 
     static BufferedImage read(Path file) throws IOException {

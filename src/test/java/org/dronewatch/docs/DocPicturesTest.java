@@ -16,6 +16,7 @@ import javax.imageio.ImageIO;
 import org.dronewatch.docs.DocPictures.DocPicture;
 import org.dronewatch.docs.SitePages.Link;
 import org.dronewatch.docs.SitePages.Text;
+import org.dronewatch.render.GifFrames;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
@@ -49,6 +50,25 @@ class DocPicturesTest {
         assertThat(Likeness.here().difference(DocPictures.read(picture.file()), today))
                 .as("%s against %s; write it again with -Ddronewatch.docs=write", picture.file(), kept)
                 .isEmpty();
+    }
+
+    /** Three of its frames: each has all changes before it painted over the first. */
+    @Test
+    @EnabledIfSystemProperty(named = "dronewatch.docs", matches = "all|write")
+    void theFilmIsAsTheProgramMakesIt() throws IOException {
+        Path today = DocPictures.film(directory);
+        Path kept = DocPictures.DIRECTORY.resolve(DocPictures.FILM);
+        if ("write".equals(System.getProperty("dronewatch.docs"))) {
+            Files.copy(today, kept, StandardCopyOption.REPLACE_EXISTING);
+        }
+        List<BufferedImage> shown = GifFrames.of(kept);
+        List<BufferedImage> made = GifFrames.of(today);
+        assertThat(shown).hasSameSizeAs(made).hasSizeGreaterThan(50);
+        for (int frame : new int[] {0, made.size() / 2, made.size() - 1}) {
+            assertThat(Likeness.here().difference(shown.get(frame), made.get(frame)))
+                    .as("frame %d", frame)
+                    .isEmpty();
+        }
     }
 
     @Test

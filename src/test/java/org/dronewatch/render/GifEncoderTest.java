@@ -17,7 +17,6 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.w3c.dom.NodeList;
 
 /** Films as GIF: read back by the platform's own reader and painted over one another, as browsers do. */
 class GifEncoderTest {
@@ -47,31 +46,24 @@ class GifEncoderTest {
         return file;
     }
 
-    /** A film's frames as they are seen, and how long each is shown, in hundredths of a second. */
-    private record Seen(List<BufferedImage> frames, List<Integer> delays, int loops) {
-        static Seen of(Path file) throws IOException {
+    /** How long each frame is shown, in hundredths of a second, and how many frames ask for a repetition. */
+    private record Timing(List<Integer> delays, int loops) {
+        static Timing of(Path file) throws IOException {
             ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
             try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
                 reader.setInput(in);
-                BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-                List<BufferedImage> frames = new ArrayList<>();
                 List<Integer> delays = new ArrayList<>();
                 int loops = 0;
                 for (int i = 0; i < reader.getNumImages(true); i++) {
-                    canvas.createGraphics().drawImage(reader.read(i), 0, 0, null);
-                    BufferedImage frame = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-                    frame.setData(canvas.getData());
-                    frames.add(frame);
                     IIOMetadataNode root =
                             (IIOMetadataNode) reader.getImageMetadata(i).getAsTree("javax_imageio_gif_image_1.0");
                     IIOMetadataNode control = (IIOMetadataNode)
                             root.getElementsByTagName("GraphicControlExtension").item(0);
                     assertThat(control.getAttribute("disposalMethod")).isEqualTo("doNotDispose");
                     delays.add(Integer.valueOf(control.getAttribute("delayTime")));
-                    NodeList extensions = root.getElementsByTagName("ApplicationExtension");
-                    loops += extensions.getLength();
+                    loops += root.getElementsByTagName("ApplicationExtension").getLength();
                 }
-                return new Seen(frames, delays, loops);
+                return new Timing(delays, loops);
             } finally {
                 reader.dispose();
             }
@@ -81,10 +73,11 @@ class GifEncoderTest {
     @Test
     void aFilmPlaysBackFrameByFrame() throws IOException {
         Film film = new Film(0.0, 6.0, 10, 1.0);
-        Seen seen = Seen.of(written("square.gif", film));
-        assertThat(seen.frames()).hasSize(61);
-        for (int i = 0; i < seen.frames().size(); i++) {
-            BufferedImage shown = seen.frames().get(i);
+        Path file = written("square.gif", film);
+        List<BufferedImage> frames = GifFrames.of(file);
+        assertThat(frames).hasSize(61);
+        for (int i = 0; i < frames.size(); i++) {
+            BufferedImage shown = frames.get(i);
             BufferedImage drawn = picture(film.time(i));
             int worst = IntStream.range(0, WIDTH * HEIGHT)
                     .map(pixel -> distance(
@@ -93,7 +86,7 @@ class GifEncoderTest {
                     .orElseThrow();
             assertThat(worst).as("frame %d", i).isLessThan(8);
         }
-        assertThat(seen.loops()).as("repeats").isEqualTo(1);
+        assertThat(Timing.of(file).loops()).as("repeats").isEqualTo(1);
     }
 
     private static int distance(int one, int other) {
@@ -106,9 +99,10 @@ class GifEncoderTest {
     /** 60 frames a second are not a whole number of hundredths each. */
     @Test
     void itLastsAsLongAsTheFilm() throws IOException {
-        Seen seen = Seen.of(written("fast.gif", new Film(0.0, 1.0, 60, 1.0)));
-        assertThat(seen.delays()).hasSize(61);
-        assertThat(seen.delays().stream().mapToInt(Integer::intValue).sum()).isEqualTo(102);
+        List<Integer> delays =
+                Timing.of(written("fast.gif", new Film(0.0, 1.0, 60, 1.0))).delays();
+        assertThat(delays).hasSize(61);
+        assertThat(delays.stream().mapToInt(Integer::intValue).sum()).isEqualTo(102);
     }
 
     @Test
@@ -118,7 +112,7 @@ class GifEncoderTest {
         new FilmMaker(new Film(0.0, 10.0, 10, 1.0), time -> picture(0.0))
                 .write(still, FilmFormat.GIF, done -> {}, () -> false);
         assertThat(Files.size(still)).isLessThan(Files.size(one) + 100 * 1000);
-        assertThat(Seen.of(still).frames()).hasSize(101);
+        assertThat(GifFrames.of(still)).hasSize(101);
     }
 
     @Test
