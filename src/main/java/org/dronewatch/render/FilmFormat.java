@@ -28,7 +28,7 @@ public enum FilmFormat {
         this.ending = ending;
     }
 
-    /** The format of files whose names have this ending, in lower case and without a dot; empty if they are no films. */
+    /** The format of files with this ending, in lower case and without a dot; empty if they are no films. */
     public static Optional<FilmFormat> ofEnding(String ending) {
         return Arrays.stream(values())
                 .filter(format -> format.ending.equals(ending))
