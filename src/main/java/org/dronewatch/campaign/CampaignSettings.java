@@ -18,10 +18,10 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * A campaign: many cases of a scene, whose settings are drawn at random, each run with every variant.
  *
- * @param scene a packaged scene by name, or a scene file beside this file or below it
+ * @param scene a packaged scene by name, or a scene file in the directory of this file or below it
  * @param vary how settings vary from case to case, by their paths, such as {@code drones.intruder.speed}
- * @param table a CSV file beside this file or below it, whose columns are paths of settings and whose rows are the
- *     cases
+ * @param table a CSV file in the directory of this file or below it, whose columns are paths of settings and whose rows
+ *     are the cases
  * @param variants what differs between the variants, by their names: settings by their paths with values, as for
  *     {@code --set}, and {@code scene} for another scene; without any there is one variant, the scene as it is
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
@@ -99,7 +99,10 @@ public record CampaignSettings(
                 1L);
     }
 
-    /** A copy of another scene, which ends after a fixed number of cases and has no sensitivities. */
+    /**
+     * A copy for another scene, without variants and expectations, which ends after a fixed number of cases and
+     * estimates no sensitivities.
+     */
     public CampaignSettings withScene(String other) {
         return new CampaignSettings(
                 other, vary, table, Map.of(), runs, Optional.empty(), Optional.empty(), List.of(), seed);

@@ -68,7 +68,7 @@ final class FactorTable {
         Path file = directory.resolve(given).normalize();
         if (!file.startsWith(directory.normalize())) {
             throw new InputException(
-                    "table " + PlainText.value(given) + ": must lie beside the campaign file or below it");
+                    "table " + PlainText.value(given) + ": must lie in the directory of the campaign file or below it");
         }
         String text = new String(BoundedFile.read(file, LARGEST), StandardCharsets.UTF_8);
         LinkOut.refuse(directory, file, "table");

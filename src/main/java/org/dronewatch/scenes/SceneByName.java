@@ -13,8 +13,8 @@ public final class SceneByName {
     private SceneByName() {}
 
     /**
-     * A packaged scene, or a scene file beside the naming file or below it: not a class, since no code is loaded from
-     * data.
+     * A packaged scene, or a scene file in the directory of the naming file or below it: not a class, since no code is
+     * loaded from data.
      *
      * @param directory of the naming file
      * @param file what that is, for messages, such as {@code campaign file}
@@ -24,8 +24,8 @@ public final class SceneByName {
         if (SceneFile.isFileName(name)) {
             Path path = directory.resolve(name).normalize();
             if (!path.startsWith(directory.normalize())) {
-                throw new InputException("scene '" + PlainText.value(name) + "': a scene file must lie beside the "
-                        + file + " or below it");
+                throw new InputException("scene '" + PlainText.value(name) + "': a scene file must lie in the "
+                        + "directory of the " + file + " or below it");
             }
             LinkOut.refuse(directory, path, "scene");
             return new SceneFile(path);

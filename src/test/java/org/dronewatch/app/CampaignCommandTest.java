@@ -332,7 +332,7 @@ class CampaignCommandTest {
         Files.writeString(file, "runs: 2\nscene: ../site.yaml\n");
         refused(Program.run(command), "wrong.campaign.yaml:2:8: scene '../site.yaml': a scene file must lie");
         Files.writeString(file, "scene: site.yaml\nvary: ../t.csv\n");
-        refused(Program.run(command), "wrong.campaign.yaml:2:7: table ../t.csv: must lie beside");
+        refused(Program.run(command), "wrong.campaign.yaml:2:7: table ../t.csv: must lie in the directory");
     }
 
     /** The results are kept, but nobody takes them for a success. */

@@ -365,7 +365,9 @@ class CampaignRunTest {
                 "vary: {drones.intruder.speed: {values: [5]}}\nvariants: {a: {drones.intruder.speed: 5}}",
                 "'drones.intruder.speed' would override 'drones.intruder.speed', which varies from case to case");
         refused("vary: {}\nvariants: {a: {sensors.radar: nothing}}", "nothing");
-        refused("vary: {}\nvariants: {a: {scene: ../else.yaml}}", "must lie beside the campaign file or below it");
+        refused(
+                "vary: {}\nvariants: {a: {scene: ../else.yaml}}",
+                "must lie in the directory of the campaign file or below it");
         refused("vary: {}\nvariants: {a: {scene: org.dronewatch.scenes.MultiSensor}}", "neither packaged");
         refused("vary: {}\nvariants: {'../a': {}}", "a name must have 1 to 64 letters");
     }

@@ -94,7 +94,7 @@ class FactorTableTest {
 
     @Test
     void aTableIsReadFromTheDirectoryOfTheCampaignOnly() throws IOException {
-        refused("table: ../factors.csv", "must lie beside the campaign file or below it");
+        refused("table: ../factors.csv", "must lie in the directory of the campaign file or below it");
         refused("table: nowhere.csv", "no such file");
         refused("table: factors.csv\nvary: {drones.intruder.speed: {values: [1]}}", "is also a column of factors.csv");
         refused(

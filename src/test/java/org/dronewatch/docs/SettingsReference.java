@@ -213,7 +213,7 @@ final class SettingsReference {
             if (isOneOfSeveral(settings)) {
                 return "`" + Choices.nameOf(value.getClass()) + "`";
             }
-            return SettingsForm.of(value.getClass()).isNumbers() ? numbers(settings) : "see there";
+            return SettingsForm.of(value.getClass()).isNumbers() ? numbers(settings) : "see its table";
         }
         if (value instanceof Optional<?> optional) {
             return optional.isEmpty() ? "none" : standard(optional.get());

@@ -15,7 +15,7 @@ import org.dronewatch.setting.SettingsForm;
  * A placement: a search for the sensors, and for their places among several, that cover the most airspace within a
  * budget.
  *
- * @param scene a packaged scene by name, or a scene file beside this file or below it
+ * @param scene a packaged scene by name, or a scene file in the directory of this file or below it
  * @param drone of the scene, which is to be detected; the first by default
  * @param objective the quantity that is maximised: {@code coverage}; {@code warning-time}, the time from the first
  *     detection until the drone reaches the protected zone; or {@code weakest-route}, the exposure on the least exposed

@@ -28,7 +28,7 @@ public final class LinkOut {
         try {
             if (!file.toRealPath().startsWith(directory.toRealPath())) {
                 throw new InputException(what + " " + PlainText.value(file) + " is a link that leads out of "
-                        + PlainText.value(directory) + ": keep such files beside or below the scene file");
+                        + PlainText.value(directory) + ": keep the file itself in it or below it");
             }
         } catch (IOException e) {
             throw new InputException(

@@ -80,8 +80,8 @@ public final class SettingsFile {
      * @param from directory of relative file names in the settings
      * @param file that is to hold the text; file names in it are relative to its directory
      * @return the text, which has been read back and is equal to the settings
-     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
-     *     below it
+     * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
+     *     new one or below it
      */
     public static <T extends Record> String text(T settings, Kinds kinds, Path from, Path file) {
         Path directory = file.toAbsolutePath().resolveSibling("");
@@ -108,8 +108,8 @@ public final class SettingsFile {
      * @param kinds among which to choose
      * @param from directory of relative file names in the settings
      * @param file that is to hold the part; file names in it are relative to its directory
-     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
-     *     below it
+     * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
+     *     new one or below it
      */
     public static Node.Mapping part(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
         Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);
@@ -123,8 +123,8 @@ public final class SettingsFile {
      * @param kinds among which to choose
      * @param from directory of relative file names in the settings
      * @param file that is to hold the part; file names in it are relative to its directory
-     * @throws InputException when a setting cannot be written, or a file that it names is not beside the new one or
-     *     below it
+     * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
+     *     new one or below it
      */
     public static Node.Mapping wholePart(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
         Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);

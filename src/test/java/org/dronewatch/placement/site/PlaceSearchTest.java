@@ -130,7 +130,7 @@ class PlaceSearchTest {
         return best;
     }
 
-    /** What a step adds and removes turns the layout before into this one; the part that gains is counted anew. */
+    /** What a step adds and removes turns the previous layout into this one; the part that gains is counted anew. */
     private static void assertGain(FrontPoint point, List<SiteCandidate> before, CoveredCells cells) {
         List<String> names =
                 new ArrayList<>(before.stream().map(SiteCandidate::name).toList());

@@ -42,7 +42,7 @@ class LinkBudgetTest {
     /**
      * What 6 dB consist of, each part computed from its definition: the energy of all looks at a target that a Gaussian
      * beam passes, over that of as many at its peak within its half-power width, one way (Barton's beam-shape loss, in
-     * two directions); the noise bandwidth of Hamming's weights (Harris 1978: 1.36 bins), in range and in speed; and
+     * two directions); the noise bandwidth of Hamming weighting (Harris 1978: 1.36 bins), in range and in speed; and
      * the loss of a threshold from 32 cells, whose probabilities have closed forms for Swerling's first case (Finn and
      * Johnson 1968).
      */
