@@ -19,7 +19,7 @@ import org.dronewatch.scene.SceneRunner;
 
 /** Flies the routes that were found: every look along them is assessed and, if asked for, many seeds are run. */
 final class RouteFlights {
-    /** The most runs of each route with cues: all of these are whole runs, which take long. */
+    /** The greatest number of runs of each route with cues: all of these are whole runs, which take long. */
     private static final int MOST_CUED = 100;
 
     private final SceneRunner runner;

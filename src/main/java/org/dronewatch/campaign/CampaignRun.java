@@ -14,7 +14,7 @@ import org.dronewatch.parallel.Workers;
  * there are, they are considered in the order of the cases; some cases of the last chunk may then be superfluous.
  */
 public final class CampaignRun {
-    /** Cases of a chunk: some seconds of work, and few files. */
+    /** Number of cases in a chunk: some seconds of work, and few files. */
     public static final int CHUNK = 50;
 
     private final CampaignPlan plan;

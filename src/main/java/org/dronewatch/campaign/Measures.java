@@ -9,7 +9,7 @@ import java.util.function.DoubleConsumer;
  * grow with the number of cases: beyond some thousands, values go to a temporary file.
  */
 public final class Measures {
-    /** The most values in memory. */
+    /** The greatest number of values in memory. */
     static final int MOST_IN_MEMORY = 1 << 13;
 
     private static final int DIGIT_BITS = 16;

@@ -26,9 +26,9 @@ public record SensitivitySettings(
     public enum Method {
         /** Not at all. */
         NONE,
-        /** By elementary effects, with one case more than there are factors in each group. */
+        /** By elementary effects, each group having one case more than there are factors. */
         MORRIS,
-        /** By shares of the variance, with two cases more than there are factors in each group. */
+        /** By shares of the variance, each group having two cases more than there are factors. */
         SOBOL
     }
 

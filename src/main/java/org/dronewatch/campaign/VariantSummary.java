@@ -14,7 +14,7 @@ import org.dronewatch.statistics.Proportion;
 
 /** The results of all cases of one variant. Results are added one by one; for one thread. */
 public final class VariantSummary {
-    /** The sectors of the bearings, the first centred on north. */
+    /** The number of sectors into which bearings are divided, the first centred on north. */
     public static final int SECTORS = 8;
 
     private static final double TURN = 2.0 * Math.PI;

@@ -53,7 +53,7 @@ public final class FlightsFile {
     /** The largest file that is read, bytes. */
     static final int LARGEST = 64 << 20;
 
-    /** The most rows that are read. */
+    /** The greatest number of rows that are read. */
     static final int MOST_ROWS = 1_000_000;
 
     /** The highest number of a run. */

@@ -18,7 +18,10 @@ public final class Legs {
     /** Ten samples a second: with an acceleration of 2.5 m/s2 a flight is written to 3 mm. */
     private static final double STEP = 0.1;
 
-    /** The most samples of all drones in one run; longer steps keep a long run with many drones to some 15 MB. */
+    /**
+     * The greatest number of samples of all drones in one run; longer steps keep a long run with many drones to some 15
+     * MB.
+     */
     private static final int MOST_SAMPLES = 100_000;
 
     private Legs() {}

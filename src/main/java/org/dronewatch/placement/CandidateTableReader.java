@@ -11,11 +11,10 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads a table of candidates from two CSV files. The first has the columns {@code name} and, unless they do not
- * matter, {@code cost} (1), {@code kind}, {@code exclusive} and {@code fixed} ({@code true} or {@code false}). The
- * second has the columns {@code row}, {@code candidate}, {@code value} and, if rows differ in it, {@code weight}
- * (1), with a line for each value that is not 0. A line without a candidate gives the impact where no candidate
- * detects anything.
+ * Reads a table of candidates from two CSV files. The first has the column {@code name} and, optionally, {@code cost}
+ * (1 by default), {@code kind}, {@code exclusive} and {@code fixed} ({@code true} or {@code false}). The second has the
+ * columns {@code row}, {@code candidate}, {@code value} and, optionally, {@code weight} (1 by default), with a line for
+ * each value that is not 0. A line without a candidate gives the impact where no candidate detects anything.
  */
 public final class CandidateTableReader {
     private static final String NAME = "name";

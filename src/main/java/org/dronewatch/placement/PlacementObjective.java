@@ -20,7 +20,7 @@ public enum PlacementObjective {
      * detects, the impact is that of the row.
      */
     MEAN_IMPACT(false),
-    /** The least of the greatest impacts of all rows, whatever their weights: the p-centre. */
+    /** The least possible value of the greatest impact in any row, whatever the weights: the p-centre. */
     WORST_IMPACT(false),
     /** The greatest sum of values in the row where this sum is least, whatever the weights. */
     WEAKEST_ROW(true);

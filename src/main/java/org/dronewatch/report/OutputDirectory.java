@@ -129,9 +129,9 @@ public final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * The files of certain names that former results left in the target.
+     * The files with certain names that earlier results left in the target.
      *
-     * @param sign a file that shows that they are there; without it, no file is taken for a former result
+     * @param sign a file that shows that they are there; without it, no file is taken for an earlier result
      * @param names of the files
      */
     public List<String> former(String sign, Pattern names) throws IOException {
@@ -149,8 +149,8 @@ public final class OutputDirectory implements AutoCloseable {
     /**
      * Moves all written files into place; if one cannot be moved, none is.
      *
-     * @param obsolete files of an earlier run that must not stay if they were not written anew, nor the folders that
-     *     held nothing else
+     * @param obsolete files of an earlier run, which are removed unless they were written anew, together with folders
+     *     that held nothing else
      */
     public void publish(List<String> obsolete) throws IOException {
         Moves moves = new Moves();

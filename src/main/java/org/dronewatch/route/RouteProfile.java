@@ -10,8 +10,8 @@ import org.dronewatch.route.search.RoutePath;
 import org.dronewatch.route.search.RouteProblem;
 
 /**
- * A route as it is flown, from its start to its end: when the drone is where, at which height above the ground, and how
- * exposed it has been so far, whether a detection there is in time or not.
+ * A route as it is flown, from its start to its end: where the drone is at each time, at what height above the ground,
+ * and how exposed it has been so far, whether a detection there is in time or not.
  *
  * @param points in the order of time, at least one; straight between two of them
  */

@@ -19,7 +19,7 @@ import org.dronewatch.sensor.Cause;
  * @param route with the bracket of the exposure that counts
  * @param searched profile of the whole route, with the exposure in the cells of the search
  * @param bySensor the same exposure along the whole route to each sensor, in the order of the scene
- * @param causes for how long each cause is the dominant one along the route, by the search, s
+ * @param causes for how long each cause is the dominant one along the route, according to the search, s
  * @param flown the exposure to all looks along the route; empty if they have not been assessed
  */
 public record SectorRoute(
@@ -64,8 +64,8 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the probability of the search and that of the flight differ by more than 20 percentage points: of a
-     * detection, or of one that is early enough for a response.
+     * Whether the search and the flight disagree by more than 20 percentage points on the probability of a detection,
+     * or of one that is early enough for a response.
      *
      * @param response time that the response takes, s; 0 if none is required
      */

@@ -32,7 +32,7 @@ import org.dronewatch.sensor.Cause;
  * One thread at a time.
  */
 public final class SiteRoutes {
-    /** The sectors from which routes come: the first centred on north, then clockwise. */
+    /** The number of sectors from which routes come: the first is centred on north, the others follow clockwise. */
     public static final int SECTORS = 8;
 
     private final List<String> sensors;

@@ -204,7 +204,7 @@ public final class SceneRunner {
      * The text of a scene file with these settings, which gives the same results.
      *
      * @param settings those of the scene, or of one of its runs
-     * @param file that is to hold the text; models must be beside it or below it
+     * @param file that is to hold the text; models must be in its directory or below it
      * @throws InputException when a setting cannot be written
      */
     public String text(SceneSettings settings, Path file) {

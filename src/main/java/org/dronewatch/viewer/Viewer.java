@@ -136,7 +136,10 @@ public final class Viewer implements AutoCloseable {
                         LayerStore.of(settings, subject.runner().inputs().models(), LayerStore.standard(this::note)));
     }
 
-    /** Shows the coverage of the scene, computed with the defaults of {@code coverage} as soon as the site is there. */
+    /**
+     * Shows the coverage of the scene, computed with the defaults of {@code coverage} as soon as the site has been
+     * loaded.
+     */
     public void showCoverage() {
         SwingUtilities.invokeLater(() -> pane.showCoverage());
     }
@@ -172,8 +175,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Waits until the user opens another scene or closes the window. Another scene then replaces the previous one,
-     * whose threads have ended; the caller must run it.
+     * Waits until the user opens another scene or closes the window. The new scene then replaces the previous one,
+     * whose threads have ended; the caller must run the new one.
      *
      * @return the other scene; empty when the window is closed
      */

@@ -16,7 +16,7 @@ public record SurfaceColumn(List<Surface> surfaces) {
     /** Nearer surfaces are one, m. */
     private static final double APART = 1e-3;
 
-    /** The most surfaces that are looked for. */
+    /** The greatest number of surfaces that are looked for. */
     private static final int MOST = 1000;
 
     /**

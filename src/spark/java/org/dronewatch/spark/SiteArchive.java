@@ -17,14 +17,14 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * The files beside a campaign file and below it, as one archive, in which they reach the executors. Hidden files, the
- * results of campaigns, and links that lead elsewhere are left out.
+ * The files in the directory of a campaign file and below it, as one archive, in which they reach the executors. Hidden
+ * files, the results of campaigns, and links that lead elsewhere are left out.
  */
 final class SiteArchive {
-    /** The most files. */
+    /** The greatest number of files. */
     static final int MOST_FILES = 10_000;
 
-    /** The most bytes of all files together. */
+    /** The greatest size of all files together, bytes. */
     static final long MOST_BYTES = 1L << 30;
 
     private static final int BUFFER_BYTES = 1 << 16;

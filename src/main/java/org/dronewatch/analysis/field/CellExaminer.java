@@ -16,7 +16,7 @@ public final class CellExaminer {
     /**
      * How the sensors assess a drone in a cell, on the course that counts there.
      *
-     * @param sensors by each sensor, in the order of the field
+     * @param sensors the assessment by each sensor, in the order of the field
      * @param deciding number of the sensor whose cause is the dominant one, as {@link FieldCoverage#deciding} says, by
      *     exact margins
      */

@@ -111,8 +111,9 @@ public final class DetectableHeights {
     }
 
     /**
-     * The largest interval between two covered heights of the grid between which it has only uncovered heights, at
-     * least one, m; 0 where a column is covered from its least height up, or only below some height.
+     * The largest gap in a column, m: the interval between two covered heights of the grid between which the column has
+     * only uncovered heights, at least one; 0 where the column is covered from its least height up, or only below some
+     * height.
      */
     public double coveredAgainGap(int column, int row) {
         return gaps[grid.cell(column, row)];

@@ -25,7 +25,7 @@ import org.dronewatch.world.World;
  * are held out to measure the error. All of them follow from the names and the seed alone.
  */
 final class ExcessSurvey {
-    /** The most positions in the open and in enclosed spaces, where tracing takes longer. */
+    /** The greatest number of positions in the open and in enclosed spaces, where tracing takes longer. */
     static final int MOST = 5000;
 
     static final int MOST_INDOORS = 500;

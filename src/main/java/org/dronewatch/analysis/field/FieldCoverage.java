@@ -31,11 +31,11 @@ public final class FieldCoverage {
 
     /**
      * The least probability that can be asked for: probabilities are kept in steps of 1/250, and below one and a half
-     * steps nothing but 0 can be told apart.
+     * steps they cannot be told apart from 0.
      */
     public static final double LEAST_COVERED = 0.008;
 
-    /** The greatest one but 1: nothing above it but 1 can be told apart. */
+    /** The greatest that can be asked for, apart from 1: probabilities above it cannot be told apart from 1. */
     public static final double MOST_COVERED = 0.996;
 
     private static final Cause[] CAUSES = Cause.values();

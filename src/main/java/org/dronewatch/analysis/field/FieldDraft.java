@@ -120,7 +120,7 @@ public final class FieldDraft {
         return drafts.values().stream().mapToInt(DraftLayer::next).sum();
     }
 
-    /** Whether all cells beside the border of what is covered have been assessed. */
+    /** Whether all cells along the border of what is covered have been assessed. */
     public boolean isFine() {
         return step() == 1;
     }

@@ -88,7 +88,7 @@ public record FieldGrid(
     /**
      * A grid about a middle, all of whose cells count; limits as above.
      *
-     * @throws IllegalArgumentException if a cell is longer than the side, too
+     * @throws IllegalArgumentException also if a cell is longer than the side
      */
     public static FieldGrid square(double east, double north, double side, double cell, List<Double> heights) {
         FieldGrid grid = new FieldGrid(east, north, side, cell, heights);

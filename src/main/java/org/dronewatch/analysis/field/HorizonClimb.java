@@ -16,7 +16,7 @@ final class HorizonClimb {
     /** By how much a line of sight passes above the edge that it clears, at the vertical line, m. */
     private static final double CLEARANCE = 1e-4;
 
-    /** The most triangles that are cleared. */
+    /** The greatest number of triangles that are cleared. */
     private static final int MOST = 20_000;
 
     /** What is nearer to the point in plan view counts as above or below it, m. */

@@ -22,7 +22,7 @@ record InboundFlights(Position target, double reach, double step, List<Double> h
     /** The number of bearings. */
     static final int BEARINGS = 36;
 
-    /** The most steps to which a flight is lengthened so that there is time for the response. */
+    /** The greatest number of steps to which a flight is lengthened so that there is time for the response. */
     static final int MOST_STEPS = 2000;
 
     /** How far beyond the farthest corner of an area or zone flights begin, m: half the default side of a grid. */

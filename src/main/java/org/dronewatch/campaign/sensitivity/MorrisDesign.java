@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.stream.IntStream;
 
 /**
- * Morris's design (Morris, Technometrics 33, 1991): in each group the factors change from their first value to their
- * second one by one, in a random order. The values are the middles of four equal parts of the distribution, and the
+ * Morris's design (Morris, Technometrics 33, 1991): in each group the factors change one by one, in a random order,
+ * from their first value to their second. The values are the middles of four equal parts of the distribution, and the
  * second is half of the distribution from the first.
  *
  * @param factors number of factors, 1 or more

@@ -36,7 +36,7 @@ record PlanFile(
         List<MissionStep> steps,
         List<String> warnings,
         int items) {
-    /** The most items of a mission, with those of its surveys. */
+    /** The greatest number of items of a mission, with those of its surveys. */
     static final int MOST_ITEMS = 10_000;
 
     private static final double FASTEST = 400.0;

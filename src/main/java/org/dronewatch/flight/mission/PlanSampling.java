@@ -16,7 +16,7 @@ final class PlanSampling {
     /** Between two samples, s. */
     private static final double STEP = 0.1;
 
-    /** The most samples: a longer flight is sampled more rarely. */
+    /** The greatest number of samples: a longer flight is sampled more rarely. */
     private static final int MOST_SAMPLES = 200_000;
 
     /** A drone slower than this waits, m/s. */
@@ -28,7 +28,7 @@ final class PlanSampling {
     /** The finest tolerance, m. */
     private static final double FINEST = 0.5;
 
-    /** The most waypoints: more are hard to work with in a ground station. */
+    /** The greatest number of waypoints: more are hard to work with in a ground station. */
     private static final int MOST_WAYPOINTS = 1000;
 
     private final Position[] places;

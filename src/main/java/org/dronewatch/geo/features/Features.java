@@ -17,7 +17,7 @@ public final class Features {
     /** The largest file that is read, bytes. */
     public static final int LARGEST = 16 << 20;
 
-    /** The most features that are read. */
+    /** The greatest number of features that are read. */
     static final int MOST = 100_000;
 
     /** The greatest height, up or down, m. */

@@ -7,7 +7,7 @@ import org.dronewatch.placement.Candidate;
 
 /** Budgets below that of a layout at which another layout becomes affordable: sums of prices. */
 final class BudgetSteps {
-    /** The most sums that are listed; if there are more, evenly spaced budgets are as good. */
+    /** The greatest number of sums that are listed; if there are more, evenly spaced budgets are as good. */
     private static final int MOST_SUMS = 4096;
 
     /** Sums are the same up to this, so that rounding does not split one sum in two. */

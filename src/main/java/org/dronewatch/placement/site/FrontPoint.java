@@ -8,10 +8,10 @@ import java.util.Optional;
  *
  * @param budget for which it was sought: the bound of the layout holds for all budgets up to this one
  * @param layout that was found; it may cost less
- * @param added names of the sensors that the layout before does not have, in the order of the file; without a layout
- *     before, all but those that are kept
- * @param removed names of the sensors that only the layout before has
- * @param gain where the layout covers more than the one before; empty if it covers nothing more
+ * @param added names of the sensors that the previous layout does not have, in the order of the file; if there is no
+ *     previous layout, all but those that are kept
+ * @param removed names of the sensors that only the previous layout has
+ * @param gain where the layout covers more than the previous one; empty if it covers nothing more
  */
 public record FrontPoint(
         double budget, SitePlacement layout, List<String> added, List<String> removed, Optional<SectorGain> gain) {

@@ -13,7 +13,7 @@ import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 
-/** Finds the best layouts for lower budgets, so that it can be seen what more money buys. */
+/** Finds the best layouts for lower budgets, which show what more money buys. */
 public final class FrontSearch {
     /** Maximum number of budgets. */
     public static final int MOST = 12;

@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
 public record LossSettings(
         @In(value = Quantity.RATIO, from = 0, to = 1) Optional<Double> atLeast,
         @In(value = Quantity.DURATION, from = 0, to = 86_400) Optional<Double> warning) {
-    /** Nothing. */
+    /** No requirement. */
     @Defaults
     public static final LossSettings NONE = new LossSettings(Optional.empty(), Optional.empty());
 

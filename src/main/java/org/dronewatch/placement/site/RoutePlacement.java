@@ -10,18 +10,18 @@ import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.route.search.WeakestRoute;
 
 /**
- * The best layout against the weakest of all routes that was found. Values are exposures on the least exposed route,
+ * The best layout that was found against the weakest of all routes. Values are exposures on the least exposed route,
  * capped at {@link WeakestRouteSearch#ENOUGH}.
  *
  * @param plan what was asked for
  * @param grid the cells over which routes are searched for
  * @param result of the search
- * @param weakest the route past the layout that is least exposed
+ * @param weakest the least exposed route past the layout
  * @param lower a certified lower bound of the exposure of all routes past the layout
  * @param alone by the name of each sensor, the value of a layout of it alone; empty if that was not computed
  * @param without by the name of each sensor, the value without it; empty if that was not computed
  * @param front the order in which to buy the sensors, after those that are kept; empty if it was not computed
- * @param present the scene's own sensors; empty if it has none, or the search was interrupted before
+ * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param rounds number of layouts whose routes were searched for
  * @param routes number of routes that were compared
  * @param complete whether every candidate was assessed and the search ended by itself

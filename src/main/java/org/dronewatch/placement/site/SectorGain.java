@@ -14,7 +14,7 @@ public record SectorGain(double bearing, double lowest, double highest, double b
     /** A part of which this fraction is covered counts as closed. */
     private static final double CLOSED = 0.95;
 
-    /** Whether hardly anything of this part remains uncovered, unlike before. */
+    /** Whether hardly any of this part remains uncovered, unlike before. */
     public boolean isClosed() {
         return after >= CLOSED && before < CLOSED;
     }

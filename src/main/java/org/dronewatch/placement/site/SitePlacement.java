@@ -12,15 +12,15 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The best layout of a plan that was found. Values are fractions of the airspace: of the rows that {@link CoveredCells}
- * counts.
+ * The best layout that was found for a plan. Values are fractions of the airspace: of the rows that
+ * {@link CoveredCells} counts.
  *
  * @param plan what was asked for
  * @param grid the cells
  * @param headings on which each cell counts
  * @param problem whose rows have a weight of 1 each
  * @param result of the search, in rows
- * @param present the scene's own sensors; empty if it has none, or the search was interrupted before
+ * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param complete whether every candidate was assessed and the search ended by itself
  */
 public record SitePlacement(

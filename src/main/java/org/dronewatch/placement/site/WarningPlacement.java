@@ -22,7 +22,7 @@ import org.dronewatch.placement.PlacementResult;
  * @param problem with a row for each flight: for the worst warning, by how much warnings are shorter than the longest
  * @param result of the search, in the values of the problem
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
- *     before
+ *     before they were assessed
  * @param complete whether every candidate was assessed and the search ended by itself
  */
 public record WarningPlacement(

@@ -127,8 +127,8 @@ public final class CellWords {
     }
 
     /**
-     * What is there, from the field alone, and which sensor decides, if the margins that the field keeps suffice to
-     * know it.
+     * What is there, from the field alone, and which sensor decides, if the margins that the field keeps are enough to
+     * tell.
      */
     public String deciding() {
         OptionalInt sensor = coverage.field().isOpen(height, column, row)

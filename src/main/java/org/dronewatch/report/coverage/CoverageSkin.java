@@ -73,7 +73,7 @@ public final class CoverageSkin implements SiteSkin {
         return new Color(grey, grey, grey);
     }
 
-    /** The cell above or below a point; empty beside the grid. */
+    /** The cell above or below a point; empty outside the grid. */
     public Optional<SkinCell> cellAt(Position point) {
         int cell = cell(point.x(), point.y());
         return cell < 0 ? Optional.empty() : Optional.of(new SkinCell(grid.column(cell), grid.row(cell)));

@@ -22,9 +22,9 @@ import org.dronewatch.render.Credits;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.world.World;
 
-/** A map of a grid's area, north up: cells in colours over shaded ground, a scale, and a legend beside it. */
+/** A map of a grid's area, north up: cells in colours over shaded ground, a scale bar, and a legend beside it. */
 public final class MapSheet {
-    /** Columns and rows of the map itself. */
+    /** Width and height of the map itself, pixels. */
     public static final int MAP = 1000;
 
     private static final int SIDE = 400;
@@ -91,7 +91,7 @@ public final class MapSheet {
         frame();
     }
 
-    /** Draws the scale and the arrow to the north again, over what was drawn across them. */
+    /** Draws the scale bar and the north arrow again, over what was drawn across them. */
     public void frame() {
         MapFrame.draw(g, MAP, side);
     }
@@ -107,7 +107,7 @@ public final class MapSheet {
     /**
      * Draws a closed line on the map.
      *
-     * @param style a number, by which lines differ also in black and white: 0 is solid, others are dashed
+     * @param style a number that makes lines differ even in black and white: 0 is solid, others are dashed
      */
     public void outline(List<Position> corners, Color colour, int style) {
         Polygon line = new Polygon();
@@ -140,7 +140,10 @@ public final class MapSheet {
         g.setClip(null);
     }
 
-    /** Writes a short text on a pale background near a point on the map, off its edge, scale and arrow. */
+    /**
+     * Writes a short text on a pale background near a point on the map, clear of its edge, the scale bar and the north
+     * arrow.
+     */
     public void label(Position at, String text) {
         g.setFont(TITLE);
         int wide = g.getFontMetrics().stringWidth(text);
@@ -173,7 +176,7 @@ public final class MapSheet {
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
-    /** Writes a line of the legend with a piece of a line with a black edge before it. */
+    /** Writes a line of the legend, after a sample of a line with a black edge. */
     public void sample(Color colour, float width, String text) {
         int left = MAP + MARGIN;
         g.setColor(Color.BLACK);
@@ -185,7 +188,7 @@ public final class MapSheet {
         write(text, left + 2 * SWATCH_WIDTH + 12);
     }
 
-    /** Writes a line of the legend with a piece of a line before it. */
+    /** Writes a line of the legend, after a sample of a line. */
     public void sample(Color colour, int style, String text) {
         int left = MAP + MARGIN;
         g.setColor(colour);
@@ -247,7 +250,7 @@ public final class MapSheet {
         line = last + LINE;
     }
 
-    /** Leaves half a line free. */
+    /** Leaves half a line blank. */
     public void space() {
         line += LINE / 2;
     }

@@ -33,7 +33,7 @@ public final class MoveWords {
     private MoveWords() {}
 
     /**
-     * What is covered now and was before:
+     * What is covered now, and what was covered before:
      * {@code At 30 m, 45.1 % of the known area is covered; before 'radar' was moved, it was 43.3 % (+1.8).}
      *
      * @param before the coverage before the move, at the same height

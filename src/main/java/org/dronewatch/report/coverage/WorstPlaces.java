@@ -20,10 +20,10 @@ import org.dronewatch.sensor.Cause;
 
 /** The largest gaps, the worst first: where each begins, how large it is, and why it is there. */
 final class WorstPlaces {
-    /** The most gaps that are described. */
+    /** The greatest number of gaps that are described. */
     private static final int MOST_GAPS = 6;
 
-    /** The most rows for sensors that are explained for each gap, those nearest to a detection. */
+    /** The greatest number of rows for sensors that are explained for each gap, those nearest to a detection. */
     private static final int MOST_ROWS = 8;
 
     private final FieldSummary summary;

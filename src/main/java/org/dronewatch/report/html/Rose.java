@@ -5,7 +5,7 @@ import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.List;
 
-/** A drawing of values over the bearing, north up: rings at round values, a closed line for each series, a legend. */
+/** A drawing of values versus bearing, north up: rings at round values, a closed line for each series, a legend. */
 public final class Rose {
     /** The number of lines of the legend for which there is room. */
     public static final int ENTRIES = 18;
@@ -48,7 +48,7 @@ public final class Rose {
                 WIDTH, HEIGHT, Html.text(label)));
     }
 
-    /** The short name of one of the eight main directions, counted clockwise from north. */
+    /** The short name of one of the eight principal compass points, counted clockwise from north. */
     public static String name(int sector) {
         return NAMES[sector];
     }

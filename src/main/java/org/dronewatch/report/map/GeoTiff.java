@@ -75,7 +75,8 @@ public final class GeoTiff {
      * @param north of its middle, m
      * @param cell length of a cell's side, m
      * @param columns cells along a side
-     * @throws org.dronewatch.setting.InputException where no UTM zone has coordinates
+     * @throws org.dronewatch.setting.InputException if the grid has no coordinates in the UTM zone or the polar grid of
+     *     the origin
      */
     public GeoTiff(Origin origin, double east, double north, double cell, int columns) {
         this.place = GridGeoreference.of(origin, east, north, cell, columns);

@@ -79,7 +79,7 @@ final class FrontPicture {
         dots.setMarker(SeriesMarkers.CIRCLE).setMarkerColor(LAYOUTS).setShowInLegend(false);
     }
 
-    /** The bound of a layout holds for all budgets above that of the layout before. */
+    /** The bound of a layout holds for all budgets above that of the previous layout. */
     private void addBound(XYChart chart) {
         List<Double> budgets = new ArrayList<>();
         List<Double> bounds = new ArrayList<>();

@@ -10,7 +10,7 @@ import org.dronewatch.placement.site.SitePlacement;
  *
  * @param front best layouts for several budgets
  * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
- *     was interrupted before
+ *     was interrupted before they were assessed
  */
 public record PlaceResults(BudgetFront front, Optional<LayoutFields> fields) {
     /** The best layout for the whole budget. */

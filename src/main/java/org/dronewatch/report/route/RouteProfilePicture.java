@@ -13,7 +13,10 @@ import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
 import org.knowm.xchart.style.Styler.YAxisPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The height of a route and of the ground below it over the distance flown, and how likely a detection is so far. */
+/**
+ * The height of a route and of the ground below it versus the distance flown, with the probability of a detection so
+ * far.
+ */
 final class RouteProfilePicture {
     private static final Color GROUND = new Color(0xb9b2a5);
     private static final Color EXPOSURE = new Color(0xb2182b);

@@ -7,7 +7,7 @@ import org.dronewatch.fusion.Confirmation;
  * outcomes of the last looks.
  */
 final class ConfirmedMisses {
-    /** The most looks of a confirmation: with n looks there are 2^(n - 1) states. */
+    /** The greatest number of looks of a confirmation: with n looks there are 2^(n - 1) states. */
     static final int MOST_LOOKS = 12;
 
     private final Confirmation confirmation;

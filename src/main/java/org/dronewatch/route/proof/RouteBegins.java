@@ -17,7 +17,7 @@ import org.dronewatch.sensor.SensorSettings;
  * sensor looks the same way again: of its looks, or of the search of its positioner.
  */
 public final class RouteBegins {
-    /** The most moments. */
+    /** The greatest number of moments. */
     public static final int MOST = 8;
 
     /** Between two looks this far apart or less, a drone hardly leaves a cell of the search, s. */

@@ -124,7 +124,7 @@ public record RouteProof(
 
     /**
      * Whether the prediction lies in this interval or in the exact one: where less than one detection is expected, a
-     * single one is less rare than by Wilson's interval.
+     * single one is less rare than Wilson's interval implies.
      */
     public boolean agrees() {
         boolean isInside = predicted >= interval().low() - ROUNDING

@@ -9,7 +9,7 @@ import org.dronewatch.parallel.Workers;
  * place that is 0 at the goals, and whose gradient nowhere exceeds the least exposure per metre, is such a bound, since
  * along any route it falls by no more than the exposure. Here it is linear on the simplices of {@link CubePaths}, in
  * coordinates in which the third is the height above the ground, and the least exposure is that of a whole cube, all
- * headings and all modes; limits of turns and climbs are left out, which only lowers the bound.
+ * headings and all modes; limits on turns and climbs are left out, which only lowers the bound.
  *
  * <p>Gauss-Seidel sweeps in all orders (H. Zhao, Mathematics of Computation 74, 2005) give the function up to small
  * excesses of the gradient, mostly at corners of the field. Its values are then compressed, level by level, by the

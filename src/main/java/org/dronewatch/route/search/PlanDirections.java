@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 
 /**
  * The directions in plan in which a route may leave a post, clockwise from north: each leads to another post without
- * passing one. The shortest path over them is longer than the straight line by at most {@link #stretch()}.
+ * passing a third. The shortest path over them is longer than the straight line by at most {@link #stretch()}.
  */
 public final class PlanDirections {
     /** Steps in one octant by the number of all directions, without those along an axis and a diagonal. */

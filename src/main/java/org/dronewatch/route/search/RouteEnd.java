@@ -3,7 +3,7 @@ package org.dronewatch.route.search;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
-/** Where a route has arrived, on a straight leg. One thread at a time. */
+/** Where on a straight leg a route reaches its end. One thread at a time. */
 @FunctionalInterface
 public interface RouteEnd {
     /** A route ends at a post, not on the way to it. */

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * The exposure along a path, {@code E = integral of the rate over the time}: Gauss's rule with three points on pieces
- * that are not longer than half the distance of two posts. Immutable and thread-safe.
+ * that are not longer than half the distance between neighbouring posts. Immutable and thread-safe.
  */
 public final class RouteExposure {
     private static final double OFF_CENTRE = Math.sqrt(0.6);

@@ -133,7 +133,7 @@ public final class RouteGrid {
         return ground[post % (columns * rows)] + heights[post / (columns * rows)];
     }
 
-    /** The height of a point above the ground, m; the ground beside the grid is that at its edge. */
+    /** The height of a point above the ground, m; the ground outside the grid has the height of its edge. */
     public double above(Position at) {
         return at.z() - ground(clamp((at.x() - west) / spacing, columns), clamp((at.y() - south) / spacing, rows));
     }

@@ -28,7 +28,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         }
     }
 
-    /** A mode without limits of climb, descent and slope. */
+    /** A mode without limits on climb, descent or slope. */
     public static RouteMode free(String name, double speed) {
         return new RouteMode(name, speed, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     }

@@ -104,7 +104,7 @@ public sealed interface LinkBudget {
          * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2
          * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of processing alone:
          * 2.5 dB because a scanned beam rarely points straight at the drone (a Gaussian beam in two directions: D. K.
-         * Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming weights over range and speed (F. J.
+         * Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming weighting in range and in speed (F. J.
          * Harris, Proc. IEEE 66, 1978), 1.0 dB because a threshold is estimated from 32 cells (H. M. Finn and R. S.
          * Johnson, RCA Review 29, 1968). Those of lines and radome are not included.
          */

@@ -61,7 +61,7 @@ public record PointTargets(
 
     private static final double SECONDS_PER_HOUR = 3600.0;
 
-    /** The most frames between two looks. */
+    /** The greatest number of frames between two looks. */
     private static final double MOST_FRAMES = 1000.0;
 
     /** Logarithm of a probability with which nothing is ever marked. */
@@ -149,7 +149,7 @@ public record PointTargets(
                 perHour / (SECONDS_PER_HOUR * looks), Math.max(1, pixels / gate), longest(looks), looks);
     }
 
-    /** The most looks for which noise is confirmed. */
+    /** The greatest number of looks for which noise is confirmed. */
     private int longest(double looks) {
         return (int) Math.max(1.0, Math.ceil((frames - hits + 1) * looks / frameRate - ROUNDING));
     }
