@@ -18,7 +18,7 @@ final class ProgressOptions {
      * How the command shows its progress.
      *
      * @param err receives progress and notes
-     * @throws InputException when {@code --quiet} is given, too
+     * @throws InputException when {@code --quiet} is also given
      */
     TaskProgress on(PrintWriter err) {
         boolean quiet = Notes.areOff(command);

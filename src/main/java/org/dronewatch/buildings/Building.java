@@ -11,7 +11,7 @@ import java.util.Map;
  * @param isPart whether it is a part, which replaces the outline that it belongs to
  */
 record Building(String id, Footprint footprint, Map<String, String> tags, boolean isPart) {
-    /** Whether nothing of it is above the ground. */
+    /** Whether no part of it is above the ground. */
     boolean isUnderground() {
         return "underground".equals(tags.get("location"));
     }

@@ -65,7 +65,7 @@ final class Rings {
         return isInside;
     }
 
-    /** Whether anything of an area lies within a distance of the origin, even if none of its corners does. */
+    /** Whether any part of an area lies within a distance of the origin, even if none of its corners does. */
     static boolean isWithin(double distance, List<double[]> outers, List<double[]> inners) {
         if (Stream.concat(outers.stream(), inners.stream()).anyMatch(ring -> distance(ring) <= distance)) {
             return true;

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** The pixels of a tile: what each of them sees, and how near that is. One per thread. */
 final class TileBuffer {
-    /** Columns and rows of a block, a power of two. */
+    /** Number of columns, and of rows, of a block, a power of two. */
     private static final int BLOCK = 4;
     /** Pixels of a vector. One may begin at the last pixel: what lies beyond it is read, and written back unchanged. */
     static final int LANES = 4;

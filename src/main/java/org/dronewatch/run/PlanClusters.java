@@ -9,7 +9,7 @@ import org.dronewatch.geometry.TriangleMesh;
  * to cells of a metre or more, touch or overlap belong together. Its memory does not depend on the model.
  */
 final class PlanClusters {
-    /** Cells along a side. */
+    /** Number of cells along a side. */
     private static final int MOST_CELLS = 512;
 
     private static final double SMALLEST_CELL = 1.0;

@@ -109,7 +109,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
 
     void warn(List<String> warnings, double level) {
         for (ElevationFile file : mosaic.unused()) {
-            warnings.add(file.name() + ": nothing of it lies within " + settings.radius() + " m of the origin");
+            warnings.add(file.name() + ": no part of it lies within " + settings.radius() + " m of the origin");
         }
         settings.crs()
                 .ifPresent(given -> files.forEach(file -> file.statedCrs()

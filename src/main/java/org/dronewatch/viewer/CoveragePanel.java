@@ -136,7 +136,7 @@ final class CoveragePanel extends JPanel {
         progress.setValue(0);
     }
 
-    /** Computes with the defaults as soon as the site is there. */
+    /** Computes with the defaults as soon as the site has been loaded. */
     void computeSoon() {
         if (run == null) {
             isWanted = true;

@@ -39,12 +39,12 @@ final class ViewedCoverage {
         return all;
     }
 
-    /** The cells and the heights that are there. */
+    /** The cells and the heights that have been computed. */
     FieldGrid grid() {
         return all.field().grid();
     }
 
-    /** Whether all heights that were requested are there. */
+    /** Whether all heights that were requested have been computed. */
     boolean isWhole() {
         return grid().heights().size() == request.grid().heights().size();
     }

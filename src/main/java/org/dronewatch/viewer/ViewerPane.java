@@ -150,7 +150,7 @@ final class ViewerPane extends JPanel {
         }
     }
 
-    /** Shows another run, once its site is there. */
+    /** Shows another run, once its site has been loaded. */
     void show(RecordedRun run) {
         awaited = run;
         staging.ask(outdated -> {
@@ -182,7 +182,7 @@ final class ViewerPane extends JPanel {
         }
     }
 
-    /** Shows the coverage, computed with the defaults as soon as the site is there. */
+    /** Shows the coverage, computed with the defaults as soon as the site has been loaded. */
     void showCoverage() {
         tabs.showCoverage(down);
     }

@@ -54,7 +54,7 @@ final class WorldPanel extends JPanel {
 
     /** What is moved by the mouse in place of the view. */
     interface Grip {
-        /** Nothing. */
+        /** Moves nothing. */
         Grip NONE = new Grip() {
             @Override
             public boolean isAt(int x, int y) {

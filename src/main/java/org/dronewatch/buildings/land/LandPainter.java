@@ -8,7 +8,7 @@ import java.util.List;
  * the last shape that contains its centre.
  */
 final class LandPainter {
-    /** Rows and columns at most: 64 MB. */
+    /** The greatest number of rows, and of columns: 64 MB. */
     static final int MOST_CELLS = 8192;
 
     /** The side of cells, m, unless there would be too many. */

@@ -45,7 +45,7 @@ final class ObjLines extends BufferedReader {
      * The next statement, empty for a line without one; null after the last.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
-     * @throws IOException when the line is too long or holds a zero byte, too
+     * @throws IOException also when the line is too long or holds a zero byte
      */
     @Override
     public String readLine() throws IOException {

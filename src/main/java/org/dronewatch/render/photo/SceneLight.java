@@ -23,7 +23,7 @@ record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient,
     }
 
     /**
-     * Writes what is seen where nothing of the site is hit: sky, sun, or the country around.
+     * Writes what is seen where no part of the site is hit: sky, sun, or the country around.
      *
      * @param from height of the camera, m
      * @param scratch for one colour

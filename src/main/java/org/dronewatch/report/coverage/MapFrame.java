@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronewatch.report.Numbers;
 
-/** The scale and the arrow to the north on a square map. */
+/** The scale bar and the north arrow on a square map. */
 final class MapFrame {
     private static final int MARGIN = 24;
     private static final int GAP = 4;

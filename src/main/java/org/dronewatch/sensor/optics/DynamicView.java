@@ -23,7 +23,7 @@ final class DynamicView {
      */
     private static final double TRIANGLES_PER_PIXEL = 6.0;
 
-    /** Columns and rows of the tile in the middle of a large drone that is drawn first. */
+    /** Width and height, pixels, of the tile in the middle of a large drone that is drawn first. */
     private static final int MIDDLE = 8;
 
     private final CameraObject camera;

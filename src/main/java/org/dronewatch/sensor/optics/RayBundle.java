@@ -24,7 +24,7 @@ final class RayBundle {
     /** The site may hide some of it. */
     static final byte UNCERTAIN = 2;
 
-    /** The site hides nothing of it. */
+    /** The site hides no part of it. */
     static final byte FREE = 3;
 
     private static final byte UNKNOWN = 0;

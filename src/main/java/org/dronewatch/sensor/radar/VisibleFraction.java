@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 
 /**
  * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to
- * each corner, to which nothing of the world obstructs the line of sight.
+ * each corner, to which nothing in the world obstructs the line of sight.
  */
 final class VisibleFraction {
     private static final int POINTS = 9;

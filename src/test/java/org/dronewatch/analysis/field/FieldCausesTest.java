@@ -68,7 +68,7 @@ class FieldCausesTest {
         assertThat(met).contains(Cause.TOO_FAST, Cause.TOO_SLOW, Cause.DETECTED);
     }
 
-    /** A radar that does not reach any cell: hidden where nothing of the drone is visible, too weak elsewhere. */
+    /** A radar that does not reach any cell: hidden where no part of the drone is visible, too weak elsewhere. */
     @Test
     void aDroneInSightMayBeTooFaint() throws IOException {
         FieldSite site = FieldSite.in(

@@ -297,7 +297,7 @@ public final class EdgePath {
         }
     }
 
-    /** The sum of distances beyond which nothing of the world is left out. */
+    /** The sum of distances beyond which no part of the world is left out. */
     private double farthest() {
         AABB box = world.bounds();
         double farthest = straight;
