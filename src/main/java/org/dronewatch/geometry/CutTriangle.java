@@ -6,21 +6,34 @@ package org.dronewatch.geometry;
  * that share an edge share an end there, to the last bit. One per thread.
  */
 public final class CutTriangle {
-    private final TriangleMesh mesh;
+    private final Corners corners;
     private final double tolerance;
     private final double[][] corner = new double[3][3];
     private final double[] height = new double[3];
     private final double[] first = new double[3];
     private final double[] second = new double[3];
 
+    /** The corners of triangles. */
+    @FunctionalInterface
+    public interface Corners {
+        /**
+         * One coordinate of a corner, m.
+         *
+         * @param triangle its index
+         * @param corner 0 to 2
+         * @param axis 0 to 2 for x, y and z
+         */
+        float coordinate(int triangle, int corner, int axis);
+    }
+
     /**
-     * A cutter of the triangles of a mesh.
+     * A cutter of triangles.
      *
-     * @param mesh whose triangles are cut
+     * @param corners of the triangles that are cut
      * @param tolerance distance from the plane below which corners lie on it, m
      */
-    public CutTriangle(TriangleMesh mesh, double tolerance) {
-        this.mesh = mesh;
+    public CutTriangle(Corners corners, double tolerance) {
+        this.corners = corners;
         this.tolerance = tolerance;
     }
 
@@ -36,9 +49,9 @@ public final class CutTriangle {
         int above = 0;
         for (int k = 0; k < 3; k++) {
             double[] c = corner[k];
-            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
-            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
-            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
+            c[0] = corners.coordinate(triangle, k, 0) - origin.x();
+            c[1] = corners.coordinate(triangle, k, 1) - origin.y();
+            c[2] = corners.coordinate(triangle, k, 2) - origin.z();
             double over = c[0] * normal.x() + c[1] * normal.y() + c[2] * normal.z();
             height[k] = Math.abs(over) < tolerance ? 0.0 : over;
             above += height[k] >= 0.0 ? 1 : 0;

@@ -80,6 +80,17 @@ public final class EllipsoidQuery {
         return tree.triangles().numbers()[found[i]];
     }
 
+    /**
+     * A coordinate of one of them, m: nearer at hand than in the mesh.
+     *
+     * @param i 0 to {@link #count()} - 1
+     * @param corner 0 to 2
+     * @param axis 0 to 2 for x, y and z
+     */
+    public float coordinate(int i, int corner, int axis) {
+        return corners[9 * found[i] + 3 * corner + axis];
+    }
+
     private void search(Position a, Position b, double sum) {
         ax = a.x();
         ay = a.y();

@@ -29,32 +29,43 @@ final class DiffractedPath {
 
     private static final double ON_CHAIN = 1e-9;
 
+    /** An edge counts up to 0.55 wavelengths below a line at its antennas, and nowhere by a longer detour than this. */
+    private static final double LOWEST = 0.55;
+
+    private static final double LONGEST = 2.0;
+
     private final Section section;
     private final boolean above;
     private final double wavelength;
 
-    /** The edges, by u. */
-    private final List<double[]> edges = new ArrayList<>();
-
     private List<double[]> chain = List.of();
     private double loss;
     private int mainPoint = -1;
+    private boolean isWhole = true;
+    private double reach;
 
     /**
      * @param section the section with its obstacles
      * @param above on which side of the line: that of positive t, or the other
      * @param wavelength m
+     * @param isAll whether the section is as large as it gets: otherwise, the loss of a path that is not {@linkplain
+     *     #isSettled settled} is not computed
      */
-    DiffractedPath(Section section, boolean above, double wavelength) {
+    DiffractedPath(Section section, boolean above, double wavelength, boolean isAll) {
         this.section = section;
         this.above = above;
         this.wavelength = wavelength;
-        if (findChain()) {
-            collectEdges();
-            loss = deygout();
-        } else {
-            loss = Double.POSITIVE_INFINITY;
-        }
+        loss = findChain(isAll) ? deygout() : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Whether the loss is the same in every larger part of the site: all bodies round which the string is drawn are
+     * complete, or go on beyond an end of the line, and no corner outside can be an edge that counts.
+     *
+     * @param sum of the distances of a point on the boundary of this part from both ends, m
+     */
+    boolean isSettled(double sum) {
+        return isWhole && (loss == Double.POSITIVE_INFINITY || reach <= sum);
     }
 
     /** Diffraction loss, dB; infinite where no path leads round on this side. */
@@ -83,25 +94,27 @@ final class DiffractedPath {
     /**
      * A taut string over all bodies that are in the way: those that cross the line, and those that cross the string.
      */
-    private boolean findChain() {
+    private boolean findChain(boolean isAll) {
         boolean[] counted = new boolean[section.points()];
         for (int i = 0; i < section.points(); i++) {
             counted[i] = section.body(i) == i && section.blocks(i);
         }
+        boolean[] isNew = counted.clone();
         boolean grows = true;
         while (grows) {
-            for (int i = 0; i < section.points(); i++) {
-                if (counted[i] && section.isOpen(i, above)) {
-                    return false;
-                }
+            if (isAnyEnding(counted) || isAnyOpen(counted) || !isWhole && !isAll) {
+                return false;
             }
-            chain = hull(counted);
+            chain = hull(isNew);
+            Arrays.fill(isNew, false);
             grows = false;
             for (int i = 0; i < section.pieces(); i++) {
-                boolean startsHigher = height(section.start(i)) > height(section.end(i));
-                int whole = section.body(startsHigher ? section.start(i) : section.end(i));
-                if (!counted[whole] && crossesChain(i)) {
+                int start = section.start(i);
+                int end = section.end(i);
+                int whole = section.body(height(start) > height(end) ? start : end);
+                if (!counted[whole] && mayCross(start, end) && crossesChain(start, end)) {
                     counted[whole] = true;
+                    isNew[whole] = true;
                     grows = true;
                 }
             }
@@ -109,14 +122,41 @@ final class DiffractedPath {
         return true;
     }
 
-    private List<double[]> hull(boolean[] counted) {
+    /** Whether one of the bodies goes on beyond an end of the line. */
+    private boolean isAnyEnding(boolean[] counted) {
+        for (int i = 0; i < counted.length; i++) {
+            if (counted[i] && section.isEnding(i, above)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether one of the bodies goes on beyond this part of the site; also notes whether all of them are complete. */
+    private boolean isAnyOpen(boolean[] counted) {
+        boolean isOpen = false;
+        for (int i = 0; i < counted.length; i++) {
+            isOpen |= counted[i] && section.isOpen(i, above);
+            isWhole &= !counted[i] || !section.isPartial(i, above);
+        }
+        isWhole &= !isOpen;
+        return isOpen;
+    }
+
+    /** The string over the bodies that it passed before, and over others. */
+    private List<double[]> hull(boolean[] others) {
         List<double[]> sorted = new ArrayList<>();
         for (int i = 0; i < section.points(); i++) {
-            if (isBetweenEnds(i) && counted[section.body(i)]) {
+            // The string never hangs below the line.
+            if (height(i) > 0.0 && others[section.body(i)] && isBetweenEnds(i)) {
                 sorted.add(new double[] {section.u(i), height(i)});
             }
         }
-        sorted.add(new double[] {section.length(), 0.0});
+        if (chain.isEmpty()) {
+            sorted.add(new double[] {section.length(), 0.0});
+        } else {
+            sorted.addAll(chain.subList(1, chain.size()));
+        }
         sorted.sort(Arrays::compare);
         List<double[]> upper = new ArrayList<>();
         upper.add(new double[] {0.0, 0.0});
@@ -134,9 +174,18 @@ final class DiffractedPath {
         return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     }
 
-    private boolean crossesChain(int piece) {
-        double[] a = {section.u(section.start(piece)), height(section.start(piece))};
-        double[] b = {section.u(section.end(piece)), height(section.end(piece))};
+    /** Whether a piece may cross the string, which hangs between the ends and not below the line. */
+    private boolean mayCross(int start, int end) {
+        double first = section.u(start);
+        double last = section.u(end);
+        return (height(start) > 0.0 || height(end) > 0.0)
+                && (first > 0.0 || last > 0.0)
+                && (first < section.length() || last < section.length());
+    }
+
+    private boolean crossesChain(int start, int end) {
+        double[] a = {section.u(start), height(start)};
+        double[] b = {section.u(end), height(end)};
         for (int i = 1; i < chain.size() && chain.size() > 2; i++) {
             double[] p = chain.get(i - 1);
             double[] q = chain.get(i);
@@ -147,32 +196,25 @@ final class DiffractedPath {
         return false;
     }
 
-    /** The corners that stick out towards this side, as far as they lie below the string. */
-    private void collectEdges() {
-        double[] first = new double[section.points()];
-        double[] last = new double[section.points()];
-        Arrays.fill(first, Double.POSITIVE_INFINITY);
-        for (int i = 0; i < section.pieces(); i++) {
-            int a = section.start(i);
-            int b = section.end(i);
-            turnBy(a, b, first, last);
-            turnBy(b, a, first, last);
+    /** Whether a corner between the ends sticks out towards this side, and lies below the string: then it is an edge. */
+    private boolean isEdge(int point) {
+        if (!isBetweenEnds(point) || height(point) > heightOfChain(point) + ON_CHAIN) {
+            return false;
         }
-        for (int i = 0; i < section.points(); i++) {
-            double opening = first[i] + 2.0 * Math.PI - last[i];
-            if (isBetweenEnds(i) && opening > Math.PI + LEAST_BEND && height(i) <= heightOfChain(i) + ON_CHAIN) {
-                edges.add(new double[] {section.u(i), height(i), i});
-            }
+        double first = Double.POSITIVE_INFINITY;
+        double last = 0.0;
+        for (int end = section.firstAt(point); end >= 0; end = section.nextAt(end)) {
+            double angle = angle(point, section.otherEnd(end));
+            first = Math.min(first, angle);
+            last = Math.max(last, angle);
         }
-        edges.sort(Arrays::compare);
+        return first + 2.0 * Math.PI - last > Math.PI + LEAST_BEND;
     }
 
-    /** Notes the direction of a piece from a point: its angle from straight up, clockwise. */
-    private void turnBy(int from, int to, double[] first, double[] last) {
+    /** The direction of a piece from a point: its angle from straight up, clockwise. */
+    private double angle(int from, int to) {
         double angle = Math.atan2(section.u(to) - section.u(from), height(to) - height(from));
-        double positive = angle < 0.0 ? angle + 2.0 * Math.PI : angle;
-        first[from] = Math.min(first[from], positive);
-        last[from] = Math.max(last[from], positive);
+        return angle < 0.0 ? angle + 2.0 * Math.PI : angle;
     }
 
     private double heightOfChain(int point) {
@@ -189,43 +231,85 @@ final class DiffractedPath {
     private double deygout() {
         double[] start = {0.0, 0.0};
         double[] end = {section.length(), 0.0};
-        double most = 0.0;
-        double[] main = null;
-        for (double[] edge : edges) {
-            double here = edgeLoss(start, end, edge);
-            if (here > most) {
-                most = here;
-                main = edge;
-            }
-        }
+        double most = findMain(start, end);
+        double[] main = mainPoint < 0 ? null : edge(mainPoint);
+        reach = reach(main);
         if (main == null) {
             return 0.0;
         }
-        mainPoint = (int) main[2];
         double beside = 0.0;
         double beyond = 0.0;
-        for (double[] edge : edges) {
-            double apart = Math.hypot(edge[0] - main[0], edge[1] - main[1]) / wavelength;
+        for (int i = 0; i < section.points(); i++) {
+            double u = section.u(i);
+            double apart = Math.hypot(u - main[0], height(i) - main[1]) / wavelength;
             double share = Math.max(0.0, Math.min(1.0, (apart - ONE_EDGE) / (TWO_EDGES - ONE_EDGE)));
-            if (edge[0] < main[0]) {
-                beside = Math.max(beside, share * edgeLoss(start, main, edge));
-            } else if (edge[0] > main[0]) {
-                beyond = Math.max(beyond, share * edgeLoss(main, end, edge));
+            if (share > 0.0 && u < main[0]) {
+                double here = share * edgeLoss(start, main, i);
+                beside = here > beside && isEdge(i) ? here : beside;
+            } else if (share > 0.0 && u > main[0]) {
+                double here = share * edgeLoss(main, end, i);
+                beyond = here > beyond && isEdge(i) ? here : beyond;
             }
         }
         return most + Math.min(1.0, most / GRAZING) * (beside + beyond);
     }
 
+    /** Finds the edge with the greatest loss, the first among equals; that loss, dB. */
+    private double findMain(double[] start, double[] end) {
+        double most = 0.0;
+        for (int i = 0; i < section.points(); i++) {
+            double here = edgeLoss(start, end, i);
+            boolean isMore = here > most || mainPoint >= 0 && here == most && isBefore(i, mainPoint);
+            if (isMore && isEdge(i)) {
+                most = here;
+                mainPoint = i;
+            }
+        }
+        return most;
+    }
+
+    private boolean isBefore(int one, int other) {
+        return Arrays.compare(edge(one), edge(other)) < 0;
+    }
+
+    private double[] edge(int point) {
+        return new double[] {section.u(point), height(point)};
+    }
+
+    /**
+     * The greatest sum of the distances from both ends of a point at which there can be an edge with a loss: it lies
+     * below the string and at most {@link #LOWEST} wavelengths below a line from the main edge to an end. Where that line
+     * is steep, the edge may also lie beyond the end of the line, between the perpendiculars to the section's own.
+     */
+    private double reach(double[] main) {
+        double most = 0.0;
+        for (double[] point : chain) {
+            most = Math.max(most, detour(point));
+        }
+        double steepest = 0.0;
+        if (main != null) {
+            most = Math.max(most, detour(main));
+            steepest = Math.abs(main[1]) / Math.min(main[0], section.length() - main[0]);
+        }
+        return most + wavelength * (LONGEST + 2.0 * LOWEST * (1.0 + steepest));
+    }
+
+    private double detour(double[] point) {
+        return Math.hypot(point[0], point[1]) + Math.hypot(section.length() - point[0], point[1]);
+    }
+
     /** The loss of a wave between two points by an edge, dB. */
-    private double edgeLoss(double[] from, double[] to, double[] edge) {
+    private double edgeLoss(double[] from, double[] to, int point) {
         double du = to[0] - from[0];
         double dt = to[1] - from[1];
         double distance = Math.hypot(du, dt);
         if (!(distance > 0.0)) {
             return 0.0;
         }
-        double along = ((edge[0] - from[0]) * du + (edge[1] - from[1]) * dt) / distance;
-        double over = ((edge[1] - from[1]) * du - (edge[0] - from[0]) * dt) / distance;
+        double u = section.u(point) - from[0];
+        double t = height(point) - from[1];
+        double along = (u * du + t * dt) / distance;
+        double over = (t * du - u * dt) / distance;
         return KnifeEdge.loss(KnifeEdge.parameter(over, along, distance - along, wavelength));
     }
 }

@@ -29,16 +29,80 @@ public final class RadioPath {
     /** An edge with a loss of 40 dB rises to 16 radii of the first Fresnel zone, a detour of this many wavelengths. */
     private static final double FAINT = 128.0;
 
+    /**
+     * The detour up to which a blocked path is searched for first, m, and how many times farther each time: over most
+     * roofs, a few metres suffice, but houses that touch form long rows.
+     */
+    private static final double FIRST = 8.0;
+
+    private static final double FARTHER = 16.0;
+
     private final World world;
     private final Section upright;
     private final Section level;
-    private int mainTriangle;
 
     /** Paths in a site. */
     public RadioPath(World world) {
         this.world = world;
         this.upright = new Section(world);
         this.level = new Section(world);
+    }
+
+    /** The line between two antennas, with the directions in which its two sections extend. */
+    private record Line(Position from, Position to, double wavelength, Position ahead, Position up) {
+        static Line of(Position from, Position to, double wavelength) {
+            Position ahead = to.minus(from).times(1.0 / from.distance(to));
+            return new Line(from, to, wavelength, ahead, upwards(ahead));
+        }
+
+        double length() {
+            return from.distance(to);
+        }
+
+        /** Cuts the site in one of the sections, up to a sum of the distances from both ends, m. */
+        void cut(Section section, boolean isUpright, double sum) {
+            section.cut(from, to, ahead, isUpright ? up : up.cross(ahead), sum);
+        }
+    }
+
+    /** The three paths, and which of the sections has something in the line. */
+    private record Paths(
+            DiffractedPath over,
+            DiffractedPath left,
+            DiffractedPath right,
+            boolean isUprightBlocked,
+            boolean isLevelBlocked) {
+        boolean isBlocked() {
+            return isUprightBlocked || isLevelBlocked;
+        }
+
+        /** The path that matters most: the one with the least loss round an obstacle, or else the greatest. */
+        DiffractedPath main() {
+            DiffractedPath main = over;
+            for (DiffractedPath path : List.of(left, right)) {
+                boolean isMain = isBlocked() ? path.loss() < main.loss() : path.loss() > main.loss();
+                main = isMain ? path : main;
+            }
+            return main;
+        }
+
+        double loss() {
+            return isBlocked() ? ofBlocked() : over.loss() + left.loss() + right.loss();
+        }
+
+        /** By rounding, a line along an edge may be blocked in one section only: then the paths in that one count. */
+        private double ofBlocked() {
+            double beside = left.loss() + right.loss();
+            if (!isLevelBlocked) {
+                return beside > 0.0 ? Math.min(over.loss(), beside) : over.loss();
+            }
+            double power = Math.pow(10.0, -0.1 * left.loss()) + Math.pow(10.0, -0.1 * right.loss());
+            if (isUprightBlocked) {
+                power += Math.pow(10.0, -0.1 * over.loss());
+            }
+            double round = Math.max(0.0, -10.0 * Math.log10(power));
+            return !isUprightBlocked && over.loss() > 0.0 ? Math.min(over.loss(), round) : round;
+        }
     }
 
     /**
@@ -61,9 +125,31 @@ public final class RadioPath {
      * @param frequency Hz
      */
     public double obstacleLoss(Position from, Position to, double frequency) {
-        double length = from.distance(to);
+        return obstacleLoss(from, to, frequency, FIRST);
+    }
+
+    /**
+     * The same, which does not depend on the last parameter.
+     *
+     * @param first the detour up to which a blocked path is searched for first, m
+     */
+    double obstacleLoss(Position from, Position to, double frequency, double first) {
+        if (!(from.distance(to) > 0.0)) {
+            return 0.0;
+        }
+        return paths(Line.of(from, to, LIGHT / frequency), over(from, to), beside(from, to), first)
+                .loss();
+    }
+
+    /** How far the paths over an obstacle are searched for: the sum of the distances from both ends, m. */
+    private double over(Position from, Position to) {
         double tall = world.bounds().maxZ() - world.bounds().minZ();
-        return loss(from, to, frequency, DETOUR * length + 2.0 * tall, DETOUR * length + LEAST_DETOUR);
+        return DETOUR * from.distance(to) + 2.0 * tall;
+    }
+
+    /** The same past either side. */
+    private static double beside(Position from, Position to) {
+        return DETOUR * from.distance(to) + LEAST_DETOUR;
     }
 
     /**
@@ -71,58 +157,65 @@ public final class RadioPath {
      * dB on, and found in less time.
      */
     double faintLoss(Position from, Position to, double frequency) {
-        double farthest = from.distance(to) + FAINT * LIGHT / frequency;
-        return loss(from, to, frequency, farthest, farthest);
-    }
-
-    private double loss(Position from, Position to, double frequency, double over, double beside) {
-        mainTriangle = -1;
         double length = from.distance(to);
         if (!(length > 0.0)) {
             return 0.0;
         }
-        double wavelength = LIGHT / frequency;
-        double near = length + NEAR * wavelength;
-        cut(from, to, near, near);
-        if (upright.isBlocked() || level.isBlocked()) {
-            cut(from, to, over, beside);
-        }
-        return ofSections(wavelength);
+        double farthest = length + FAINT * LIGHT / frequency;
+        return paths(Line.of(from, to, LIGHT / frequency), farthest, farthest, FIRST)
+                .loss();
     }
 
-    private void cut(Position from, Position to, double over, double beside) {
-        Position ahead = to.minus(from).times(1.0 / from.distance(to));
-        Position up = upwards(ahead);
-        upright.cut(from, to, ahead, up, over);
-        level.cut(from, to, ahead, up.cross(ahead), beside);
+    /**
+     * The paths along a line.
+     *
+     * @param over up to which sum of distances they are searched for over an obstacle, m
+     * @param beside past either side, m
+     * @param first up to which detour they are searched for first, m
+     */
+    private Paths paths(Line line, double over, double beside, double first) {
+        double near = line.length() + NEAR * line.wavelength();
+        line.cut(upright, true, near);
+        line.cut(level, false, near);
+        boolean isUprightBlocked = upright.isBlocked();
+        boolean isLevelBlocked = level.isBlocked();
+        double wavelength = line.wavelength();
+        if (!isUprightBlocked && !isLevelBlocked) {
+            return new Paths(
+                    new DiffractedPath(upright, true, wavelength, true),
+                    new DiffractedPath(level, true, wavelength, true),
+                    new DiffractedPath(level, false, wavelength, true),
+                    false,
+                    false);
+        }
+        DiffractedPath[] upwards = found(line, upright, over, first, true);
+        DiffractedPath[] sideways = found(line, level, beside, first, true, false);
+        return new Paths(upwards[0], sideways[0], sideways[1], isUprightBlocked, isLevelBlocked);
     }
 
-    private double ofSections(double wavelength) {
-        DiffractedPath over = new DiffractedPath(upright, true, wavelength);
-        DiffractedPath left = new DiffractedPath(level, true, wavelength);
-        DiffractedPath right = new DiffractedPath(level, false, wavelength);
-        boolean isBlocked = upright.isBlocked() || level.isBlocked();
-        DiffractedPath main = over;
-        for (DiffractedPath path : List.of(left, right)) {
-            boolean isMain = isBlocked ? path.loss() < main.loss() : path.loss() > main.loss();
-            main = isMain ? path : main;
+    /**
+     * The paths in a section, searched for ever farther from the line until what lies still farther away makes no
+     * difference: most obstacles are small, and a site is large.
+     *
+     * @param sides on which they pass the line
+     */
+    private DiffractedPath[] found(Line line, Section section, double farthest, double first, boolean... sides) {
+        DiffractedPath[] paths = new DiffractedPath[sides.length];
+        boolean isFound = false;
+        for (double detour = first; !isFound; detour *= FARTHER) {
+            double sum = Math.min(farthest, line.length() + detour);
+            line.cut(section, section == upright, sum);
+            isFound = true;
+            for (int side = 0; side < sides.length; side++) {
+                if (paths[side] == null) {
+                    boolean isAll = sum == farthest;
+                    DiffractedPath path = new DiffractedPath(section, sides[side], line.wavelength(), isAll);
+                    paths[side] = isAll || path.isSettled(sum) ? path : null;
+                    isFound &= paths[side] != null;
+                }
+            }
         }
-        mainTriangle = main.triangle();
-        return isBlocked ? ofBlocked(over, left, right) : over.loss() + left.loss() + right.loss();
-    }
-
-    /** By rounding, a line along an edge may be blocked in one section only: then the paths in that one count. */
-    private double ofBlocked(DiffractedPath over, DiffractedPath left, DiffractedPath right) {
-        double beside = left.loss() + right.loss();
-        if (!level.isBlocked()) {
-            return beside > 0.0 ? Math.min(over.loss(), beside) : over.loss();
-        }
-        double power = Math.pow(10.0, -0.1 * left.loss()) + Math.pow(10.0, -0.1 * right.loss());
-        if (upright.isBlocked()) {
-            power += Math.pow(10.0, -0.1 * over.loss());
-        }
-        double round = Math.max(0.0, -10.0 * Math.log10(power));
-        return !upright.isBlocked() && over.loss() > 0.0 ? Math.min(over.loss(), round) : round;
+        return paths;
     }
 
     /** Perpendicular to a direction, of length 1, as upright as possible. */
@@ -135,8 +228,15 @@ public final class RadioPath {
 
     /** The model with the edge of the greatest loss between two positions; empty if no edge is near the line. */
     public Optional<Obstacle> obstacle(Position from, Position to, double frequency) {
-        obstacleLoss(from, to, frequency);
-        return mainTriangle < 0 ? Optional.empty() : Optional.of(world.obstacle(mainTriangle));
+        if (!(from.distance(to) > 0.0)) {
+            return Optional.empty();
+        }
+        // All at once, since a path knows its triangles by the section that was cut last.
+        Line line = Line.of(from, to, LIGHT / frequency);
+        int triangle = paths(line, over(from, to), beside(from, to), Double.POSITIVE_INFINITY)
+                .main()
+                .triangle();
+        return triangle < 0 ? Optional.empty() : Optional.of(world.obstacle(triangle));
     }
 
     /** The site. */

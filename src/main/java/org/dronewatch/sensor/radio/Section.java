@@ -1,11 +1,8 @@
 package org.dronewatch.sensor.radio;
 
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
 import org.dronewatch.geometry.CutTriangle;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
@@ -21,11 +18,11 @@ final class Section {
     /** Corners nearer to the plane than this, m, lie on it. */
     private static final double ON_PLANE = 1e-7;
 
-    private record Point(double u, double t) {}
+    /** A body counts as complete only this far inside the ellipsoid, m: its points are rounded. */
+    private static final double ROUNDING = 1e-6;
 
-    private final TriangleMesh mesh;
     private final EllipsoidQuery query;
-    private final Map<Point, Integer> known = new HashMap<>();
+    private final SectionPoints points = new SectionPoints();
     private final CutTriangle piece;
 
     private Position origin;
@@ -33,30 +30,40 @@ final class Section {
     private Position side;
     private double length;
 
-    private double[] u = new double[64];
-    private double[] t = new double[64];
-
     /** Leads from each point to one of the same body, in the end to its representative. */
     private int[] body = new int[64];
-
-    private int points;
 
     /** The two points and the triangle of each piece. */
     private int[] pieces = new int[192];
 
     private int count;
 
-    /** Whether the body that a point represents ends at the line, and whether it goes on beyond what is looked at. */
+    /** By point: one of the ends of pieces that lie there, -1 for none; by end of a piece: another one, or -1. */
+    private int[] ends = new int[64];
+
+    private int[] nextEnd = new int[128];
+
+    /** Whether the body that a point represents ends at the line. */
     private boolean[] blocks = new boolean[64];
 
-    private boolean[] openAbove = new boolean[64];
-    private boolean[] openBelow = new boolean[64];
+    /** Whether it goes on, above the line or below, beyond an end of it. */
+    private boolean[] endsAbove = new boolean[64];
+
+    private boolean[] endsBelow = new boolean[64];
+
+    /** Whether it goes on, above the line or below, beyond the ellipsoid between the ends. */
+    private boolean[] outsideAbove = new boolean[64];
+
+    private boolean[] outsideBelow = new boolean[64];
+
+    /** Whether more of it may lie beyond the ellipsoid, be it behind an end. */
+    private boolean[] isPartial = new boolean[64];
+
     private boolean isBlocked;
 
     Section(World world) {
-        mesh = world.mesh();
-        piece = new CutTriangle(mesh, ON_PLANE);
         query = new EllipsoidQuery(world.tree());
+        piece = new CutTriangle(query::coordinate, ON_PLANE);
     }
 
     /**
@@ -73,19 +80,19 @@ final class Section {
         ahead = direction;
         side = across;
         length = from.distance(to);
-        known.clear();
-        points = 0;
+        points.clear();
         count = 0;
         Position normal = direction.cross(across);
         query.findAtPlane(from, to, sum, normal, ON_PLANE);
         for (int i = 0; i < query.count(); i++) {
-            cut(query.triangle(i), normal);
+            cut(i, normal);
         }
         describeBodies(sum);
     }
 
-    private void cut(int triangle, Position normal) {
-        if (!piece.cut(triangle, origin, normal)) {
+    /** Cuts one of the triangles that the query found. */
+    private void cut(int number, Position normal) {
+        if (!piece.cut(number, origin, normal)) {
             return;
         }
         int first = point(piece.first());
@@ -95,45 +102,54 @@ final class Section {
         }
         if (3 * count == pieces.length) {
             pieces = Arrays.copyOf(pieces, 6 * count);
+            nextEnd = Arrays.copyOf(nextEnd, 4 * count);
         }
         pieces[3 * count] = first;
         pieces[3 * count + 1] = second;
-        pieces[3 * count + 2] = triangle;
+        pieces[3 * count + 2] = query.triangle(number);
+        link(first, 2 * count);
+        link(second, 2 * count + 1);
         count++;
         if (isAbove(first) == isAbove(second)) {
             body[representative(first)] = representative(second);
         }
     }
 
+    private void link(int point, int end) {
+        nextEnd[end] = ends[point];
+        ends[point] = end;
+    }
+
     private boolean isAbove(int point) {
-        return t[point] > 0.0;
+        return points.t(point) > 0.0;
     }
 
     private int point(double[] at) {
-        return point(along(at, ahead), along(at, side));
+        int before = points.count();
+        int number = points.number(along(at, ahead), along(at, side));
+        if (number == before) {
+            if (number == body.length) {
+                grow(2 * number);
+            }
+            body[number] = number;
+            ends[number] = -1;
+        }
+        return number;
+    }
+
+    private void grow(int size) {
+        body = Arrays.copyOf(body, size);
+        ends = Arrays.copyOf(ends, size);
+        blocks = new boolean[size];
+        endsAbove = new boolean[size];
+        endsBelow = new boolean[size];
+        outsideAbove = new boolean[size];
+        outsideBelow = new boolean[size];
+        isPartial = new boolean[size];
     }
 
     private static double along(double[] vector, Position unit) {
         return vector[0] * unit.x() + vector[1] * unit.y() + vector[2] * unit.z();
-    }
-
-    private int point(double along, double across) {
-        Integer there = known.putIfAbsent(new Point(along + 0.0, across + 0.0), points);
-        if (there != null) {
-            return there;
-        }
-        if (points == u.length) {
-            u = Arrays.copyOf(u, 2 * points);
-            t = Arrays.copyOf(t, 2 * points);
-            body = Arrays.copyOf(body, 2 * points);
-            blocks = new boolean[2 * points];
-            openAbove = new boolean[2 * points];
-            openBelow = new boolean[2 * points];
-        }
-        u[points] = along;
-        t[points] = across;
-        body[points] = points;
-        return points++;
     }
 
     private int representative(int point) {
@@ -146,38 +162,66 @@ final class Section {
     }
 
     private void describeBodies(double sum) {
-        Arrays.fill(blocks, 0, points, false);
-        Arrays.fill(openAbove, 0, points, false);
-        Arrays.fill(openBelow, 0, points, false);
+        int all = points.count();
+        for (boolean[] flags : new boolean[][] {blocks, endsAbove, endsBelow, outsideAbove, outsideBelow, isPartial}) {
+            Arrays.fill(flags, 0, all, false);
+        }
         isBlocked = false;
-        for (int i = 0; i < points; i++) {
-            double beyond = length - u[i];
-            boolean isOutside = Math.hypot(u[i], t[i]) + Math.hypot(beyond, t[i]) > sum;
-            // What rises behind an antenna obstructs nothing.
-            markOpen(representative(i), isOutside && u[i] > 0.0 && beyond > 0.0, t[i]);
+        for (int i = 0; i < all; i++) {
+            body[i] = representative(i);
+        }
+        for (int i = 0; i < all; i++) {
+            describePoint(i, sum);
         }
         for (int i = 0; i < count; i++) {
-            int a = pieces[3 * i];
-            int b = pieces[3 * i + 1];
-            for (double end : new double[] {0.0, length}) {
-                boolean isCrossed = u[a] < end != u[b] < end;
-                double there = isCrossed ? t[a] + (end - u[a]) * (t[b] - t[a]) / (u[b] - u[a]) : 0.0;
-                int whole = representative(isAbove(a) == there > 0.0 ? a : b);
-                markOpen(whole, isCrossed && Math.abs(there) > Visibility.MARGIN, there);
-            }
-            if (isAbove(a) != isAbove(b)) {
-                double along = u[a] - t[a] * (u[b] - u[a]) / (t[b] - t[a]);
-                boolean isBetween = along > Visibility.MARGIN && along < length - Visibility.MARGIN;
-                blocks[representative(a)] |= isBetween;
-                blocks[representative(b)] |= isBetween;
-                isBlocked |= isBetween;
-            }
+            describePiece(pieces[3 * i], pieces[3 * i + 1]);
         }
     }
 
-    private void markOpen(int whole, boolean isOpen, double across) {
-        openAbove[whole] |= isOpen && across > 0.0;
-        openBelow[whole] |= isOpen && across < 0.0;
+    private void describePoint(int i, double sum) {
+        double u = points.u(i);
+        double t = points.t(i);
+        double beyond = length - u;
+        int whole = body[i];
+        // What rises behind an antenna obstructs nothing.
+        if (!(u > 0.0 && beyond > 0.0)) {
+            isPartial[whole] = true;
+            return;
+        }
+        // Quicker than hypot, which is needed at the boundary alone.
+        double about = Math.sqrt(u * u + t * t) + Math.sqrt(beyond * beyond + t * t);
+        if (about < sum - 2.0 * ROUNDING) {
+            return;
+        }
+        double detour = Math.hypot(u, t) + Math.hypot(beyond, t);
+        isPartial[whole] |= detour > sum - ROUNDING;
+        outsideAbove[whole] |= detour > sum && t > 0.0;
+        outsideBelow[whole] |= detour > sum && t < 0.0;
+    }
+
+    private void describePiece(int a, int b) {
+        findEnd(a, b, 0.0);
+        findEnd(a, b, length);
+        if (isAbove(a) != isAbove(b)) {
+            double ta = points.t(a);
+            double along = points.u(a) - ta * (points.u(b) - points.u(a)) / (points.t(b) - ta);
+            boolean isBetween = along > Visibility.MARGIN && along < length - Visibility.MARGIN;
+            blocks[body[a]] |= isBetween;
+            blocks[body[b]] |= isBetween;
+            isBlocked |= isBetween;
+        }
+    }
+
+    private void findEnd(int a, int b, double end) {
+        double ua = points.u(a);
+        double ub = points.u(b);
+        if (ua < end != ub < end) {
+            double ta = points.t(a);
+            double there = ta + (end - ua) * (points.t(b) - ta) / (ub - ua);
+            int whole = body[isAbove(a) == there > 0.0 ? a : b];
+            endsAbove[whole] |= there > Visibility.MARGIN;
+            endsBelow[whole] |= there < -Visibility.MARGIN;
+        }
     }
 
     /** Whether something crosses the line. */
@@ -191,20 +235,20 @@ final class Section {
     }
 
     int points() {
-        return points;
+        return points.count();
     }
 
     double u(int point) {
-        return u[point];
+        return points.u(point);
     }
 
     double t(int point) {
-        return t[point];
+        return points.t(point);
     }
 
     /** The point that represents the body to which a point belongs. */
     int body(int point) {
-        return representative(point);
+        return body[point];
     }
 
     /** Whether a body ends at the line, between its ends. */
@@ -217,7 +261,17 @@ final class Section {
      * it.
      */
     boolean isOpen(int whole, boolean above) {
-        return above ? openAbove[whole] : openBelow[whole];
+        return isEnding(whole, above) || (above ? outsideAbove[whole] : outsideBelow[whole]);
+    }
+
+    /** Whether a body goes on, above the line or below, beyond an end of it, however much of it is cut. */
+    boolean isEnding(int whole, boolean above) {
+        return above ? endsAbove[whole] : endsBelow[whole];
+    }
+
+    /** Whether there may be more of a body, on one side of the line, than what was cut. */
+    boolean isPartial(int whole, boolean above) {
+        return isPartial[whole] && isAbove(whole) == above;
     }
 
     int pieces() {
@@ -230,6 +284,21 @@ final class Section {
 
     int end(int piece) {
         return pieces[3 * piece + 1];
+    }
+
+    /** One of the pieces that end at a point, as {@link #nextAt} numbers them; -1 if there is none. */
+    int firstAt(int point) {
+        return ends[point];
+    }
+
+    /** Another one; -1 after the last. */
+    int nextAt(int end) {
+        return nextEnd[end];
+    }
+
+    /** The other end of a piece that was found at a point. */
+    int otherEnd(int end) {
+        return (end & 1) == 0 ? end(end >> 1) : start(end >> 1);
     }
 
     int triangle(int piece) {

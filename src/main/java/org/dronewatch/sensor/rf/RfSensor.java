@@ -39,6 +39,11 @@ public final class RfSensor implements AssessableSensor {
     private Optional<TwoRays> rays = Optional.empty();
     private Visibility visibility;
 
+    /** The link whose pilot was received last, with its ratio: a pilot stays where they are, wherever the drone is. */
+    private Optional<RadioLink> known = Optional.empty();
+
+    private double ofKnownPilot;
+
     /** A receiver with these settings. */
     public RfSensor(RfSettings settings) {
         this.settings = settings;
@@ -55,6 +60,7 @@ public final class RfSensor implements AssessableSensor {
             path = new RadioPath(world);
             rays = settings.groundReflection().map(ground -> new TwoRays(world, ground));
             visibility = new Visibility(world);
+            known = Optional.empty();
         }
     }
 
@@ -162,7 +168,13 @@ public final class RfSensor implements AssessableSensor {
 
     private double ofPilot(Drone drone) {
         RadioLink link = drone.settings().radio();
-        return link.pilot().map(pilot -> ratio(link, pilot, link.pilotPower())).orElse(Double.NEGATIVE_INFINITY);
+        if (known.filter(link::equals).isEmpty()) {
+            ofKnownPilot = link.pilot()
+                    .map(pilot -> ratio(link, pilot, link.pilotPower()))
+                    .orElse(Double.NEGATIVE_INFINITY);
+            known = Optional.of(link);
+        }
+        return ofKnownPilot;
     }
 
     /** Signal-to-noise ratio of an emission from a position, dB. */

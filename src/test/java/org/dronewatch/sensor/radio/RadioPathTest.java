@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.World;
@@ -230,5 +232,61 @@ class RadioPathTest {
             assertThat(path.obstacleLoss(drone, RECEIVER, FREQUENCY))
                     .isCloseTo(path.obstacleLoss(RECEIVER, drone, FREQUENCY), within(1e-4));
         }
+    }
+
+    /**
+     * In towns of boxes at random, some of which touch, over hills: the search that goes ever farther gives the loss of
+     * the search in the whole site, to the last bit.
+     */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void aSearchThatBeginsNearTheLineFindsTheSame(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        World town = town(random);
+        RadioPath path = new RadioPath(town);
+        int blocked = 0;
+        int hidden = 0;
+        for (int i = 0; i < LongForm.count(150, 20_000); i++) {
+            Position from = new Position(random.nextDouble(-400, 400), random.nextDouble(-400, 400), 0)
+                    .plus(new Position(0, 0, random.nextDouble(1, 60)));
+            Position to = new Position(random.nextDouble(-400, 400), random.nextDouble(-400, 400), 0)
+                    .plus(new Position(0, 0, random.nextDouble(1, 150)));
+            double frequency = random.nextBoolean() ? FREQUENCY : 1.5e8;
+            double near = path.obstacleLoss(from, to, frequency);
+            double whole = path.obstacleLoss(from, to, frequency, Double.POSITIVE_INFINITY);
+
+            assertThat(near).as("seed %d, pair %d", seed, i).isEqualTo(whole);
+            blocked += whole > 6.1 && whole < Double.POSITIVE_INFINITY ? 1 : 0;
+            hidden += whole == Double.POSITIVE_INFINITY ? 1 : 0;
+        }
+        assertThat(blocked).isGreaterThan(30);
+        assertThat(hidden).isPositive();
+    }
+
+    /** Boxes at multiples of 10 m, so that many have walls in common, on uneven ground. */
+    private static World town(SplittableRandom random) {
+        List<TriangleMesh> all = new ArrayList<>();
+        for (int box = 0; box < 150; box++) {
+            double west = 10.0 * random.nextInt(-40, 40);
+            double south = 10.0 * random.nextInt(-40, 40);
+            double east = west + 10.0 * random.nextInt(1, 6);
+            double north = south + 10.0 * random.nextInt(1, 6);
+            all.add(box(west, east, south, north, 0, random.nextDouble(3, 60)));
+        }
+        int posts = 21;
+        float[] corners = new float[3 * posts * posts];
+        for (int post = 0; post < posts * posts; post++) {
+            corners[3 * post] = 50.0f * (post % posts) - 500.0f;
+            corners[3 * post + 1] = 50.0f * (post / posts) - 500.0f;
+            corners[3 * post + 2] = (float) random.nextDouble(-20, 15);
+        }
+        int[] triangles = new int[6 * (posts - 1) * (posts - 1)];
+        for (int i = 0; i < triangles.length; i++) {
+            int square = i / 6;
+            int first = square / (posts - 1) * posts + square % (posts - 1);
+            triangles[i] = first + new int[] {0, 1, posts + 1, 0, posts + 1, posts}[i % 6];
+        }
+        all.add(TriangleMesh.of(corners, triangles));
+        return World.of(World.merge(all));
     }
 }

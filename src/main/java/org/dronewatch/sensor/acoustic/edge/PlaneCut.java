@@ -45,7 +45,7 @@ final class PlaneCut {
     PlaneCut(TriangleMesh mesh, EllipsoidQuery query) {
         this.mesh = mesh;
         this.query = query;
-        this.straightPiece = new CutTriangle(mesh, ON_PLANE);
+        this.straightPiece = new CutTriangle(mesh::coordinate, ON_PLANE);
     }
 
     /**
