@@ -30,6 +30,7 @@ import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.run.Stage;
 import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.ConditionedScene;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -173,7 +174,8 @@ final class CoverageCommand implements Callable<Integer> {
                 settings, side == null ? OptionalDouble.empty() : OptionalDouble.of((double) value("side", side)));
         GridOptions.wholeCells(grid).ifPresent(shown.notes());
         String id = drone.of(settings);
-        List<ConditionedScene> others = ConditionedScene.of(field.conditions(), choice, id);
+        List<ConditionedScene> others =
+                ConditionedScene.of(field.conditions(), () -> choice.runner(choice.create()), id);
         CoverageInputs inputs = new CoverageInputs(
                 scene.name(),
                 id,

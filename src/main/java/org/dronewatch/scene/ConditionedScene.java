@@ -1,10 +1,10 @@
-package org.dronewatch.app;
+package org.dronewatch.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.dronewatch.scenario.SceneCondition;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -13,18 +13,20 @@ import org.dronewatch.setting.InputException;
  * @param name of the condition
  * @param settings of the scene with its changes
  */
-record ConditionedScene(String name, SceneSettings settings) {
+public record ConditionedScene(String name, SceneSettings settings) {
 
     /**
      * A scene under each of some conditions; nothing is loaded.
      *
+     * @param runners makes a new runner of the scene as it is
      * @param drone name of a drone that they must have
      * @throws InputException in one line with the location of a change that does not fit the scene
      */
-    static List<ConditionedScene> of(List<SceneCondition> conditions, SceneChoice choice, String drone) {
+    public static List<ConditionedScene> of(
+            List<SceneCondition> conditions, Supplier<SceneRunner> runners, String drone) {
         List<ConditionedScene> scenes = new ArrayList<>();
         for (SceneCondition condition : conditions) {
-            SceneRunner runner = choice.runner(choice.create());
+            SceneRunner runner = runners.get();
             SceneSettings settings = null;
             for (SceneCondition.Change change : condition.changes()) {
                 try {
