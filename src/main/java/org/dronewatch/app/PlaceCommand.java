@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
@@ -69,6 +70,12 @@ final class PlaceCommand implements Callable<Integer> {
     private Double budget;
 
     @Option(
+            names = "--cell",
+            paramLabel = "LENGTH",
+            description = "Length of a cell's side in place of the one in the file, with a unit or in m.")
+    private String cell;
+
+    @Option(
             names = "--gap",
             paramLabel = "G",
             description =
@@ -122,7 +129,9 @@ final class PlaceCommand implements Callable<Integer> {
         Path given = PathWord.of("placement file", file);
         TaskProgress shown = display.on(spec.commandLine().getErr());
         PlacePlan read = PlacePlan.read(given, this::configure, shown.notes());
-        PlacePlan plan = budget == null ? read : read.withBudget(budget);
+        PlacePlan fine =
+                cell == null ? read : read.withCell((double) FieldOptions.value("cell", cell, FieldGrid.class, "cell"));
+        PlacePlan plan = budget == null ? fine : fine.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 boolean isComplete =
@@ -258,12 +267,14 @@ final class PlaceCommand implements Callable<Integer> {
         return LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
     }
 
-    /** The placement file counts among those that describe the scene. */
+    /** The placement file and its conditions count among the files that describe the scene. */
     private Provenance provenance(Path given, PlacePlan plan) {
         InputFiles inputs = plan.runner().inputs();
+        List<Path> files = new ArrayList<>(List.of(given));
+        plan.conditionsFile().ifPresent(files::add);
         return new Provenance(
                 started,
                 spec.root().commandLine().getParseResult().originalArgs(),
-                inputs.withScene(inputs.scene(), List.of(given)));
+                inputs.withScene(inputs.scene(), files));
     }
 }

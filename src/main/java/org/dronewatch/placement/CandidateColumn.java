@@ -5,6 +5,8 @@ import java.util.Arrays;
 /** What one candidate contributes: the rows that it reaches, in ascending order, with a value for each. Immutable. */
 public final class CandidateColumn {
     private final int[] rows;
+
+    /** Null if all are 1: of a covered cell, nothing else is known. */
     private final double[] values;
 
     /**
@@ -18,16 +20,33 @@ public final class CandidateColumn {
         if (rows.length != values.length) {
             throw new IllegalArgumentException(rows.length + " rows, but " + values.length + " values");
         }
+        for (double value : values) {
+            if (!(value >= 0.0) || Double.isInfinite(value)) {
+                throw new IllegalArgumentException("value " + value + ": must be 0 or more");
+            }
+        }
+        this.rows = checked(rows);
+        this.values = values.clone();
+    }
+
+    /**
+     * A column with the value 1 in each of its rows.
+     *
+     * @param rows from 0, ascending
+     * @throws IllegalArgumentException when rows do not ascend
+     */
+    public CandidateColumn(int[] rows) {
+        this.rows = checked(rows);
+        this.values = null;
+    }
+
+    private static int[] checked(int[] rows) {
         for (int at = 0; at < rows.length; at++) {
             if (rows[at] < 0 || at > 0 && rows[at] <= rows[at - 1]) {
                 throw new IllegalArgumentException("row " + rows[at] + ": rows must be 0 or more, and ascend");
             }
-            if (!(values[at] >= 0.0) || Double.isInfinite(values[at])) {
-                throw new IllegalArgumentException("value " + values[at] + ": must be 0 or more");
-            }
         }
-        this.rows = rows.clone();
-        this.values = values.clone();
+        return rows.clone();
     }
 
     /** The number of rows that it reaches. */
@@ -42,7 +61,7 @@ public final class CandidateColumn {
 
     /** Its value there. */
     public double value(int at) {
-        return values[at];
+        return values == null ? 1.0 : values[at];
     }
 
     /** The greatest row that it reaches; -1 if there is none. */
@@ -52,6 +71,6 @@ public final class CandidateColumn {
 
     @Override
     public String toString() {
-        return "rows " + Arrays.toString(rows) + ", values " + Arrays.toString(values);
+        return "rows " + Arrays.toString(rows) + ", values " + (values == null ? "1" : Arrays.toString(values));
     }
 }

@@ -1,6 +1,7 @@
 package org.dronewatch.placement;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -15,8 +16,13 @@ public final class CandidateTable {
     private final double[] weights;
     private final double[] undetected;
 
+    /** By row; null if all rows are of group 0. */
+    private final int[] groups;
+
+    private final int groupCount;
+
     /**
-     * A table.
+     * A table whose rows form one group.
      *
      * @param candidates with distinct names
      * @param columns one for each candidate
@@ -27,6 +33,15 @@ public final class CandidateTable {
      */
     public CandidateTable(
             List<Candidate> candidates, List<CandidateColumn> columns, double[] weights, double[] undetected) {
+        this(candidates, columns, weights, undetected, null);
+    }
+
+    private CandidateTable(
+            List<Candidate> candidates,
+            List<CandidateColumn> columns,
+            double[] weights,
+            double[] undetected,
+            int[] groups) {
         if (columns.size() != candidates.size() || undetected.length != weights.length) {
             throw new IllegalArgumentException(
                     candidates.size() + " candidates, but " + columns.size() + " columns; " + weights.length
@@ -53,6 +68,9 @@ public final class CandidateTable {
         this.columns = List.copyOf(columns);
         this.weights = weights.clone();
         this.undetected = undetected.clone();
+        this.groups = groups;
+        this.groupCount =
+                groups == null ? 1 : Math.max(1, 1 + Arrays.stream(groups).max().orElse(0));
     }
 
     /** A table without impacts. */
@@ -64,6 +82,27 @@ public final class CandidateTable {
         double[] none = new double[rows];
         Arrays.fill(none, Double.NaN);
         return none;
+    }
+
+    /**
+     * A copy whose rows form groups, such as the cells in each of several weathers.
+     *
+     * @param numbers by row, from 0 on without gaps
+     * @throws IllegalArgumentException when there are not as many as rows, or a number is missing
+     */
+    public CandidateTable withGroups(int[] numbers) {
+        BitSet used = new BitSet();
+        for (int number : numbers) {
+            if (number < 0 || number >= numbers.length) {
+                throw new IllegalArgumentException("group " + number + ": must be 0 to " + (numbers.length - 1));
+            }
+            used.set(number);
+        }
+        if (numbers.length != weights.length || used.cardinality() != used.length()) {
+            throw new IllegalArgumentException(numbers.length + " groups for " + weights.length
+                    + " rows: needs one for each row, numbered from 0 on without gaps");
+        }
+        return new CandidateTable(candidates, columns, weights, undetected, numbers.clone());
     }
 
     /** The candidates; their indices identify them. */
@@ -89,6 +128,16 @@ public final class CandidateTable {
     /** The weight of a row. */
     public double weight(int row) {
         return weights[row];
+    }
+
+    /** The group of a row, from 0 on. */
+    public int group(int row) {
+        return groups == null ? 0 : groups[row];
+    }
+
+    /** The number of groups, 1 or more. */
+    public int groups() {
+        return groupCount;
     }
 
     /** The impact in a row where no candidate detects anything; not a number where it is not stated. */

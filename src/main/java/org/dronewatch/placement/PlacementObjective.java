@@ -10,6 +10,8 @@ public enum PlacementObjective {
      * row. With values of 1, it is the covered weight.
      */
     COVERED_WEIGHT(true),
+    /** The same sum over each group of rows, such as the cells in one weather: the greatest of the least such sum. */
+    LEAST_COVERED_WEIGHT(true),
     /**
      * The greatest sum, over the rows, of weight times the probability that any chosen candidate detects: 1 - prod(1 -
      * p). Values are probabilities, capped at 1 - 1e-6.
@@ -43,6 +45,6 @@ public enum PlacementObjective {
 
     /** Whether the candidate with the best value alone counts in a row, so that k-fold conditions make sense. */
     public boolean takesBest() {
-        return this == COVERED_WEIGHT || isImpact();
+        return this == COVERED_WEIGHT || this == LEAST_COVERED_WEIGHT || isImpact();
     }
 }

@@ -1,6 +1,5 @@
 package org.dronewatch.placement;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -158,25 +157,13 @@ public final class PlacementProblem {
         return worst;
     }
 
+    /** The sum of weight times value over each group of rows, for a layout. */
+    public double[] sums(List<Integer> chosen) {
+        return new LayoutValue(this, chosen).sums();
+    }
+
     /** The value of the objective for a layout, whether it is allowed or not. */
     public double value(List<Integer> chosen) {
         return new LayoutValue(this, chosen).value();
-    }
-
-    /** The chosen candidates, their values sorted from the best, row by row. */
-    double[][] sortedValues(List<Integer> chosen) {
-        double[][] values = new double[table.rows()][];
-        Arrays.fill(values, new double[0]);
-        for (int candidate : chosen) {
-            CandidateColumn column = table.column(candidate);
-            for (int at = 0; at < column.size(); at++) {
-                double[] before = values[column.row(at)];
-                double[] after = Arrays.copyOf(before, before.length + 1);
-                after[before.length] = column.value(at);
-                values[column.row(at)] = after;
-            }
-        }
-        Arrays.stream(values).forEach(Arrays::sort);
-        return values;
     }
 }

@@ -39,7 +39,19 @@ public final class DetectionField {
      * @param progress receives the number of cells represented by what has been traced since the last call
      */
     static DetectionField unassessed(FieldRequest asked, LayerStore store, IntConsumer progress) {
-        FieldColumns columns = FieldColumns.of(asked.stage().world(), asked.grid());
+        return unassessed(asked, FieldColumns.of(asked.stage().world(), asked.grid()), store, progress);
+    }
+
+    /** The same in the cells of this field. */
+    DetectionField unassessedLikeThis(FieldRequest asked, LayerStore another, IntConsumer progress) {
+        if (!asked.grid().equals(grid)) {
+            throw new IllegalArgumentException("a field of other cells");
+        }
+        return unassessed(asked, columns, another, progress);
+    }
+
+    private static DetectionField unassessed(
+            FieldRequest asked, FieldColumns columns, LayerStore store, IntConsumer progress) {
         FieldSensors all = FieldSensors.unassessed(asked, columns, store, progress);
         return new DetectionField(asked.grid(), columns, all, store);
     }

@@ -59,7 +59,21 @@ public final class FieldAssessment {
      * @param store of assessments that were made before
      */
     public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {
-        DetectionField field = DetectionField.unassessed(asked, store, progress);
+        return assessed(DetectionField.unassessed(asked, store, progress), asked, progress);
+    }
+
+    /**
+     * The same in the cells of a field that was assessed before, perhaps of other sensors: which of them are inside
+     * something solid is not found out again.
+     *
+     * @param like a field of the same site and grid
+     * @throws IllegalArgumentException when the grid differs
+     */
+    public static DetectionField of(FieldRequest asked, DetectionField like, LayerStore store, IntConsumer progress) {
+        return assessed(like.unassessedLikeThis(asked, store, progress), asked, progress);
+    }
+
+    private static DetectionField assessed(DetectionField field, FieldRequest asked, IntConsumer progress) {
         for (int height = 0; height < asked.grid().heights().size(); height++) {
             field.assess(height, progress);
         }

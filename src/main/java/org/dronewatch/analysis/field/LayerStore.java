@@ -57,13 +57,26 @@ public final class LayerStore {
      * @param files that were read for it, by their names in the settings
      */
     public static LayerStore of(SceneSettings settings, Map<String, List<FileHash>> files, SiteStore store) {
-        if (!store.isOn() || !OwnCode.isAll(settings.world())) {
+        return store.isOn() ? of(settings, files, Optional.of(store)) : NONE;
+    }
+
+    /**
+     * The same store for another scene, such as one in other weather.
+     *
+     * @param files that were read for it, by their names in the settings
+     */
+    public LayerStore under(SceneSettings settings, Map<String, List<FileHash>> files) {
+        return store.isPresent() ? of(settings, files, store) : NONE;
+    }
+
+    private static LayerStore of(SceneSettings settings, Map<String, List<FileHash>> files, Optional<SiteStore> store) {
+        if (!OwnCode.isAll(settings.world())) {
             return NONE;
         }
         StringBuilder text = new StringBuilder(CanonicalSettings.of(settings.world()));
         files.entrySet().stream().sorted(Map.Entry.comparingByKey()).forEach(one -> text.append(one)
                 .append('\n'));
-        return new LayerStore(Optional.of(store), text.toString());
+        return new LayerStore(store, text.toString());
     }
 
     /** This store for assessments that also depend on a field: on what is interpolated between its cells. */

@@ -1,5 +1,6 @@
 package org.dronewatch.placement.site;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.analysis.field.FieldCoverage;
@@ -7,8 +8,11 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.setting.file.LinkOut;
 
 /**
  * The airspace that is to be covered, and the terms on which a sensor covers it, which are the options of
@@ -24,6 +28,8 @@ import org.dronewatch.setting.Quantity;
  * @param within time within which a sensor must detect the drone, s; a single look by default
  * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell
  *     counts on the heading towards the protected zone. {@code any} by default
+ * @param conditions file of conditions, such as night or fog, beside this file or below it, as for
+ *     {@code coverage --conditions}: what counts is the coverage under the worst of them, the scene as it is among them
  * @param pointing whether sensors on positioners have turned to the drone ({@code cued}) or search for it
  *     ({@code search}); {@code cued} by default, and {@code search} for {@code weakest-route}
  */
@@ -35,6 +41,7 @@ public record AirSettings(
         @In(value = Quantity.RATIO, from = FieldCoverage.LEAST_COVERED, to = 1) double covered,
         @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within,
         Heading heading,
+        Optional<String> conditions,
         Optional<FieldTerms.Turning> pointing) {
     /** The headings of the drone that count. */
     public enum Heading {
@@ -54,11 +61,12 @@ public record AirSettings(
             FieldCoverage.DEFAULT_COVERED,
             Optional.empty(),
             Heading.ANY,
+            Optional.empty(),
             Optional.empty());
 
     /** Checks the limits. */
     public AirSettings {
-        Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, pointing);
+        Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, conditions, pointing);
         FieldCoverage.checkedProbability(covered);
         heights = FieldGrid.checkedHeights(heights);
     }
@@ -66,6 +74,24 @@ public record AirSettings(
     /** The side of the square, m: that of {@code coverage} unless it is given. */
     double square() {
         return side.orElse(FieldGrid.DEFAULT_SIDE);
+    }
+
+    /**
+     * The path of the file of conditions; empty without one.
+     *
+     * @param directory of the placement file
+     * @throws InputException in one line when it lies elsewhere
+     */
+    Optional<Path> conditionsFile(Path directory) {
+        return conditions.map(name -> {
+            Path path = directory.resolve(name).normalize();
+            if (!path.startsWith(directory.normalize())) {
+                throw new InputException(
+                        "air.conditions " + PlainText.value(name) + ": must lie beside the placement file or below it");
+            }
+            LinkOut.refuse(directory, path, "air.conditions");
+            return path;
+        });
     }
 
     /** The terms on which the drone counts as detected. */

@@ -82,18 +82,40 @@ final class CandidatesOnSite {
             if (!link.test(positions.get(place))) {
                 continue;
             }
-            SensorSettings<?> sensor = sensor(OFFERS + name, offer.sensor(), positions.get(place));
             String number = String.format(Locale.ROOT, "%s-%0" + width + "d", name, place + 1);
-            for (int aim = 0; aim < offer.aims(); aim++) {
-                String id = offer.aims() == 1 ? number : number + "-" + Math.round(360.0 * aim / offer.aims());
-                String taken = offer.exclusive() ? positions.get(place).toString() : "";
-                Candidate candidate = new Candidate(id, offer.price(), name, taken, false);
-                add(OFFERS + name, new SiteCandidate(candidate, turned(OFFERS + name, sensor, aim, offer.aims())));
-            }
+            fixed(name, offer, number, positions.get(place));
+            turning(name, offer, number, positions.get(place));
         }
         if (all.size() == before) {
             throw new InputException(OFFERS + name + ": none of its places has a line of sight to conditions.base");
         }
+    }
+
+    /** A sensor at a place, with each of its aims. */
+    private void fixed(String name, OfferSettings offer, String number, Position place) {
+        SensorSettings<?> sensor = sensor(OFFERS + name, offer.sensor(), place);
+        for (int aim = 0; aim < offer.aims(); aim++) {
+            String id = offer.aims() == 1 ? number : number + "-" + Math.round(360.0 * aim / offer.aims());
+            add(name, offer, id, offer.price(), turned(OFFERS + name, sensor, aim, offer.aims()));
+        }
+    }
+
+    /** The sensor on each of its positioners. */
+    private void turning(String name, OfferSettings offer, String number, Position place) {
+        if (!offer.positioners().isEmpty() && offer.sensor().values().containsKey("positioner")) {
+            throw new InputException(OFFERS + name + ".positioners: the sensor has a positioner already");
+        }
+        offer.positioners().forEach((mount, choice) -> {
+            Node.Mapping mounted = offer.sensor()
+                    .overlaidWith(Node.Mapping.ofNodes(OFFERS + name, Map.of("positioner", choice.positioner())));
+            double price = offer.price() + choice.price();
+            add(name, offer, number + "-" + mount, price, sensor(OFFERS + name, mounted, place));
+        });
+    }
+
+    private void add(String name, OfferSettings offer, String id, double price, SensorSettings<?> sensor) {
+        String taken = offer.exclusive() ? sensor.position().toString() : "";
+        add(OFFERS + name, new SiteCandidate(new Candidate(id, price, name, taken, false), sensor));
     }
 
     /** Which places have a line of sight to the base station: all if there is none. */

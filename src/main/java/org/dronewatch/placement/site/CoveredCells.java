@@ -8,11 +8,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
-import org.dronewatch.analysis.field.FieldAssessment;
-import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldHeading;
-import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.FieldSummary;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.field.LayerStore;
@@ -28,7 +25,7 @@ import org.dronewatch.setting.Spelling;
 
 /**
  * The air that each sensor covers: a row for each cell and each of eight headings, or for each cell and the heading
- * towards the protected zone. Cells that are inside something solid, without ground below them or outside the area do
+ * towards the protected zone; under several conditions, as many rows for each of them. Cells that are inside something solid, without ground below them or outside the area do
  * not count. For one thread, which may have {@link org.dronewatch.parallel.Workers}.
  */
 public final class CoveredCells {
@@ -40,14 +37,11 @@ public final class CoveredCells {
 
     private final PlacePlan plan;
     private final Stage stage;
-    private final LayerStore store;
     private final FieldGrid grid;
     private final List<Course> courses;
 
-    /** By cell: its first row; -1 where it does not count. */
-    private int[] first;
-
-    private int count = -1;
+    /** The rows of the scene as it is, and under each condition. */
+    private final List<CellRows> scenes = new ArrayList<>();
 
     /**
      * The cells of a plan.
@@ -59,18 +53,26 @@ public final class CoveredCells {
     public CoveredCells(PlacePlan plan, Stage stage, LayerStore store) {
         this.plan = plan;
         this.stage = stage;
-        this.store = store;
         this.grid = grid(plan);
         this.courses = courses();
         checkSize();
+        scenes.add(new CellRows(plan, plan.present(), stage, store, grid, courses));
+        plan.conditions().forEach(condition -> {
+            Stage there = plan.runner().stage(condition.settings());
+            LayerStore under =
+                    store.under(condition.settings(), plan.runner().inputs().models());
+            scenes.add(new CellRows(plan, condition.settings(), there, under, grid, courses));
+        });
     }
 
     private void checkSize() {
-        long rows = (long) grid.cells() * grid.heights().size() * courses.size();
+        int scenes = 1 + plan.conditions().size();
+        long rows = (long) scenes * grid.cells() * grid.heights().size() * courses.size();
         if (rows > MOST) {
             throw new InputException("air.cell: " + grid.columns() + " x " + grid.columns() + " cells at "
                     + grid.heights().size() + " heights on " + courses.size()
-                    + " headings are too many, must be at most " + MOST + " together: give a larger cell");
+                    + " headings" + (scenes > 1 ? " under " + scenes + " conditions" : "")
+                    + " are too many, must be at most " + MOST + " together: give a larger cell");
         }
     }
 
@@ -130,7 +132,7 @@ public final class CoveredCells {
 
     /** The same for a number of sensors. */
     public long looks(int sensors) {
-        return (long) sensors * grid.cells() * grid.heights().size();
+        return (long) sensors * scenes.size() * grid.cells() * grid.heights().size();
     }
 
     /** The number of headings on which each cell counts. */
@@ -138,9 +140,35 @@ public final class CoveredCells {
         return courses.size();
     }
 
-    /** The number of rows; known once a sensor was assessed. */
+    /** The number of rows of the scene as it is; known once a sensor was assessed. */
     public int size() {
-        return count;
+        return scenes.get(0).size();
+    }
+
+    /** By row: the number of its condition, 0 for the scene as it is; known once a sensor was assessed. */
+    int[] conditions() {
+        int[] conditions = new int[all()];
+        int row = 0;
+        for (int number = 0; number < scenes.size(); number++) {
+            Arrays.fill(conditions, row, row + scenes.get(number).size(), number);
+            row += scenes.get(number).size();
+        }
+        return conditions;
+    }
+
+    private int all() {
+        return scenes.stream().mapToInt(CellRows::size).sum();
+    }
+
+    /** By row: its weight; the rows of all conditions have the same sum. */
+    double[] weights() {
+        double[] weights = new double[all()];
+        int row = 0;
+        for (CellRows rows : scenes) {
+            Arrays.fill(weights, row, row + rows.size(), (double) size() / rows.size());
+            row += rows.size();
+        }
+        return weights;
     }
 
     /**
@@ -167,20 +195,18 @@ public final class CoveredCells {
 
     /** What a sensor covers: rows in ascending order, each with the value 1. */
     public CandidateColumn column(String name, SensorSettings<?> sensor, IntConsumer progress) {
-        DetectionField field = field(Map.of(name, sensor), courses, progress);
-        double share = plan.settings().air().covered();
-        int[] covering = new int[count];
-        int covered = 0;
-        for (int cell = 0; cell < first.length; cell++) {
-            for (int course = 0; course < courses.size() && first[cell] >= 0; course++) {
-                if (field.covers(0, height(cell), column(cell), row(cell), course, share)) {
-                    covering[covered++] = first[cell] + course;
-                }
+        List<int[]> parts = new ArrayList<>();
+        scenes.forEach(rows -> parts.add(rows.covering(name, sensor, progress)));
+        int[] covering = new int[parts.stream().mapToInt(part -> part.length).sum()];
+        int at = 0;
+        int before = 0;
+        for (int number = 0; number < parts.size(); number++) {
+            for (int row : parts.get(number)) {
+                covering[at++] = before + row;
             }
+            before += scenes.get(number).size();
         }
-        double[] ones = new double[covered];
-        Arrays.fill(ones, 1.0);
-        return new CandidateColumn(Arrays.copyOf(covering, covered), ones);
+        return new CandidateColumn(covering);
     }
 
     /**
@@ -192,7 +218,8 @@ public final class CoveredCells {
      * @throws CancellationException when this thread is interrupted
      */
     public FieldSummary summary(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
-        DetectionField field = field(sensors, heading().courses(alone(sensors), stage, plan.drone(), grid), progress);
+        List<Course> flown = heading().courses(alone(sensors), stage, plan.drone(), grid);
+        DetectionField field = scenes.get(0).field(sensors, flown, progress);
         return FieldSummary.of(field, heading().choice(), plan.settings().air().covered());
     }
 
@@ -203,11 +230,11 @@ public final class CoveredCells {
 
     /** By row: the number of its cell. */
     int[] cells() {
-        int[] cells = new int[count];
-        for (int cell = 0; cell < first.length; cell++) {
-            for (int course = 0; course < courses.size() && first[cell] >= 0; course++) {
-                cells[first[cell] + course] = cell;
-            }
+        int[] cells = new int[all()];
+        int row = 0;
+        for (CellRows rows : scenes) {
+            System.arraycopy(rows.cells(), 0, cells, row, rows.size());
+            row += rows.size();
         }
         return cells;
     }
@@ -218,38 +245,7 @@ public final class CoveredCells {
 
     /** The scene with these sensors; all others are switched off, so that those to which a sensor refers exist. */
     public SceneSettings alone(Map<String, SensorSettings<?>> sensors) {
-        return Layout.alone(plan, sensors);
-    }
-
-    private DetectionField field(Map<String, SensorSettings<?>> sensors, List<Course> flown, IntConsumer progress) {
-        AirSettings air = plan.settings().air();
-        FieldRequest request = new FieldRequest(
-                alone(sensors),
-                stage,
-                plan.drone(),
-                grid,
-                flown,
-                FieldCoverage.Choice.WORST,
-                air.terms(),
-                air.covered());
-        DetectionField field = FieldAssessment.of(request, store, progress);
-        if (first == null) {
-            number(field);
-        }
-        return field;
-    }
-
-    /** Numbers the cells in which the drone can be, on each course. */
-    private void number(DetectionField field) {
-        first = new int[grid.cells() * grid.heights().size()];
-        count = 0;
-        for (int cell = 0; cell < first.length; cell++) {
-            first[cell] = field.isOpen(height(cell), column(cell), row(cell)) ? count : -1;
-            count += first[cell] < 0 ? 0 : courses.size();
-        }
-        if (count == 0) {
-            throw new InputException("air: there is no cell in which the drone can be");
-        }
+        return Layout.alone(plan.present(), sensors);
     }
 
     int column(int cell) {

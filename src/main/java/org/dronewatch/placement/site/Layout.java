@@ -4,10 +4,13 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.scenario.PriceSettings;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.DirectionFinding;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
@@ -17,17 +20,17 @@ public final class Layout {
     private Layout() {}
 
     /**
-     * The scene of a plan with some sensors. All others of the scene are switched off, so that those to which a sensor
+     * A scene with some sensors. All others of the scene are switched off, so that those to which a sensor
      * refers exist.
      *
      * @param sensors by their names
      */
-    static SceneSettings alone(PlacePlan plan, Map<String, SensorSettings<?>> sensors) {
-        Map<String, SensorSettings<?>> all = new LinkedHashMap<>(plan.present().sensors());
+    static SceneSettings alone(SceneSettings scene, Map<String, SensorSettings<?>> sensors) {
+        Map<String, SensorSettings<?>> all = new LinkedHashMap<>(scene.sensors());
         all.putAll(sensors);
         Set<String> others = new LinkedHashSet<>(all.keySet());
         others.removeAll(sensors.keySet());
-        return SettingsForm.with(plan.present(), Map.of("sensors", all, "disabled", others));
+        return SettingsForm.with(scene, Map.of("sensors", all, "disabled", others));
     }
 
     /**
@@ -56,7 +59,7 @@ public final class Layout {
                     present,
                     Map.of(
                             "sensors",
-                            sensors,
+                            cued(sensors, present.sensors().keySet()),
                             "disabled",
                             Set.of(),
                             "prices",
@@ -64,5 +67,23 @@ public final class Layout {
         } catch (IllegalArgumentException e) {
             throw new InputException(e.getMessage(), e);
         }
+    }
+
+    /** With cues for the positioners that name none: from all other sensors that measure directions. */
+    private static Map<String, SensorSettings<?>> cued(Map<String, SensorSettings<?>> sensors, Set<String> kept) {
+        Map<String, SensorSettings<?>> all = new LinkedHashMap<>(sensors);
+        all.replaceAll((name, sensor) -> {
+            List<String> cues = sensors.keySet().stream()
+                    .filter(other -> !other.equals(name))
+                    .filter(other ->
+                            sensors.get(other).as(DirectionFinding.class).isPresent())
+                    .toList();
+            return Mounted.positioner(sensor)
+                    .filter(its -> its.cues().isEmpty() && !kept.contains(name))
+                    .<SensorSettings<?>>map(its -> (SensorSettings<?>) SettingsForm.with(
+                            (Record) sensor, "positioner", Optional.of(its.withCues(cues.toArray(String[]::new)))))
+                    .orElse(sensor);
+        });
+        return all;
     }
 }

@@ -1,6 +1,9 @@
 package org.dronewatch.placement.site;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
@@ -19,6 +22,8 @@ import org.dronewatch.setting.file.Node;
  * @param area places within a polygon, such as a roof
  * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
  *     each place, 1 to 72; 1 by default
+ * @param positioners positioners on which it may be mounted instead of being fixed, by the names that those in the layout
+ *     end with: at each place, one candidate on each of them, in addition to one for each aim; none by default
  * @param exclusive whether at most one such sensor, of all candidates and of the sensors that are kept, may stand at a
  *     place; {@code false} by default
  * @param atLeast minimum number of them in the layout; 0 by default
@@ -31,16 +36,27 @@ public record OfferSettings(
         Optional<LineOfPlaces> line,
         Optional<AreaOfPlaces> area,
         @In(value = Quantity.NUMBER, from = 1, to = 72) int aims,
+        Map<String, MountOffer> positioners,
         boolean exclusive,
         @In(value = Quantity.NUMBER, from = 0, to = 1000) int atLeast,
         @In(value = Quantity.NUMBER, from = 0, to = 1000) Optional<Integer> atMost) {
     /** Checks the limits. */
     public OfferSettings {
-        Limits.check(OfferSettings.class, sensor, price, places, line, area, aims, exclusive, atLeast, atMost);
+        Limits.check(
+                OfferSettings.class, sensor, price, places, line, area, aims, positioners, exclusive, atLeast, atMost);
         places = List.copyOf(places);
+        positioners = Collections.unmodifiableMap(new LinkedHashMap<>(positioners));
+        positioners.keySet().forEach(OfferSettings::checkName);
         int least = atLeast;
         if (atMost.filter(most -> most < least).isPresent()) {
             throw new IllegalArgumentException("atMost " + atMost.get() + ": must be at least atLeast, " + atLeast);
+        }
+    }
+
+    private static void checkName(String name) {
+        if (!name.matches("[A-Za-z][A-Za-z0-9_-]{0,15}")) {
+            throw new IllegalArgumentException("positioners." + name
+                    + ": a name must have 1 to 16 letters, digits, hyphens and underscores, a letter first");
         }
     }
 
@@ -48,6 +64,6 @@ public record OfferSettings(
     @Defaults({"sensor", "price"})
     public static OfferSettings of(Node.Mapping sensor, double price) {
         return new OfferSettings(
-                sensor, price, List.of(), Optional.empty(), Optional.empty(), 1, false, 0, Optional.empty());
+                sensor, price, List.of(), Optional.empty(), Optional.empty(), 1, Map.of(), false, 0, Optional.empty());
     }
 }

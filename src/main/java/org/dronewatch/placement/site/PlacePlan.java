@@ -2,18 +2,22 @@ package org.dronewatch.placement.site;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
+import org.dronewatch.scenario.SceneCondition;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.ConditionedScene;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.SceneByName;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
@@ -29,6 +33,8 @@ import org.dronewatch.setting.file.SettingsFile;
  * @param present settings of the scene as it is
  * @param drone that is to be detected
  * @param candidates in the order of the file; those that are kept first
+ * @param conditions under which the air is to be covered, too; none for the scene as it is alone
+ * @param conditionsFile file of these; empty without one
  */
 public record PlacePlan(
         PlaceSettings settings,
@@ -36,14 +42,17 @@ public record PlacePlan(
         SceneRunner runner,
         SceneSettings present,
         String drone,
-        List<SiteCandidate> candidates) {
+        List<SiteCandidate> candidates,
+        List<ConditionedScene> conditions,
+        Optional<Path> conditionsFile) {
     private static final String SCENE = "scene";
     private static final Pattern PLACED =
             Pattern.compile("(scene|drone|objective|budget|candidates|keep|conditions|air)[.: ]");
 
-    /** Copies the list: later changes by the caller have no effect. */
+    /** Copies the lists: later changes by the caller have no effect. */
     public PlacePlan {
         candidates = List.copyOf(candidates);
+        conditions = List.copyOf(conditions);
     }
 
     /**
@@ -63,17 +72,28 @@ public record PlacePlan(
             throw new InputException(PlainText.value(file) + ": scene: is empty");
         }
         Scene scene = scene(document, directory, name);
-        SceneRunner runner = new SceneRunner(scene).notes(notes);
-        configuration.accept(runner);
+        SceneRunner runner = runner(scene, configuration).notes(notes);
         SceneSettings present = runner.settings().withoutSweep();
         Kinds kinds = runner.kinds(SensorKinds.kinds(Catalog.beside(directory)), present);
         PlaceSettings settings = SettingsFile.read(document, PlaceSettings.class, kinds, directory, new FormerNames());
         try {
             CandidatesOnSite found = new CandidatesOnSite(settings, present, runner, kinds, directory);
-            return new PlacePlan(settings, scene, runner, present, drone(settings, present), found.all());
+            String drone = drone(settings, present);
+            Optional<Path> weather = settings.air().conditionsFile(directory);
+            List<ConditionedScene> conditions = ConditionedScene.of(
+                    weather.map(SceneCondition::read).orElse(List.of()),
+                    () -> runner(scene(document, directory, name), configuration),
+                    drone);
+            return new PlacePlan(settings, scene, runner, present, drone, found.all(), conditions, weather);
         } catch (InputException e) {
             throw placed(file, e);
         }
+    }
+
+    private static SceneRunner runner(Scene scene, Consumer<SceneRunner> configuration) {
+        SceneRunner runner = new SceneRunner(scene);
+        configuration.accept(runner);
+        return runner;
     }
 
     /**
@@ -111,6 +131,15 @@ public record PlacePlan(
 
     /** The same with another budget. */
     public PlacePlan withBudget(double budget) {
-        return new PlacePlan(settings.withBudget(budget), scene, runner, present, drone, candidates);
+        return with(settings.withBudget(budget));
+    }
+
+    /** The same with another length of a cell's side, m. */
+    public PlacePlan withCell(double length) {
+        return with(SettingsForm.with(settings, "air", SettingsForm.with(settings.air(), "cell", Optional.of(length))));
+    }
+
+    private PlacePlan with(PlaceSettings others) {
+        return new PlacePlan(others, scene, runner, present, drone, candidates, conditions, conditionsFile);
     }
 }

@@ -1,7 +1,6 @@
 package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -56,12 +55,13 @@ public final class PlaceSearch {
         SolverLimits within = air.isWhole() ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
         PlacementResult result = solver.solve(problem, within).orElseThrow(this::impossible);
         // What was not assessed could cover everything.
-        double bound = air.isWhole() ? result.bound() : problem.table().rows();
+        double bound = air.isWhole() ? result.bound() : cells.size();
         boolean isComplete = air.isWhole() && result.complete();
         return new SitePlacement(
                 plan,
                 cells.grid(),
                 cells.headings(),
+                cells.size(),
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
                 air.present().map(columns -> present(columns, problem)),
@@ -81,7 +81,7 @@ public final class PlaceSearch {
         List<CandidateColumn> columns = new ArrayList<>(cells.columns(progress));
         boolean isWhole = columns.size() == plan.candidates().size();
         while (columns.size() < plan.candidates().size()) {
-            columns.add(new CandidateColumn(new int[0], new double[0]));
+            columns.add(new CandidateColumn(new int[0]));
         }
         Map<String, SensorSettings<?>> own = plan.present().enabledSensors();
         List<CandidateColumn> present = new ArrayList<>();
@@ -98,13 +98,19 @@ public final class PlaceSearch {
     private PlacementProblem problem(List<CandidateColumn> columns) {
         List<Candidate> candidates =
                 plan.candidates().stream().map(SiteCandidate::candidate).toList();
-        return new PlacementProblem(table(candidates, columns), PlacementObjective.COVERED_WEIGHT, conditions());
+        return new PlacementProblem(table(candidates, columns), objective(), conditions());
     }
 
     private CandidateTable table(List<Candidate> candidates, List<CandidateColumn> columns) {
-        double[] weights = new double[cells.size()];
-        Arrays.fill(weights, 1.0);
-        return new CandidateTable(candidates, columns, weights);
+        CandidateTable table = new CandidateTable(candidates, columns, cells.weights());
+        return plan.conditions().isEmpty() ? table : table.withGroups(cells.conditions());
+    }
+
+    /** The worst condition counts; without one, the sum of all rows is the same and quicker to maximise. */
+    private PlacementObjective objective() {
+        return plan.conditions().isEmpty()
+                ? PlacementObjective.COVERED_WEIGHT
+                : PlacementObjective.LEAST_COVERED_WEIGHT;
     }
 
     private PlacementConditions conditions() {
@@ -123,8 +129,7 @@ public final class PlaceSearch {
                 .toList();
         PlacementConditions conditions =
                 PlacementConditions.NONE.withFold(problem.conditions().fold());
-        PlacementProblem same =
-                new PlacementProblem(table(own, columns), PlacementObjective.COVERED_WEIGHT, conditions);
+        PlacementProblem same = new PlacementProblem(table(own, columns), objective(), conditions);
         List<Integer> all = IntStream.range(0, own.size()).boxed().toList();
         return new PresentLayout(own.size(), same.value(all) / cells.size());
     }

@@ -86,7 +86,7 @@ final class RouteFields {
 
     /** The fields of a sensor, by itself. */
     SensorFields of(String name, SensorSettings<?> sensor, IntConsumer progress) {
-        SceneSettings alone = Layout.alone(plan, Map.of(name, sensor));
+        SceneSettings alone = Layout.alone(plan.present(), Map.of(name, sensor));
         FieldTerms terms = FieldTerms.ONE_LOOK.withPointing(
                 plan.settings().air().pointing().orElse(FieldTerms.Turning.SEARCH));
         List<ModeField> fields = new ArrayList<>();

@@ -6,8 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
@@ -18,7 +19,8 @@ import org.dronewatch.placement.PlacementResult;
  * @param plan what was asked for
  * @param grid the cells
  * @param headings on which each cell counts
- * @param problem whose rows have a weight of 1 each
+ * @param rows the number of cells times that of headings
+ * @param problem whose rows have a weight of 1 each; under several conditions, as many rows for each of them
  * @param result of the search, in rows
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param complete whether every candidate was assessed and the search ended by itself
@@ -27,13 +29,14 @@ public record SitePlacement(
         PlacePlan plan,
         FieldGrid grid,
         int headings,
+        int rows,
         PlacementProblem problem,
         PlacementResult result,
         Optional<PresentLayout> present,
         boolean complete) {
     /** The same with another layout. */
     SitePlacement with(PlacementResult other) {
-        return new SitePlacement(plan, grid, headings, problem, other, present, complete);
+        return new SitePlacement(plan, grid, headings, rows, problem, other, present, complete);
     }
 
     /** The same with another bound, in rows; none below the value. */
@@ -49,27 +52,43 @@ public record SitePlacement(
 
     /** The number of cells that count. */
     public int cells() {
-        return rows() / headings;
+        return rows / headings;
     }
 
-    private int rows() {
-        return problem.table().rows();
+    /** The fraction of the air that a layout covers in the scene as it is, and under each condition. */
+    private double[] byCondition(List<Integer> layout) {
+        return DoubleStream.of(problem.sums(layout)).map(sum -> sum / rows).toArray();
+    }
+
+    /** The fraction of the air that the layout covers under each condition, by name, if there are any. */
+    public Map<String, Double> byCondition() {
+        Map<String, Double> byName = new LinkedHashMap<>();
+        double[] fractions = byCondition(result.chosen());
+        for (int number = 1; number < fractions.length; number++) {
+            byName.put(plan.conditions().get(number - 1).name(), fractions[number]);
+        }
+        return byName;
+    }
+
+    /** The fraction of the air that the layout covers in the scene as it is. */
+    public double asItIs() {
+        return byCondition(result.chosen())[0];
     }
 
     /** The fraction of the airspace that the layout covers. */
     public double value() {
-        return result.value() / rows();
+        return result.value() / rows;
     }
 
     /** The fraction that no layout exceeds. */
     public double bound() {
-        return result.bound() / rows();
+        return result.bound() / rows;
     }
 
     /** The fraction of the airspace that a chosen sensor covers by itself. */
     public double alone(SiteCandidate sensor) {
-        CandidateColumn column = problem.table().column(plan.candidates().indexOf(sensor));
-        return (double) column.size() / rows();
+        PlacementProblem once = new PlacementProblem(problem.table(), problem.objective(), PlacementConditions.NONE);
+        return once.value(List.of(plan.candidates().indexOf(sensor))) / rows;
     }
 
     /** The fraction that remains covered without each of the sensors, by their names, in the order of the file. */
@@ -78,7 +97,7 @@ public record SitePlacement(
         for (int lost : result.chosen()) {
             List<Integer> rest =
                     result.chosen().stream().filter(other -> other != lost).toList();
-            remaining.put(plan.candidates().get(lost).name(), problem.value(rest) / rows());
+            remaining.put(plan.candidates().get(lost).name(), problem.value(rest) / rows);
         }
         return remaining;
     }
@@ -103,7 +122,7 @@ public record SitePlacement(
             left.remove(next);
             bought.add(next);
             steps.add(new PlaceStep(
-                    plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows()));
+                    plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows));
         }
         return steps;
     }

@@ -83,7 +83,14 @@ final class WarningFlights {
     InboundWarnings of(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
         AirSettings air = plan.settings().air();
         return InboundWarnings.of(
-                Layout.alone(plan, sensors), stage, plan.drone(), grid, air.terms(), air.covered(), store, progress);
+                Layout.alone(plan.present(), sensors),
+                stage,
+                plan.drone(),
+                grid,
+                air.terms(),
+                air.covered(),
+                store,
+                progress);
     }
 
     /**

@@ -43,6 +43,10 @@ public final class WarningSearch {
         this.solver = solver;
         this.flights = new WarningFlights(plan, stage, store);
         this.isWorst = plan.settings().warning() == WarningMeasure.WORST;
+        if (!plan.conditions().isEmpty()) {
+            throw new InputException("air.conditions: has no meaning for the objective warning-time: flights are"
+                    + " assessed in the scene as it is");
+        }
     }
 
     /** The approximate number of cells at which sensors have to be assessed. */

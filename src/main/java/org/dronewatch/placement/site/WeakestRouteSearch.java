@@ -57,6 +57,7 @@ public final class WeakestRouteSearch {
         refuse(air.area().isPresent(), "air.area", "routes lead to the protected zone from the edge of a square");
         refuse(air.within().isPresent(), "air.within", "each look counts");
         refuse(Double.compare(air.covered(), FieldCoverage.DEFAULT_COVERED) != 0, "air.covered", "each look counts");
+        refuse(air.conditions().isPresent(), "air.conditions", "routes are searched for in the scene as it is");
         refuse(air.heading() != AirSettings.Heading.ANY, "air.heading", "a route has its own headings");
     }
 

@@ -29,6 +29,7 @@ abstract class Dual {
             case BEST_SUM -> new BestSumDual(gains, rules);
             case SUM_LEAST -> new SumLeastDual(gains, rules);
             case SATURATED_SUM -> new SaturatedSumDual(gains, rules);
+            case LEAST_SUM -> throw new IllegalArgumentException("groups are added up with weights first");
             case BEST_LEAST -> throw new IllegalArgumentException("the p-centre has a separate search");
         };
     }

@@ -9,62 +9,94 @@ import org.dronewatch.placement.CandidateTable;
 
 /**
  * Rows to which all candidates contribute the same are merged, and their weights added: many cells of the air are seen
- * by the same sensors. Rows that no candidate reaches are merged, too.
+ * by the same sensors. Rows that no candidate reaches are merged, too. Classes of rows are refined by one candidate
+ * after the other, which takes an integer for each row, however many candidates there are.
  */
 final class EqualRows {
+    private static final int NONE = -1;
+
     private final int[] merged;
     private final int[] first;
     private final double[] weights;
 
-    /** The rows of a table; those with different impacts where no candidate detects anything differ. */
+    /** The rows of a table; those of different groups, or with different impacts where none detects anything, differ. */
     EqualRows(CandidateTable table, IntToDoubleFunction undetected) {
-        int[] counts = counts(table);
-        Map<Contents, Integer> known = new HashMap<>();
         merged = new int[table.rows()];
-        int[] firsts = new int[table.rows()];
-        double[] sums = new double[table.rows()];
-        int[][] candidates = new int[table.rows()][];
-        double[][] values = new double[table.rows()][];
-        transpose(table, counts, candidates, values);
+        int classes = divideByGroup(table, divideByImpact(undetected));
+        for (int candidate = 0; candidate < table.size(); candidate++) {
+            classes = divide(table.column(candidate), classes);
+            if (classes > 2L * merged.length) {
+                classes = renumber(classes);
+            }
+        }
+        first = new int[renumber(classes)];
+        weights = new double[first.length];
+        Arrays.fill(first, NONE);
         for (int row = 0; row < merged.length; row++) {
-            Contents contents = new Contents(candidates[row], values[row], undetected.applyAsDouble(row));
-            Integer earlier = known.putIfAbsent(contents, known.size());
+            first[merged[row]] = first[merged[row]] == NONE ? row : first[merged[row]];
+            weights[merged[row]] += table.weight(row);
+        }
+    }
+
+    /** The number of classes. */
+    private int divideByImpact(IntToDoubleFunction undetected) {
+        Map<Double, Integer> known = new HashMap<>();
+        for (int row = 0; row < merged.length; row++) {
+            double impact = undetected.applyAsDouble(row);
+            Integer earlier = known.putIfAbsent(impact, known.size());
             merged[row] = earlier == null ? known.size() - 1 : earlier;
-            if (earlier == null) {
-                firsts[merged[row]] = row;
-            }
-            sums[merged[row]] += table.weight(row);
         }
-        first = Arrays.copyOf(firsts, known.size());
-        weights = Arrays.copyOf(sums, known.size());
+        return known.size();
     }
 
-    /** By row: how many candidates reach it. */
-    private static int[] counts(CandidateTable table) {
-        int[] counts = new int[table.rows()];
-        for (int candidate = 0; candidate < table.size(); candidate++) {
-            CandidateColumn column = table.column(candidate);
-            for (int at = 0; at < column.size(); at++) {
-                counts[column.row(at)]++;
-            }
+    private int divideByGroup(CandidateTable table, int classes) {
+        if (table.groups() == 1) {
+            return classes;
         }
-        return counts;
+        for (int row = 0; row < merged.length; row++) {
+            merged[row] = merged[row] * table.groups() + table.group(row);
+        }
+        return renumber(Math.multiplyExact(classes, table.groups()));
     }
 
-    private static void transpose(CandidateTable table, int[] counts, int[][] candidates, double[][] values) {
-        for (int row = 0; row < counts.length; row++) {
-            candidates[row] = new int[counts[row]];
-            values[row] = new double[counts[row]];
+    /** Rows of a class that a candidate reaches form new classes, one for each of its values there. */
+    private int divide(CandidateColumn column, int classes) {
+        if (column.size() == 0) {
+            return classes;
         }
-        int[] filled = new int[counts.length];
-        for (int candidate = 0; candidate < table.size(); candidate++) {
-            CandidateColumn column = table.column(candidate);
-            for (int at = 0; at < column.size(); at++) {
-                int row = column.row(at);
-                candidates[row][filled[row]] = candidate;
-                values[row][filled[row]++] = column.value(at);
+        int count = classes;
+        // Most candidates have one value in all rows: that is found without a map.
+        double usual = column.value(0);
+        int[] ofUsual = new int[classes];
+        Arrays.fill(ofUsual, NONE);
+        Map<ValueInClass, Integer> ofOthers = new HashMap<>();
+        for (int at = 0; at < column.size(); at++) {
+            int row = column.row(at);
+            int former = merged[row];
+            if (column.value(at) == usual) {
+                ofUsual[former] = ofUsual[former] == NONE ? count++ : ofUsual[former];
+                merged[row] = ofUsual[former];
+            } else {
+                Integer earlier = ofOthers.putIfAbsent(new ValueInClass(former, column.value(at)), count);
+                merged[row] = earlier == null ? count++ : earlier;
             }
         }
+        return count;
+    }
+
+    private record ValueInClass(int former, double value) {}
+
+    /** Numbers the classes in the order in which they first occur; their number. */
+    private int renumber(int classes) {
+        int[] numbers = new int[classes];
+        Arrays.fill(numbers, NONE);
+        int count = 0;
+        for (int row = 0; row < merged.length; row++) {
+            int former = merged[row];
+            numbers[former] = numbers[former] == NONE ? count++ : numbers[former];
+            merged[row] = numbers[former];
+        }
+        return count;
     }
 
     /** The number of rows that differ. */
@@ -85,31 +117,5 @@ final class EqualRows {
     /** The sum of the weights of the rows that were merged. */
     double weight(int row) {
         return weights[row];
-    }
-
-    /** What distinguishes rows. */
-    private static final class Contents {
-        private final int[] candidates;
-        private final double[] values;
-        private final double undetected;
-
-        Contents(int[] candidates, double[] values, double undetected) {
-            this.candidates = candidates;
-            this.values = values;
-            this.undetected = undetected;
-        }
-
-        @Override
-        public boolean equals(Object other) {
-            return other instanceof Contents that
-                    && undetected == that.undetected
-                    && Arrays.equals(candidates, that.candidates)
-                    && Arrays.equals(values, that.values);
-        }
-
-        @Override
-        public int hashCode() {
-            return 31 * (31 * Arrays.hashCode(candidates) + Arrays.hashCode(values)) + Double.hashCode(undetected);
-        }
     }
 }

@@ -32,15 +32,26 @@ public final class ExactSolver implements PlacementSolver {
                 : OptionalDouble.empty();
         Incumbent incumbent = new Incumbent(gains, new Rules(problem), needed);
         Cutoff cutoff = new Cutoff(gains, incumbent, limits.gap());
-        Start start = new Start(gains, incumbent, isStopped);
-        double open = gains.form == Gains.Form.BEST_LEAST
-                ? new LevelSearch(gains, incumbent, cutoff, needed, start, isStopped).search()
-                : new BranchAndBound(gains, incumbent, cutoff, start, isStopped).search();
+        double open = search(gains, incumbent, cutoff, needed, isStopped);
         if (!incumbent.isFound()) {
             return Optional.empty();
         }
         boolean isComplete = open <= incumbent.value() || cutoff.isHopeless(open);
         return Optional.of(result(problem, incumbent, gains.reported(cutoff.bound(open)), isComplete));
+    }
+
+    /** The greatest bound of what is left when the search is stopped, negative infinity if nothing is. */
+    private static double search(
+            Gains gains, Incumbent incumbent, Cutoff cutoff, OptionalDouble needed, BooleanSupplier isStopped) {
+        if (gains.form == Gains.Form.BEST_LEAST) {
+            Start start = new Start(gains, incumbent, isStopped);
+            return new LevelSearch(gains, incumbent, cutoff, needed, start, isStopped).search();
+        }
+        Gains summed = gains.form == Gains.Form.LEAST_SUM
+                ? gains.weighted(new GroupWeights(gains, incumbent, isStopped).found())
+                : gains;
+        return new BranchAndBound(summed, incumbent, cutoff, new Start(summed, incumbent, isStopped), isStopped)
+                .search();
     }
 
     private static PlacementResult result(

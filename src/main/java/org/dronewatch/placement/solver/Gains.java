@@ -15,6 +15,8 @@ final class Gains {
     enum Form {
         /** The sum over rows of the k-th best gain. */
         BEST_SUM,
+        /** The least, over groups of rows, of the sum of their k-th best gains. */
+        LEAST_SUM,
         /** The least of the rows' k-th best gains. */
         BEST_LEAST,
         /** The least of the rows' sums of gains. */
@@ -37,6 +39,11 @@ final class Gains {
     /** By row: its weight, for saturated sums only. */
     final double[] weight;
 
+    /** By row: its group. */
+    final int[] group;
+
+    final int groups;
+
     private final double base;
     private final boolean isGreatest;
 
@@ -46,6 +53,7 @@ final class Gains {
         fold = problem.conditions().fold();
         form = switch (objective) {
             case COVERED_WEIGHT, MEAN_IMPACT -> Form.BEST_SUM;
+            case LEAST_COVERED_WEIGHT -> Form.LEAST_SUM;
             case WORST_IMPACT -> Form.BEST_LEAST;
             case WEAKEST_ROW -> Form.SUM_LEAST;
             case JOINT_PROBABILITY -> Form.SATURATED_SUM;
@@ -55,15 +63,47 @@ final class Gains {
         EqualRows equal = new EqualRows(problem.table(), problem::undetected);
         floor = new double[equal.size()];
         weight = new double[equal.size()];
+        group = new int[equal.size()];
+        groups = problem.table().groups();
         for (int row = 0; row < floor.length; row++) {
             floor[row] = form == Form.BEST_LEAST ? base - problem.undetected(equal.first(row)) : 0.0;
             weight[row] = equal.weight(row);
+            group[row] = problem.table().group(equal.first(row));
         }
         rows = new int[size][];
         gains = new double[size][];
         for (int candidate = 0; candidate < size; candidate++) {
             fill(candidate, problem, equal);
         }
+    }
+
+    /** The groups of other gains, added up with weights. */
+    private Gains(Gains whole, double[] ofGroups) {
+        form = Form.BEST_SUM;
+        fold = whole.fold;
+        rows = whole.rows;
+        floor = whole.floor;
+        weight = whole.weight;
+        group = whole.group;
+        groups = whole.groups;
+        base = whole.base;
+        isGreatest = whole.isGreatest;
+        gains = new double[rows.length][];
+        for (int candidate = 0; candidate < rows.length; candidate++) {
+            gains[candidate] = whole.gains[candidate].clone();
+            for (int at = 0; at < rows[candidate].length; at++) {
+                gains[candidate][at] *= ofGroups[group[rows[candidate][at]]];
+            }
+        }
+    }
+
+    /**
+     * The sum over groups with a weight each, at least the least sum of a group.
+     *
+     * @param ofGroups 0 or more, 1 in all
+     */
+    Gains weighted(double[] ofGroups) {
+        return new Gains(this, ofGroups);
     }
 
     private static double impactOfNone(PlacementProblem problem) {
@@ -97,7 +137,7 @@ final class Gains {
 
     private double gain(PlacementProblem problem, int row, double value, double rowWeight) {
         return switch (problem.objective()) {
-            case COVERED_WEIGHT -> rowWeight * value;
+            case COVERED_WEIGHT, LEAST_COVERED_WEIGHT -> rowWeight * value;
             case MEAN_IMPACT -> rowWeight * Math.max(0.0, problem.undetected(row) - value);
             case WORST_IMPACT -> base - Math.min(problem.undetected(row), value);
             case WEAKEST_ROW -> value;

@@ -16,17 +16,24 @@ final class Valuation {
 
     private final double[] lost;
 
+    /** By group: the sum of its rows. */
+    private final double[] sums;
+
     Valuation(Gains gains) {
         this.gains = gains;
         width = gains.fold + 1;
         top = new double[gains.rowCount() * width];
         owner = new int[top.length];
-        lost = new double[gains.candidates()];
+        lost = new double[gains.candidates() * gains.groups];
+        sums = new double[gains.groups];
     }
 
     /** The gain of a choice. */
     double value(int[] chosen) {
         fill(chosen);
+        if (gains.form == Form.LEAST_SUM) {
+            return leastGroup();
+        }
         double sum = 0.0;
         double least = Double.POSITIVE_INFINITY;
         for (int row = 0; row < gains.rowCount(); row++) {
@@ -38,6 +45,21 @@ final class Valuation {
         return isSum ? sum : gains.rowCount() == 0 ? 0.0 : least;
     }
 
+    private double leastGroup() {
+        Arrays.fill(sums, 0.0);
+        for (int row = 0; row < gains.rowCount(); row++) {
+            sums[gains.group[row]] += inRow(row);
+        }
+        return Arrays.stream(sums).min().orElse(0.0);
+    }
+
+    /** The sum of each group for a choice. */
+    double[] ofGroups(int[] chosen) {
+        fill(chosen);
+        leastGroup();
+        return sums.clone();
+    }
+
     /** The gain after the worst loss; that of the choice itself if it is empty. */
     double worstLoss(int[] chosen) {
         double value = value(chosen);
@@ -45,7 +67,7 @@ final class Valuation {
             return value;
         }
         return switch (gains.form) {
-            case BEST_SUM -> value - greatestShare(chosen);
+            case BEST_SUM, LEAST_SUM -> leastWithoutOne(chosen);
             case BEST_LEAST -> leastSecond();
             case SUM_LEAST -> leastWithoutGreatest(chosen);
             case SATURATED_SUM -> leastSaturated(chosen);
@@ -88,7 +110,7 @@ final class Valuation {
     }
 
     private boolean takesBest() {
-        return gains.form == Form.BEST_SUM || gains.form == Form.BEST_LEAST;
+        return gains.form != Form.SUM_LEAST && gains.form != Form.SATURATED_SUM;
     }
 
     private void insert(int start, double value, int candidate) {
@@ -107,28 +129,32 @@ final class Valuation {
 
     private double inRow(int row) {
         return switch (gains.form) {
-            case BEST_SUM, BEST_LEAST -> top[row * width + gains.fold - 1];
+            case BEST_SUM, LEAST_SUM, BEST_LEAST -> top[row * width + gains.fold - 1];
             case SUM_LEAST -> top[row * width];
             case SATURATED_SUM -> -gains.weight[row] * Math.expm1(-top[row * width]);
         };
     }
 
     /** Where a candidate is one of the k best of a row, the next best moves up when it is lost. */
-    private double greatestShare(int[] chosen) {
+    private double leastWithoutOne(int[] chosen) {
+        leastGroup();
         Arrays.fill(lost, 0.0);
         for (int row = 0; row < gains.rowCount(); row++) {
             int start = row * width;
             double difference = top[start + gains.fold - 1] - top[start + gains.fold];
             for (int rank = 0; rank < gains.fold; rank++) {
                 if (owner[start + rank] >= 0) {
-                    lost[owner[start + rank]] += difference;
+                    lost[owner[start + rank] * gains.groups + gains.group[row]] += difference;
                 }
             }
         }
-        return Arrays.stream(chosen)
-                .mapToDouble(candidate -> lost[candidate])
-                .max()
-                .orElse(0.0);
+        double least = Double.POSITIVE_INFINITY;
+        for (int candidate : chosen) {
+            for (int group = 0; group < gains.groups; group++) {
+                least = Math.min(least, sums[group] - lost[candidate * gains.groups + group]);
+            }
+        }
+        return least;
     }
 
     private double leastSecond() {

@@ -2,6 +2,7 @@ package org.dronewatch.report.placement;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.site.FrontPoint;
@@ -28,6 +29,7 @@ public final class PlaceFile {
         double gap = placement.result().gap();
         root.put("gap", Double.isFinite(gap) ? Numbers.rounded(gap) : null);
         root.put("cost", Numbers.rounded(placement.result().cost()));
+        conditions(root, placement);
         ArrayNode chosen = root.putArray("chosen");
         placement.chosen().forEach(sensor -> add(chosen.addObject(), sensor, placement));
         present(root, placement.present());
@@ -41,6 +43,17 @@ public final class PlaceFile {
         }
         root.put("complete", results.complete());
         return root;
+    }
+
+    /** Adds what the layout covers as the scene is and under each condition, if there are any. */
+    private static void conditions(ObjectNode root, SitePlacement placement) {
+        Map<String, Double> fractions = placement.byCondition();
+        if (!fractions.isEmpty()) {
+            root.put("as_it_is", Numbers.rounded(placement.asItIs()));
+            ArrayNode conditions = root.putArray("conditions");
+            fractions.forEach((name, fraction) ->
+                    conditions.addObject().put("name", name).put("value", Numbers.rounded(fraction)));
+        }
     }
 
     private static void add(ObjectNode node, SiteCandidate sensor, SitePlacement placement) {

@@ -75,6 +75,7 @@ public final class PlaceTable {
     static List<String> sentences(PlaceResults results) {
         SitePlacement placement = results.best();
         List<String> lines = new ArrayList<>(List.of(worth(placement)));
+        byCondition(placement).ifPresent(lines::add);
         results.fields().ifPresent(fields -> lines.add(together(fields, placement)));
         placement
                 .present()
@@ -84,6 +85,21 @@ public final class PlaceTable {
                                 + "."));
         worstLoss(placement).ifPresent(lines::add);
         return lines;
+    }
+
+    /** What the layout covers under each condition; empty without conditions. */
+    private static Optional<String> byCondition(SitePlacement placement) {
+        Map<String, Double> fractions = placement.byCondition();
+        if (fractions.isEmpty()) {
+            return Optional.empty();
+        }
+        StringBuilder text =
+                new StringBuilder("In the scene as it is, it covers ").append(FrontWords.percent(placement.asItIs()));
+        fractions.forEach((name, fraction) -> text.append("; under the condition '")
+                .append(name)
+                .append("', ")
+                .append(FrontWords.percent(fraction)));
+        return Optional.of(text.append(". The least of these counts.").toString());
     }
 
     private static String together(LayoutFields fields, SitePlacement placement) {

@@ -27,8 +27,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -263,6 +266,49 @@ class PlaceSearchTest {
                 .from(new Position(0, 0, 0));
         assertThat(east.x()).isCloseTo(1.0, within(1e-12));
         assertThat(east.y()).isCloseTo(0.0, within(1e-12));
+    }
+
+    /** The camera in each of four directions, and on a positioner that the radars of the layout cue. */
+    @Test
+    void aSensorMayBeFixedOrOnAPositioner() throws IOException {
+        Path file = PlacedSite.in(directory, "budget: 9\n");
+        Files.writeString(
+                file,
+                Files.readString(file)
+                        .replace(
+                                "    aims: 4\n",
+                                "    aims: 4\n    positioners:\n      slow: {positioner: {panSpeed: 5 deg/s}, price: 1}\n"
+                                        + "      quick: {positioner: {use: viper}, price: 2.5}\n"));
+        PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
+        Map<String, SiteCandidate> byName = new LinkedHashMap<>();
+        plan.candidates().forEach(one -> byName.put(one.name(), one));
+
+        assertThat(byName.keySet()).hasSize(16).contains("eye-1-0", "eye-1-270", "eye-1-slow", "eye-1-quick");
+        assertThat(byName.get("eye-1-quick").candidate().cost()).isEqualTo(3.5);
+        assertThat(byName.get("eye-1-quick").candidate().kind()).isEqualTo("eye");
+        SitePlacement placement = found(plan);
+        double turning = placement.alone(byName.get("eye-1-quick"));
+        double ahead = placement.alone(byName.get("eye-1-0"));
+        assertThat(turning).isGreaterThan(2.0 * ahead);
+        SceneSettings layout =
+                Layout.of(plan, List.of(byName.get("radar-2"), byName.get("radio-1"), byName.get("eye-1-slow")));
+        assertThat(Mounted.positioner(layout.sensors().get("eye-1-slow")).orElseThrow())
+                .satisfies(its -> assertThat(its.cues()).containsExactly("radar-2"))
+                .satisfies(its -> assertThat(its.panSpeed()).isCloseTo(Math.toRadians(5.0), within(1e-12)));
+    }
+
+    @Test
+    void aSecondPositionerIsRefused() throws IOException {
+        Path file = PlacedSite.in(directory, "budget: 9\n");
+        Files.writeString(
+                file,
+                Files.readString(file)
+                        .replace("height: 600}", "height: 600, positioner: {use: viper}}")
+                        .replace("    aims: 4\n", "    positioners: {slow: {positioner: {}, price: 1}}\n"));
+
+        assertThatThrownBy(() -> PlacePlan.read(file, runner -> {}, note -> {}))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("candidates.eye.positioners: the sensor has a positioner already");
     }
 
     /** The sensor that is kept stands where the first radar would. */

@@ -95,15 +95,18 @@ final class BruteForce {
         double sum = 0.0;
         double least = Double.POSITIVE_INFINITY;
         double greatest = Double.NEGATIVE_INFINITY;
+        double[] groups = new double[problem.table().groups()];
         for (int row = 0; row < matrix.length; row++) {
             double value = inRow(row, choice);
             sum += problem.table().weight(row) * value;
+            groups[problem.table().group(row)] += problem.table().weight(row) * value;
             least = Math.min(least, value);
             greatest = Math.max(greatest, value);
         }
         return switch (problem.objective()) {
             case WORST_IMPACT -> greatest;
             case WEAKEST_ROW -> least;
+            case LEAST_COVERED_WEIGHT -> Arrays.stream(groups).min().orElseThrow();
             default -> sum;
         };
     }
@@ -126,7 +129,7 @@ final class BruteForce {
         return switch (objective) {
             case WEAKEST_ROW -> sum;
             case JOINT_PROBABILITY -> 1.0 - missed;
-            case COVERED_WEIGHT -> values.size() < fold ? 0.0 : values.get(values.size() - fold);
+            case COVERED_WEIGHT, LEAST_COVERED_WEIGHT -> values.size() < fold ? 0.0 : values.get(values.size() - fold);
             default ->
                 Math.min(
                         problem.table().undetected(row),

@@ -122,6 +122,12 @@ class ExactSolverTest {
         SplittableRandom random = new SplittableRandom(31L * seed + condition.ordinal());
         boolean hasKinds = condition == Condition.KINDS || condition == Condition.PLACES || condition == Condition.ALL;
         CandidateTable table = RandomTable.of(random, objective == PlacementObjective.JOINT_PROBABILITY, hasKinds);
+        if (objective == PlacementObjective.LEAST_COVERED_WEIGHT) {
+            int groups = 1 + seed % Math.min(4, table.rows());
+            table = table.withGroups(IntStream.range(0, table.rows())
+                    .map(row -> row < groups ? row : random.nextInt(groups))
+                    .toArray());
+        }
         PlacementConditions conditions = PlacementConditions.NONE;
         boolean hasAll = condition == Condition.ALL;
         if (condition != Condition.BUDGET || hasAll) {
