@@ -37,7 +37,10 @@ public final class ExactSolver implements PlacementSolver {
             return Optional.empty();
         }
         boolean isComplete = open <= incumbent.value() || cutoff.isHopeless(open);
-        return Optional.of(result(problem, incumbent, gains.reported(cutoff.bound(open)), isComplete));
+        // No choice is better than all candidates together.
+        int[] all = IntStream.range(0, gains.candidates()).toArray();
+        double bound = Math.min(cutoff.bound(open), new Valuation(gains).value(all));
+        return Optional.of(result(problem, incumbent, gains.reported(bound), isComplete));
     }
 
     /** The greatest bound of what is left when the search is stopped, negative infinity if nothing is. */
