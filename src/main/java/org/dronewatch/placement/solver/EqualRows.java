@@ -19,7 +19,7 @@ final class EqualRows {
     private final int[] first;
     private final double[] weights;
 
-    /** The rows of a table; those of different groups, or with different impacts where none detects anything, differ. */
+    /** The rows of a table; those of different groups, or with different impacts where nothing detects, differ. */
     EqualRows(CandidateTable table, IntToDoubleFunction undetected) {
         merged = new int[table.rows()];
         int classes = divideByGroup(table, divideByImpact(undetected));

@@ -196,7 +196,7 @@ final class DiffractedPath {
         return false;
     }
 
-    /** Whether a corner between the ends sticks out towards this side, and lies below the string: then it is an edge. */
+    /** Whether a corner between the ends sticks out towards this side and lies below the string: it is an edge then. */
     private boolean isEdge(int point) {
         if (!isBetweenEnds(point) || height(point) > heightOfChain(point) + ON_CHAIN) {
             return false;
@@ -278,8 +278,8 @@ final class DiffractedPath {
 
     /**
      * The greatest sum of the distances from both ends of a point at which there can be an edge with a loss: it lies
-     * below the string and at most {@link #LOWEST} wavelengths below a line from the main edge to an end. Where that line
-     * is steep, the edge may also lie beyond the end of the line, between the perpendiculars to the section's own.
+     * below the string and at most {@link #LOWEST} wavelengths below a line from the main edge to an end. Where that
+     * line is steep, the edge may also lie beyond the end of the line, between the perpendiculars to the section's own.
      */
     private double reach(double[] main) {
         double most = 0.0;
