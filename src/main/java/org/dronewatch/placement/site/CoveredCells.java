@@ -26,7 +26,8 @@ import org.dronewatch.setting.Spelling;
 /**
  * The airspace that each sensor covers: a row for each cell and each of eight headings, or for each cell and the
  * heading towards the protected zone; under several conditions, as many rows for each of them. Cells that are inside
- * something solid, without ground below them or outside the area do not count. For one thread, which may have {@link org.dronewatch.parallel.Workers}.
+ * something solid, without ground below them or outside the area do not count. For one thread, which may have
+ * {@link org.dronewatch.parallel.Workers}.
  */
 public final class CoveredCells {
     /** The number of cells along a side unless the length of a cell is given. */
