@@ -199,7 +199,7 @@ final class RouteReport {
                 + " be missed.");
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");
-        items.add("Only the drone '" + inputs.drone() + "' flies, within its limits of climb, descent and turns"
+        items.add("Only the drone '" + inputs.drone() + "' flies, within its limits on climb, descent and turns"
                 + (RouteWords.mayGlide(survey) ? ", and may stop its motors once to glide on" : "")
                 + "; sensors on positioners "
                 + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
