@@ -178,7 +178,7 @@ public record CalibratedEntry(
                         number(range));
         return "Fitted with a clear line of sight, without the models and noise sources of the scene, for a drone that"
                 + " approaches at "
-                + Quantity.SPEED.inWords(settings.individualDrones().get(drone).speed()) + " and a look rate of "
+                + Quantity.SPEED.inWords(settings.individualDrones().get(drone).speed()) + ", and for a look rate of "
                 + Quantity.FREQUENCY.inWords(fit.sensor().rate()) + ". Result: " + String.join("; ", lines(fit)) + "."
                 + residual;
     }

@@ -100,7 +100,7 @@ final class AgainCommand implements Callable<Integer> {
             out.println("changed since the recorded run: " + String.join(", ", changed));
         }
         states.forEach((name, state) -> out.printf("%-9s  %s%n", word(state), PlainText.value(name)));
-        out.println(same ? "the results have the same bytes" : "the results are not the same");
+        out.println(same ? "the results are byte-identical" : "the results are not the same");
     }
 
     private static ObjectNode toJson(boolean same, List<String> changed, Map<String, SameBytes.State> states) {

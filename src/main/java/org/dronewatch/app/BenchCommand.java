@@ -57,9 +57,9 @@ final class BenchCommand implements Callable<Integer> {
             names = "--query",
             defaultValue = "nearest",
             paramLabel = "nearest|occluded",
-            description = "nearest (the nearest triangle along each ray) or occluded (whether any lies on the"
-                    + " segment from a ray's origin to the end of its direction, which need not be a unit vector);"
-                    + " nearest by default.")
+            description = "nearest (the nearest triangle along each ray) or occluded (whether any triangle"
+                    + " crosses the segment from a ray's origin to the tip of its direction vector, which need not have"
+                    + " unit length); nearest by default.")
     private RaySet.Query query;
 
     @Option(names = "--passes", defaultValue = "5", paramLabel = "N", description = "Measured passes; 5 by default.")
@@ -133,8 +133,8 @@ final class BenchCommand implements Callable<Integer> {
                 "--query occluded needs --rays: segments are not generated");
         require(
                 query == RaySet.Query.NEAREST || hits == null && width == null,
-                "--query occluded takes neither --hits nor --width: it does not determine which triangle hides a"
-                        + " segment");
+                "--query occluded takes neither --hits nor --width: it does not determine which triangle blocks"
+                        + " a segment");
         require(width == null || width >= 1, "--width " + width + ": must be 1 or more");
     }
 

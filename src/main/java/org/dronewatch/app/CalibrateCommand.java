@@ -41,7 +41,7 @@ import tools.jackson.databind.node.ObjectNode;
                         + " its models and noise sources are left out. The file states the range and the conditions.",
         footer = {
             "",
-            "Example:",
+            "Examples:",
             "  dronewatch calibrate multi-sensor --sensor microphone --drone quadrotor --range 300m --out mic.yaml",
             "  dronewatch calibrate acoustic-range --sensor microphone --drone quadrotor --range 150m --run 2 --out mic.yaml"
         })

@@ -65,7 +65,7 @@ final class CameraRendering extends Rendering {
         }
         DepthImage image = threads.call(() -> view(history).draw(shown));
         target.write(ending.equals("png") ? image::writePng : image::writePfm);
-        return image.width() + " x " + image.height() + " pixels, " + image.hitCount() + " of them show drones";
+        return image.width() + " x " + image.height() + " pixels, " + image.hitCount() + " of them on drones";
     }
 
     private CameraView view(RunHistory history) {

@@ -97,9 +97,9 @@ final class CampaignLines {
     private static void printPrecision(CampaignPlan plan, UntilSettings until, Stopping stopping, PrintWriter out) {
         Proportion proportion = stopping.proportion();
         Proportion.Interval interval = until.rule().interval(proportion);
-        String asked = word(until.of()) + " of " + plan.observed() + " to within "
-                + number(PERCENT * until.halfWidth()) + " points with a confidence of "
-                + number(PERCENT * until.confidence()) + " %";
+        String asked = "'" + word(until.of()) + "' for " + plan.observed() + " to within "
+                + number(PERCENT * until.halfWidth()) + " percentage points at "
+                + number(PERCENT * until.confidence()) + " % confidence";
         out.println();
         out.println(
                 stopping.isPrecise()
@@ -182,7 +182,7 @@ final class CampaignLines {
         int all = pair.difference().onlyA() + pair.difference().onlyB();
         out.println();
         if (all == 0) {
-            out.println("no case decides: " + word(pair.outcome()) + " is the same for both in every case");
+            out.println("no case decides: '" + word(pair.outcome()) + "' is the same for both in every case");
             return;
         }
         int width = Math.max(pair.a().length(), pair.b().length());

@@ -10,6 +10,7 @@ import org.dronewatch.report.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.world.WorldSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,7 +56,7 @@ final class CheckCommand implements Callable<Integer> {
                 site(first.world()),
                 drones(first),
                 sensors(first),
-                counted(runs.size(), "run"),
+                Counted.of(runs.size(), "run"),
                 first.run().duration());
         labels(first).forEach((id, label) -> out.printf("drone '%s' is labelled %s%n", id, label));
     }
@@ -92,22 +93,18 @@ final class CheckCommand implements Callable<Integer> {
     private static String site(WorldSettings world) {
         return (world.terrain().isPresent() ? "terrain, " : "")
                 + (world.buildings().isPresent() ? "buildings, " : "")
-                + counted(world.models().size(), "model");
+                + Counted.of(world.models().size(), "model");
     }
 
     /** All sensors of a run, and how many of them are switched off, if any. */
     private static String sensors(SceneSettings run) {
         int off = run.disabled().size();
-        return counted(run.sensors().size(), "sensor") + (off == 0 ? "" : " (" + off + " switched off)");
+        return Counted.of(run.sensors().size(), "sensor") + (off == 0 ? "" : " (" + off + " switched off)");
     }
 
     private static String drones(SceneSettings scene) {
         int birds = scene.birds().size();
-        String drones = counted(scene.individualDrones().size() - birds, "drone");
-        return birds == 0 ? drones : drones + ", " + counted(birds, "bird");
-    }
-
-    private static String counted(int count, String noun) {
-        return count + " " + noun + (count == 1 ? "" : "s");
+        String drones = Counted.of(scene.individualDrones().size() - birds, "drone");
+        return birds == 0 ? drones : drones + ", " + Counted.of(birds, "bird");
     }
 }

@@ -26,7 +26,7 @@ final class ComparedScenes {
             index = "1",
             arity = "0..1",
             paramLabel = "B",
-            description = "The scene to compare it with; without it, scene A with the changes of --with.")
+            description = "The scene to compare A with; if omitted, A with the changes given by --with.")
     private String second;
 
     @Option(
@@ -47,7 +47,10 @@ final class ComparedScenes {
             description = "Campaign file that states what varies (vary, table), runs and seed.")
     private String vary;
 
-    @Option(names = "--runs", paramLabel = "N", description = "Number of cases; 1,000 by default.")
+    @Option(
+            names = "--runs",
+            paramLabel = "N",
+            description = "Number of cases; by default that in the file of --vary, or else 1,000.")
     private Integer runs;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
@@ -66,7 +69,7 @@ final class ComparedScenes {
     CampaignSettings settings() {
         if (second == null && changes.isEmpty()) {
             throw new InputException(
-                    "compare needs a second scene, or --with PATH=VALUE for what is different in the second one");
+                    "compare needs a second scene, or --with PATH=VALUE for what is to differ from the first");
         }
         CampaignSettings settings = file().map(path -> CampaignReader.read(path).withScene(first))
                 .orElseGet(() -> CampaignSettings.of(first).withVary(allBearings()));

@@ -36,7 +36,7 @@ final class FalseAlarmLines {
         }
     }
 
-    /** {@code false alarms: radar 51 (48 of them birds), radio 2 (all of them birds), camera 3}. */
+    /** {@code false alarms: radar 51 (48 caused by birds), radio 2 (all caused by birds), camera 3}. */
     private static String bySensor(FalseAlarmResult result) {
         return result.counted().isEmpty()
                 ? "no false alarms"
@@ -51,6 +51,8 @@ final class FalseAlarmLines {
         if (birds == 0) {
             return "";
         }
-        return birds < count ? " (" + birds + " of them birds)" : count == 1 ? " (a bird)" : " (all of them birds)";
+        return birds < count
+                ? " (" + birds + " caused by birds)"
+                : count == 1 ? " (caused by a bird)" : " (all caused by birds)";
     }
 }

@@ -163,6 +163,6 @@ final class HeightCommand implements Callable<Integer> {
         return role
                 + (file.isEmpty() ? "" : " of " + PlainText.value(file))
                 + (material.isEmpty() ? "" : ", " + PlainText.value(material))
-                + (surface.facesUp() ? "" : ", from below");
+                + (surface.facesUp() ? "" : ", facing down");
     }
 }

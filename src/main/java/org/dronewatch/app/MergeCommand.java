@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
         description = {
             "Joins the parts of a campaign that were run with --shard into the results of the whole campaign, byte for"
                     + " byte.",
-            "The campaign file is read again, from the path with which the first part was run."
+            "The campaign file is read again, from the path that was given when the first part was run."
         },
         footer = {"", "Example:", "  dronewatch merge part-1 part-2 part-3 part-4 --out vendors"})
 final class MergeCommand implements Callable<Integer> {
@@ -65,7 +65,7 @@ final class MergeCommand implements Callable<Integer> {
                 .toList();
         checkWhole("cases", plan, there);
         plan.sensitivity().ifPresent(further -> checkWhole("further cases", further, there));
-        Path directory = PathWord.of("--out ", out);
+        Path directory = PathWord.of("--out", out);
         int code;
         try (CampaignFiles files = new CampaignFiles(plan, directory, false)) {
             files.writeProvenance(part.campaign().provenance(plan, part.wordsOfAll(directory)));

@@ -200,7 +200,7 @@ record NewScene(
         return String.format(
                 Locale.ROOT,
                 "there is neither ground nor a building for the sensors within %s of the origin, %s,%s: what was read extends"
-                        + " from %.0f to %.0f m east and from %.0f to %.0f m north of it; its middle is --at %.5f,%.5f",
+                        + " from %.0f to %.0f m east and from %.0f to %.0f m north of it; for its middle, give --at %.5f,%.5f",
                 Quantity.LENGTH.inWords(within),
                 number(latitude),
                 number(longitude),

@@ -131,7 +131,7 @@ final class Replay {
                 && !SceneFile.isFileName(value)
                 && PackagedScene.find(value).isEmpty()) {
             throw refusal("the scene '" + PlainText.value(value)
-                    + "' is a class, which is not loaded because a file names it: run it yourself");
+                    + "' is a class, and a class is not loaded merely because a file names it: run it yourself");
         }
         return value;
     }

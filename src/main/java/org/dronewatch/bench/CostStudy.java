@@ -22,6 +22,7 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.world.World;
 
 /** Measures costs as functions of the number of triangles, rays, sensors, drones and threads, on generated ground. */
@@ -104,7 +105,7 @@ public final class CostStudy {
         CostCurves.Points away = new CostCurves.Points("cameras that look elsewhere");
         CostCurves.Points ears = new CostCurves.Points("microphones, level model");
         for (int count = 1; count <= MOST; count *= 2) {
-            progress.accept(count + " sensors");
+            progress.accept(Counted.of(count, "sensor"));
             look.add(count, frame(site, List.of(drone), cameras(site, count, false)));
             away.add(count, frame(site, List.of(drone), cameras(site, count, true)));
             ears.add(count, frame(site, List.of(drone), microphones(site, count)));
@@ -120,7 +121,7 @@ public final class CostStudy {
     private CostCurves overDrones(World site) {
         CostCurves.Points look = new CostCurves.Points("one camera, full HD");
         for (int count = 1; count <= MOST; count *= 2) {
-            progress.accept(count + " drones");
+            progress.accept(Counted.of(count, "drone"));
             List<Drone> drones = of(count, i -> droneAt(inRows(i), site));
             Sensor camera = CameraSettings.at(above(site, 0, -0.75 * DRONE_DISTANCE, 20.0))
                     .withLookAt(above(site, 0, DRONE_DISTANCE / 4, 20.0))
@@ -146,7 +147,7 @@ public final class CostStudy {
                 .create();
         double[] alone = new double[4];
         for (int threads = 1; threads <= Runtime.getRuntime().availableProcessors(); threads++) {
-            progress.accept(threads + " threads");
+            progress.accept(Counted.of(threads, "thread"));
             double[] times;
             try (Workers workers = new Workers(threads)) {
                 times = workers.call(() -> new double[] {

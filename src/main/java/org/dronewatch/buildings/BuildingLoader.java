@@ -147,7 +147,7 @@ public final class BuildingLoader {
             } else if (canopies.add(wood)) {
                 report.addWood(wood.area());
             } else {
-                report.leave("wood without ground under it");
+                report.leave("wood without ground below");
             }
         }
         return canopies.mesh();

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.buildings.io.MapFeatures;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 
@@ -181,9 +182,9 @@ final class BuildingReport {
     private String cityModel(int triangles) {
         return String.format(
                         Locale.ROOT,
-                        "buildings: %,d triangles; %,d solids had no floor, which was added",
-                        triangles,
-                        added)
+                        "buildings: %s; %s had no floor, which was added",
+                        Counted.of(triangles, "triangle"),
+                        Counted.of(added, "solid"))
                 + (floors.isEmpty()
                         ? ""
                         : String.format(
@@ -214,7 +215,7 @@ final class BuildingReport {
     private static String counted(int count, String noun) {
         // Names of types, which begin with a capital letter, stay as they are.
         String several = noun.replaceFirst("^([a-z]+)", "$1s");
-        return String.format(Locale.ROOT, "%,d %s", count, count == 1 ? noun : several);
+        return Counted.of(count, noun, several);
     }
 
     List<String> warnings() {
@@ -222,10 +223,10 @@ final class BuildingReport {
         if (2 * assumed > count()) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "%s: %,d of %,d buildings have no height in the map%s: %s is assumed (world.buildings.height)",
+                    "%s: %,d of %s no height in the map%s: %s is assumed (world.buildings.height)",
                     file,
                     assumed,
-                    count(),
+                    Counted.of(count(), "building has", assumed == 1 ? "buildings has" : "buildings have"),
                     unusable == 0 ? "" : String.format(Locale.ROOT, ", or one that cannot be used (%,d)", unusable),
                     Quantity.LENGTH.inWords(settings.height())));
         }
@@ -242,10 +243,11 @@ final class BuildingReport {
         if (!floors.isEmpty() && Math.abs(floors.get(floors.size() / 2)) > FLOATING) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "%s: its buildings lie %.1f m above the ground (median): their heights may refer to a different zero level; if so,"
+                    "%s: its buildings lie %.1f m %s the ground (median): their heights may refer to a different zero level; if so,"
                             + " set world.buildings.verticalOffset",
                     file,
-                    floors.get(floors.size() / 2)));
+                    Math.abs(floors.get(floors.size() / 2)),
+                    floors.get(floors.size() / 2) > 0.0 ? "above" : "below"));
         }
         doubts.forEach((what, ids) -> warnings.add(file + ": " + PlainText.value(what) + ": "
                 + ids.stream().limit(EXAMPLES).collect(Collectors.joining(", "))

@@ -178,7 +178,7 @@ final class BuildingSite {
         if (ground.isPresent()) {
             level = ground.get().range(parts.ownerOf(building).footprint())[0];
             if (Double.isNaN(level)) {
-                report.leave("building without ground under it");
+                report.leave("building without ground below");
                 return;
             }
         }
@@ -186,7 +186,7 @@ final class BuildingSite {
         Dimensions dimensions = Dimensions.of(building.tags(), settings, there.outer());
         dimensions.doubts().forEach(doubt -> report.doubt(doubt, building.id()));
         if (dimensions.top() <= dimensions.bottom()) {
-            report.leave("building no higher than its lowest point");
+            report.leave("building of no height");
             return;
         }
         Upright upright = upright(there.outer()[0], there.outer()[1], level);
@@ -242,7 +242,7 @@ final class BuildingSite {
         RoofPlanes roof = RoofPlanes.of(footprint.outer(), dimensions);
         List<Footprint> pieces = footprint.courts().isEmpty() ? pieces(footprint, roof) : List.of();
         if (pieces.isEmpty()) {
-            report.doubt("the outline is too complicated for its roof, which is flat", id);
+            report.doubt("the outline is too complicated for the stated roof shape, so the roof is made flat", id);
             solids.prism(footprint, cut, bottom, dimensions.top());
         } else {
             solids.underRoof(footprint, cut, bottom, eaves, roof, pieces);

@@ -172,7 +172,7 @@ public final class Catalog implements Kinds.NamedSettings {
         if (!partsOf(name).isEmpty()) {
             throw new InputException("'" + name
                     + "' is a system of several sensors: a scene file uses it by 'use: " + name
-                    + "', and --set sensors.ID=" + name + " replaces another by it");
+                    + "', and --set sensors.ID=" + name + " replaces the sensor or system ID with it");
         }
         Node.Mapping known = find(name)
                 .or(() -> ofKind(name))

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
@@ -137,7 +138,7 @@ public interface FlightPathSettings {
             points = List.copyOf(Check.present("points", points));
             if (points.size() < 2 || points.size() > MOST_WAYPOINTS) {
                 throw new IllegalArgumentException(
-                        "points has " + points.size() + " waypoints, needs 2 to " + MOST_WAYPOINTS);
+                        "points has " + Counted.of(points.size(), "waypoint") + ", needs 2 to " + MOST_WAYPOINTS);
             }
             for (int i = 1; i < points.size(); i++) {
                 Check.atLeast(

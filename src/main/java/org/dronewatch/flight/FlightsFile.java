@@ -21,6 +21,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -134,7 +135,7 @@ public final class FlightsFile {
 
     private void add(NamedCsvRecord row) {
         if (row.getFieldCount() != row.getHeader().size()) {
-            throw new InputException(at(row) + row.getFieldCount() + " values, needs "
+            throw new InputException(at(row) + Counted.of(row.getFieldCount(), "value") + ", needs "
                     + row.getHeader().size() + ", one for each column");
         }
         double run = number(row, "run", 0.0, LAST_RUN);

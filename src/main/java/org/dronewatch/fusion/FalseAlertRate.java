@@ -103,7 +103,7 @@ public record FalseAlertRate(
 
     /**
      * {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown};
-     * {@code 2000 per day, a raising false alarms most of the time}.
+     * {@code 2000 per day; a raises false alarms most of the time}.
      */
     public String inWords() {
         if (isUnknown()) {
@@ -115,7 +115,8 @@ public record FalseAlertRate(
                 : number + " from " + String.join(", ", known) + "; unknown from " + String.join(", ", unknown);
         return merging.isEmpty()
                 ? from
-                : from + ", " + String.join(", ", merging) + " raising false alarms most of the time";
+                : from + "; " + String.join(", ", merging) + (merging.size() == 1 ? " raises" : " raise")
+                        + " false alarms most of the time";
     }
 
     /** A number as text: at least two digits, and in exponential notation if it is very small or large. */

@@ -125,7 +125,7 @@ public record MapExtent(double west, double east, double south, double north) {
             return "; these coordinates seem to be longitude and latitude, for which crs is EPSG:4326";
         }
         if (isGrid && Math.max(-west, east) < SMALL && Math.max(-south, north) < SMALL) {
-            return "; coordinates this small suggest that the file has no reference to the earth";
+            return "; coordinates this small suggest that the file is not georeferenced";
         }
         double margin = isGrid ? near / map.crs().unitLength() : near / DEGREE;
         return onMap(map, origin)

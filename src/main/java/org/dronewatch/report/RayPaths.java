@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.setting.Counted;
 
 /**
  * Recorded rays as lines of an OBJ file, in the frame of the packaged models (metres, y up, north is -z), so that they
@@ -54,7 +55,8 @@ public final class RayPaths {
             double loudest =
                     Collections.max(group.getValue().stream().map(Piece::level).toList());
             int count = group.getValue().size();
-            writer.write(String.format(Locale.ROOT, "# %d segments, the loudest %.1f dB", count, loudest) + LINE);
+            writer.write(String.format(Locale.ROOT, "# %s, the loudest %.1f dB", Counted.of(count, "segment"), loudest)
+                    + LINE);
             for (Piece piece : group.getValue()) {
                 double[] e = piece.ends();
                 writer.write(vertex(e[0], e[1], e[2]) + vertex(e[3], e[4], e[5]));

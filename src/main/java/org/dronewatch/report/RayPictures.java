@@ -65,8 +65,9 @@ final class RayPictures {
             return Optional.empty();
         }
         RecordedRays rays = collector.toRays();
-        String when = heard.map(one -> String.format(Locale.ROOT, "when it was first detected, at %.1f m", one.range()))
-                .orElse("at the start; it was never detected");
+        String when = heard.map(one -> String.format(
+                        Locale.ROOT, "when the drone was first detected, at a range of %.1f m", one.range()))
+                .orElse("at the start, since the drone was never detected");
         String more = rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, " of %,d", rays.count() + rays.leftOut());
         String caption = String.format(
                 Locale.ROOT,

@@ -24,7 +24,7 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
                 target.accept(String.format(
                         Locale.ROOT,
                         "sensor '%s' holds a drone for %.2g s, but '%s', which cues it, looks every %.2g s: the positioner"
-                                + " will drop the drone in between",
+                                + " will lose the drone in between",
                         id,
                         positioner.hold(),
                         cue,

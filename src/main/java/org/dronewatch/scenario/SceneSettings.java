@@ -131,8 +131,8 @@ public record SceneSettings(
 
     private static void checkRule(AlertRule rule, int sensors) {
         if (rule instanceof AlertRule.SeveralSensors several && several.count() > sensors) {
-            throw new IllegalArgumentException("alert.rule.count " + several.count() + " must be at most " + sensors
-                    + ", as many as there are sensors");
+            throw new IllegalArgumentException(
+                    "alert.rule.count " + several.count() + " must be at most " + sensors + ", the number of sensors");
         }
     }
 

@@ -34,8 +34,8 @@ final class SwarmExpansion {
                 String name = drone.swarm().isPresent() ? id + "-" + (i + 1) : id;
                 String other = sources.put(name, id);
                 if (other != null) {
-                    throw new IllegalArgumentException("drones '" + other + "' and '" + id + "' both give a drone '"
-                            + name + "', as the drones of a swarm are numbered: rename one");
+                    throw new IllegalArgumentException("drones '" + other + "' and '" + id + "' both produce a drone '"
+                            + name + "', since the drones of a swarm are numbered: rename one");
                 }
                 individuals.put(name, flying.get(i));
             }

@@ -180,7 +180,7 @@ final class ConfiguredScene {
             if (drone.flight() instanceof Steered) {
                 String path = "drones." + id + ".flight";
                 throw new InputException(placeOf(path) + path + ": is steered, but no pilot steers '" + id
-                        + "': give a pilot by SceneRunner.pilot(...), override pilot() in a Java scene, steer from a DSOL"
+                        + "': set a pilot with SceneRunner.pilot(...), override pilot() in a Java scene, steer from a DSOL"
                         + " model that holds the scene, or use another kind of flight");
             }
         });

@@ -234,7 +234,7 @@ public enum Quantity {
 
     private String orWithUnit() {
         if (this == RATIO) {
-            return " from 0 to 1 or with %";
+            return " from 0 to 1, or a percentage with %";
         }
         return unit.isEmpty()
                 ? " without a unit"

@@ -164,7 +164,9 @@ public final class SettingsPath {
         }
         if (unwrapped instanceof List<?> list) {
             if (!name.matches("\\d{1,6}") || Integer.parseInt(name) >= list.size()) {
-                throw unknown(depth, "is a list with indices 0 to " + (list.size() - 1));
+                throw unknown(
+                        depth,
+                        list.isEmpty() ? "is an empty list" : "is a list with indices 0 to " + (list.size() - 1));
             }
             return list.get(Integer.parseInt(name));
         }

@@ -95,7 +95,7 @@ final class Decimation {
         if (count > most) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "an accuracy of %s m takes more than %,d triangles, the most that are built: choose a greater error, or a"
+                    "an accuracy of %s m needs more than %,d triangles, the maximum: allow a larger error, or choose a"
                             + " smaller radius",
                     accuracy,
                     most));

@@ -3,6 +3,7 @@ package org.dronewatch.terrain;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dronewatch.setting.Counted;
 
 /** Checks heights as they were read: implausible ones become holes, and the rest are counted. */
 final class Heights {
@@ -77,12 +78,12 @@ final class Heights {
         if (impossible > 0) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "terrain: %,d posts have impossible heights (%.0f, or not between %.0f and %.0f m): they are"
-                            + " treated as holes",
-                    impossible,
+                    "terrain: %s (%.0f, or not between %.0f and %.0f m): %s",
+                    Counted.of(impossible, "post has an impossible height", "posts have impossible heights"),
                     USUAL_NODATA,
                     LOWEST,
-                    HIGHEST));
+                    HIGHEST,
+                    impossible == 1 ? "it is treated as a hole" : "they are treated as holes"));
         }
         if (!statesNodata && zeros > MANY * heights.length && zeros < heights.length) {
             warnings.add(String.format(

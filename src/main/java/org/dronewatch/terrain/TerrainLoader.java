@@ -68,7 +68,7 @@ public final class TerrainLoader {
         int all = PostTriangles.countAll(posts);
         if (all == 0) {
             throw new InputException(files.get(0).name() + ": none of its " + window.posts() + " posts within "
-                    + settings.radius() + " m of the origin has a height that makes a triangle");
+                    + settings.radius() + " m of the origin forms a triangle with others that have heights");
         }
         PostTriangles kept = thinned(posts, settings.accuracy());
         List<String> warnings = new ArrayList<>();

@@ -142,7 +142,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                 .ifPresent(file -> warnings.add(String.format(
                         Locale.ROOT,
                         "%s: %s is a grid in feet, but the unit of the heights is not stated: they are taken as metres; if"
-                                + " they are in US survey feet, state it, as in gdal_translate -a_srs %2$s+6360",
+                                + " they are in US survey feet, state that, as in gdal_translate -a_srs %2$s+6360",
                         file.name(),
                         crs)));
     }

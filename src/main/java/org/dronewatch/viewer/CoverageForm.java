@@ -69,7 +69,7 @@ final class CoverageForm extends JPanel {
         add(row(
                 named("Heights (m)", heights, "Heights above the ground, in ascending order"),
                 heights,
-                named("Side (m)", side, "Length of the area's side, centred on the sensors"),
+                named("Side (m)", side, "Length of a side of the area, which is centred on the sensors"),
                 side,
                 named("Cell (m)", cell, "Length of a cell's side; if left empty, a hundredth of the area's side"),
                 cell));

@@ -16,7 +16,7 @@ final class Events {
                 "%s  %s %s %s at %.1f m (%s, needs %s)%s",
                 Texts.time(o.arrival()),
                 o.sensor(),
-                event.gained() ? "gains" : "loses",
+                event.gained() ? "detects" : "loses",
                 o.drone(),
                 o.range(),
                 Texts.measured(o.value(), o.unit()),

@@ -19,6 +19,7 @@ import org.dronewatch.render.Backdrop;
 import org.dronewatch.render.Fineness;
 import org.dronewatch.render.SiteStyle;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.setting.Counted;
 
 /** Exports the display: an image of any part of the window, or the whole run as an image sequence. */
 final class Exports {
@@ -116,7 +117,7 @@ final class Exports {
                         int written = workers.call(() -> export.write(
                                 done -> SwingUtilities.invokeLater(() -> monitor.setProgress(done)),
                                 monitor::isCanceled));
-                        pane.note(written + " images written to " + directory);
+                        pane.note(Counted.of(written, "image") + " written to " + directory);
                     } catch (RuntimeException e) {
                         failed.accept(e);
                     } finally {

@@ -24,6 +24,7 @@ import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Counted;
 
 /** Exports videos of a run: of the site from the current viewpoint, or of a camera's view. */
 final class FilmExport implements AutoCloseable {
@@ -161,7 +162,7 @@ final class FilmExport implements AutoCloseable {
                                 file,
                                 done -> SwingUtilities.invokeLater(() -> monitor.setProgress(done)),
                                 () -> closed || monitor.isCanceled());
-                        pane.note(maker.film().frames() + " frames written to " + file);
+                        pane.note(Counted.of(maker.film().frames(), "frame") + " written to " + file);
                     } catch (CancellationException e) {
                         pane.note("video export to " + file + " cancelled; no file written");
                     } catch (RuntimeException e) {

@@ -27,25 +27,25 @@ final class PlaceMenu {
         add(menu, "Move east", "Moves the selected sensor 1 m east", KeyEvent.VK_RIGHT, () -> mover.shift(STEP, 0));
         addFar(
                 menu,
-                "Move far north",
+                "Move 10 m north",
                 "Moves the selected sensor 10 m north",
                 KeyEvent.VK_UP,
                 () -> mover.shift(0, FAR));
         addFar(
                 menu,
-                "Move far south",
+                "Move 10 m south",
                 "Moves the selected sensor 10 m south",
                 KeyEvent.VK_DOWN,
                 () -> mover.shift(0, -FAR));
         addFar(
                 menu,
-                "Move far west",
+                "Move 10 m west",
                 "Moves the selected sensor 10 m west",
                 KeyEvent.VK_LEFT,
                 () -> mover.shift(-FAR, 0));
         addFar(
                 menu,
-                "Move far east",
+                "Move 10 m east",
                 "Moves the selected sensor 10 m east",
                 KeyEvent.VK_RIGHT,
                 () -> mover.shift(FAR, 0));
@@ -59,7 +59,7 @@ final class PlaceMenu {
         add(menu, "Tilt down", "Tilts the selected sensor down by 5 degrees", 'G', () -> mover.turn(0, -TURN));
         menu.addSeparator();
         menu.add(ViewerMenus.item(
-                "Undo", "Takes the last move of a sensor back", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
+                "Undo", "Undoes the last move of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
         return menu;
     }
 

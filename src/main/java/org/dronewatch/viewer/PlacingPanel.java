@@ -31,7 +31,7 @@ final class PlacingPanel extends JPanel {
     private final JTextField azimuth = CoverageForm.field("", 5);
     private final JTextField tilt = CoverageForm.field("", 5);
     private final JButton undo = new JButton("Undo");
-    private final JButton reset = new JButton("Back to the scene");
+    private final JButton reset = new JButton("Reset all");
     private final JButton save = new JButton("Save scene as ...");
     private final WrappedText said = new WrappedText("what was done with the sensor");
     private final WrappedText covered = new WrappedText("what is covered now");

@@ -22,6 +22,7 @@ import org.dronewatch.render.RecordedRays;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SoundTracing;
+import org.dronewatch.setting.Counted;
 
 /** Traces the sound rays to a microphone at the displayed time, counts them, and selects those to be drawn. */
 final class RayPanel extends JPanel {
@@ -151,8 +152,9 @@ final class RayPanel extends JPanel {
                     + Texts.time(rays.time()) + ".");
             return;
         }
-        String more =
-                rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, "; %,d more were discarded", rays.leftOut());
+        String more = rays.leftOut() == 0
+                ? ""
+                : "; " + Counted.of(rays.leftOut(), "more was discarded", "more were discarded");
         String text = String.format(
                 Locale.ROOT,
                 "Traced at %s: %,d of %,d ray segments drawn, highest order %d%s",

@@ -67,7 +67,7 @@ public final class Viewer implements AutoCloseable {
             Toolkit.getDefaultToolkit().getScreenSize();
             return Optional.empty();
         } catch (AWTError | LinkageError e) {
-            return Optional.of("cannot open a window on this display: "
+            return Optional.of("this display cannot be used: "
                     + String.valueOf(e.getMessage()).replaceFirst("\\.$", ""));
         }
     }

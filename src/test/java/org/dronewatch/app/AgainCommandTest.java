@@ -64,7 +64,7 @@ class AgainCommandTest {
 
         assertThat(outcome.code()).as(outcome.out() + outcome.err()).isZero();
         assertThat(outcome.out())
-                .contains("same       result.json", "same       observations.csv", "the results have the same bytes")
+                .contains("same       result.json", "same       observations.csv", "the results are byte-identical")
                 .doesNotContain("different");
         assertThat(Files.readString(directory.resolve("second/result.json")))
                 .isEqualTo(Files.readString(original.resolve("first/result.json")));

@@ -230,7 +230,7 @@ class CalibrateCommandTest {
         assertThat(entry.sensor().mapping("positioner").orElseThrow().values()).containsOnlyKeys("panSpeed");
         assertThat(entry.ranges().get(0).drone().orElseThrow().values()).containsKey("speed");
         assertThat(entry.sensor().values()).containsKey("rate");
-        assertThat(entry.note()).contains("for a drone that approaches at 5 m/s and a look rate of 10 Hz. ");
+        assertThat(entry.note()).contains("for a drone that approaches at 5 m/s, and for a look rate of 10 Hz. ");
         double stated = entry.ranges().get(0).distance();
         assertThat(firstRange(stated + 0.02)).isBetween(stated - LOOK, stated + 0.02);
     }

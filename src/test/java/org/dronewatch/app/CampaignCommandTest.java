@@ -155,7 +155,8 @@ class CampaignCommandTest {
         assertThat(rows.stream().filter(row -> row.contains(",far,") && row.contains(",true,")))
                 .hasSize(until.get("k").asInt());
         assertThat(precise.out())
-                .containsPattern("in time of far to within 12 points with a confidence of 90 %: .* after \\d+ cases");
+                .containsPattern(
+                        "'in time' for far to within 12 percentage points at 90 % confidence: .* after \\d+ cases");
 
         Files.delete(directory.resolve("precise/chunks/000001.csv"));
         Files.delete(directory.resolve("precise/runs.csv"));
@@ -307,8 +308,8 @@ class CampaignCommandTest {
 
         assertThat(expected.code()).as(expected.err()).isEqualTo(1);
         assertThat(expected.err())
-                .contains("expectation not met: in time of scene: lower bound 0.6457, must be at least 0.99")
-                .doesNotContain("detected of");
+                .contains("expectation not met: 'in time' for scene: lower bound 0.6457, must be at least 0.99")
+                .doesNotContain("'detected' for");
         assertThat(suites.getLength()).isEqualTo(2);
         assertThat(attributes(suites.item(0))).isEqualTo("expectations 2 1");
         assertThat(attributes(suites.item(1))).isEqualTo("scene 8 1");
@@ -387,8 +388,8 @@ class CampaignCommandTest {
         assertThat(reason.get("cases").asLong()).isEqualTo(failed);
         assertThat(rows.get(1 + reason.get("case").asInt()))
                 .contains(reason.get("error").asString());
-        String line = failed + " cases of scene could not be run, such as case "
-                + reason.get("case").asInt() + ": " + reason.get("error").asString();
+        String line = failed + " cases of scene could not be run (first: case "
+                + reason.get("case").asInt() + "): " + reason.get("error").asString();
         assertThat(odd.err()).contains("warning: " + line);
         assertThat(Files.readString(directory.resolve("odd/report.html"))).contains(line);
     }

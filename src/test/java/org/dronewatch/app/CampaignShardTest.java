@@ -58,7 +58,7 @@ class CampaignShardTest {
         assertThat(directory.resolve("part-1/report.html")).doesNotExist();
         Outcome again = Program.run("again", at("merged/provenance.json"));
         assertThat(again.code()).as(again.err()).isZero();
-        assertThat(again.out()).contains("the results have the same bytes");
+        assertThat(again.out()).contains("the results are byte-identical");
     }
 
     /** Three chunks of further cases, of which the first part has two. */
@@ -101,7 +101,7 @@ class CampaignShardTest {
         Outcome merged = Program.run("merge", at("hopeful-1"), at("hopeful-2"), "--out", at("hopeful"));
 
         assertThat(merged.code()).isEqualTo(1);
-        assertThat(merged.err()).contains("expectation not met: detected of near: lower bound");
+        assertThat(merged.err()).contains("expectation not met: 'detected' for near: lower bound");
         assertThat(directory.resolve("hopeful/report.html")).exists();
     }
 
@@ -122,6 +122,7 @@ class CampaignShardTest {
     void missingCasesAreNamedAndNothingIsWritten() {
         refused("no directory has the cases 50 to 99", "merge", at("part-1"), at("part-3"), "--out=" + at("none"));
         refused("holds no campaign", "merge", at("part-1"), at("."), "--out=" + at("none"));
+        refused("--out '': the path is empty", "merge", at("part-1"), at("part-2"), at("part-3"), "--out=");
         refused("holds other files", "merge", at("part-1"), at("part-2"), at("part-3"), "--out=" + directory);
         assertThat(directory.resolve("none")).doesNotExist();
     }

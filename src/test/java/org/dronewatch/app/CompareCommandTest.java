@@ -59,7 +59,7 @@ class CompareCommandTest {
         assertThat(outcome.err()).contains("varies: drones.intruder.flight.bearing");
         assertThat(outcome.out())
                 .contains("= +0.0 points", "only site in 0, only site-changed in 0 of 30 cases, p = 1")
-                .contains("no case decides: in time is the same for both in every case");
+                .contains("no case decides: 'in time' is the same for both in every case");
     }
 
     @Test
@@ -97,7 +97,7 @@ class CompareCommandTest {
         List<String> before = bytes(out);
         Outcome again = Program.run("again", out.resolve("provenance.json").toString());
         assertThat(again.code()).as(again.out() + again.err()).isZero();
-        assertThat(again.out()).contains("the results have the same bytes");
+        assertThat(again.out()).contains("the results are byte-identical");
 
         Files.delete(out.resolve("chunks/000000.csv"));
         Files.delete(out.resolve("report.html"));

@@ -63,7 +63,7 @@ class HeightCommandTest extends CommandLines {
                         "place: x 20.00 m, y 2.00 m, z 18.00 m, 3.00 m above the surface",
                         "surface: z 15.00 m, 215.00 m above sea level, 3.00 m above the ground: building of table.obj, wood",
                         "below: z 14.00 m, 214.00 m above sea level, 2.00 m above the ground: building of table.obj, wood,"
-                                + " from below",
+                                + " facing down",
                         "ground: z 12.00 m, 212.00 m above sea level: terrain of ground.asc, pasture_uncompacted");
         assertThat(height("50,15").lines())
                 .containsExactly(
@@ -81,7 +81,7 @@ class HeightCommandTest extends CommandLines {
                 .containsExactly(
                         "place: x 20.00 m, y 2.00 m, z 15.00 m, 0.00 m above the surface",
                         "ground and surface: z 15.00 m: building of table.obj, wood",
-                        "below: z 14.00 m: building of table.obj, wood, from below");
+                        "below: z 14.00 m: building of table.obj, wood, facing down");
     }
 
     @Test

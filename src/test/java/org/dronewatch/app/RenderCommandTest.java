@@ -71,7 +71,7 @@ class RenderCommandTest extends CuedCamera {
                         .toArray(String[]::new));
         assertThat(said)
                 .as("run %s at %s s", row.run, time)
-                .contains(String.format(", %.0f of them show drones", Double.parseDouble(row.value)));
+                .contains(String.format(", %.0f of them on drones", Double.parseDouble(row.value)));
     }
 
     @Test

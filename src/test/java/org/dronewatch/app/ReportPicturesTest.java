@@ -76,8 +76,8 @@ class ReportPicturesTest {
         List<Shown> depth = about(asItIs, "Picture by 'camera'");
         assertThat(depth).singleElement().satisfies(figure -> {
             assertThat(figure.caption())
-                    .contains("first detected 'quadrotor', 0.0 s after the start at 10.0 m")
-                    .contains("690 of 800 x 800 pixels");
+                    .contains("first detected 'quadrotor', 0.0 s after the start, at a range of 10.0 m")
+                    .contains("(690 of 800 x 800 pixels)");
             assertThat(figure.image().getWidth()).isEqualTo(640);
             assertThat(figure.image().getHeight()).isEqualTo(640);
             // 690 pixels in a picture 0.8 times as wide and high, and up to one more at each of some 60 ends of rows.
@@ -97,13 +97,14 @@ class ReportPicturesTest {
         assertThat(segments).isGreaterThan(5_000);
         assertThat(rays).singleElement().satisfies(figure -> {
             assertThat(figure.caption())
-                    .contains("from 'quadrotor' to 'microphone' when it was first detected, at 10.0 m")
-                    .contains(String.format("at 10.0 m: %,d segments", segments));
+                    .contains(
+                            "from 'quadrotor' to 'microphone' when the drone was first detected, at a range of 10.0 m")
+                    .contains(String.format("at a range of 10.0 m: %,d segments", segments));
             assertThat(figure.image().getWidth()).isEqualTo(1000);
         });
-        assertThat(about(undetected, "The sound rays from"))
-                .singleElement()
-                .satisfies(figure -> assertThat(figure.caption()).contains("at the start; it was never detected"));
+        assertThat(about(undetected, "The sound rays from")).singleElement().satisfies(figure -> assertThat(
+                        figure.caption())
+                .contains("at the start, since the drone was never detected"));
         List<Shown> hidden = figures(
                 "--set",
                 "sensors.microphone.drawRays=false",

@@ -121,7 +121,7 @@ class SmallHeapTest {
             out.write('{');
             repeat(out, " ", 9_000_000);
         });
-        refused.put("blanks.geojson.gz", "bytes of JSON: cut out the site, or give Java more memory");
+        refused.put("blanks.geojson.gz", "bytes of JSON: clip it to the site, or give Java more memory");
         for (String part : List.of("[]", "{}", "\"\"", "{\"a\":1}", "[1.5,2.5]")) {
             String name = "json" + refused.size() + ".geojson";
             // By the sizes of objects; half of the heap, and what is left of it.

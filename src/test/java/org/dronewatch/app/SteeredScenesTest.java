@@ -45,7 +45,7 @@ class SteeredScenesTest {
         assertThat(outcome.out()).isEmpty();
         assertThat(outcome.err())
                 .isEqualTo(
-                        scene + ":3:50: drones.guard.flight: is steered, but no pilot steers 'guard': give a pilot by"
+                        scene + ":3:50: drones.guard.flight: is steered, but no pilot steers 'guard': set a pilot with"
                                 + " SceneRunner.pilot(...), override pilot() in a Java scene, steer from a DSOL model"
                                 + " that holds the scene, or use another kind of flight" + System.lineSeparator());
         assertThat(out).doesNotExist();

@@ -101,7 +101,7 @@ class CityModelTest {
             assertThat(loaded.area()).isCloseTo(80.0 / (SCALE * SCALE), within(0.001));
             assertThat(loaded.warnings()).isEmpty();
         }
-        assertThat(open.description()).contains("buildings: 12 triangles; 1 solids had no floor, which was added");
+        assertThat(open.description()).contains("buildings: 12 triangles; 1 solid had no floor, which was added");
         assertThat(closed.description()).contains("buildings: 12 triangles; 0 solids had no floor, which was added");
     }
 

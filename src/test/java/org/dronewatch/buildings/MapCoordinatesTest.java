@@ -216,7 +216,7 @@ class MapCoordinatesTest {
                         "; these coordinates seem to be longitude and latitude, for which crs is EPSG:4326");
         assertThatThrownBy(() -> load(square(RD, 200.0, 300.0, 20), Optional.empty()))
                 .hasMessageContaining("it covers 200.0 to 220.0 east and 300.0 to 320.0 north in EPSG:28992")
-                .hasMessageEndingWith("; coordinates this small suggest that the file has no reference to the earth");
+                .hasMessageEndingWith("; coordinates this small suggest that the file is not georeferenced");
         assertThatThrownBy(() -> load("{\"type\":\"FeatureCollection\",\"features\":[]}", Optional.empty()))
                 .hasMessage(nothing + "it has no coordinates");
     }
@@ -239,6 +239,6 @@ class MapCoordinatesTest {
                         Optional.empty()))
                 .hasMessageStartingWith(
                         "map: has no building within 2000 m of the origin, at latitude 51.99900 and longitude"
-                                + " 4.37330 (left out: 1 building no higher than its lowest point): it covers latitude");
+                                + " 4.37330 (left out: 1 building of no height): it covers latitude");
     }
 }

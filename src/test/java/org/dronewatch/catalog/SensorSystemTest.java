@@ -89,7 +89,7 @@ class SensorSystemTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> Catalog.packaged().settings("liteye", Map.of("position", MAST)))
                 .withMessage("'liteye' is a system of several sensors: a scene file uses it by 'use: liteye', and --set"
-                        + " sensors.ID=liteye replaces another by it");
+                        + " sensors.ID=liteye replaces the sensor or system ID with it");
     }
 
     @Test

@@ -3,12 +3,15 @@ package org.dronewatch.scenario;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.CameraRange;
 import org.dronewatch.scenes.ClosedSpace;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.world.WorldSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -43,6 +46,15 @@ class WholeSettingsTest {
         assertThatThrownBy(() -> set(path, value))
                 .isInstanceOf(InputException.class)
                 .hasMessage("--set setting '" + path + "': " + message);
+    }
+
+    @Test
+    void anEmptyListHasNoIndices() {
+        SettingsPath path = new SettingsPath("models.0.file");
+
+        assertThatThrownBy(() -> path.read(WorldSettings.of(List.of())))
+                .isInstanceOf(InputException.class)
+                .hasMessageEndingWith("no '0': 'models' is an empty list");
     }
 
     @ParameterizedTest

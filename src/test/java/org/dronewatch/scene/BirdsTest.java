@@ -76,7 +76,7 @@ class BirdsTest {
         String printed = main("run", SCENE.toString(), "--observations", "--out", out.toString());
         assertThat(printed)
                 .contains("was caused by a bird: buzzard")
-                .containsPattern("\\(false alarms: radar \\d+ \\(all of them birds\\)\\)")
+                .containsPattern("\\(false alarms: radar \\d+ \\(all caused by birds\\)\\)")
                 .doesNotContain(" gull ");
         List<String> rows = Files.readAllLines(out.resolve("detections.csv"));
         assertThat(rows)
@@ -121,7 +121,7 @@ class BirdsTest {
                         noisy.toString(),
                         "--out",
                         directory.resolve("noisy").toString()))
-                .contains("(false alarms: radar " + all + " (" + birds + " of them birds))");
+                .contains("(false alarms: radar " + all + " (" + birds + " caused by birds))");
     }
 
     /** What is measured does not depend on the role, and a harmless drone is a drone. */

@@ -166,7 +166,7 @@ class CuedCameraTest {
         assertThat(notes)
                 .contains(
                         "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', which cues it,"
-                                + " looks every 5.0 s: the positioner will drop the drone in between",
+                                + " looks every 5.0 s: the positioner will lose the drone in between",
                         "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its positioner"
                                 + " tilts only from -50.0 to 60.0 degrees");
     }

@@ -161,7 +161,7 @@ class FalseAlertsTest {
         }
         FalseAlertRate merged = rate(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(36_000, 1, 10))));
         assertThat(merged.merging()).containsExactly("radio");
-        assertThat(merged.inWords()).isEqualTo("2192 per day, radio raising false alarms most of the time");
+        assertThat(merged.inWords()).isEqualTo("2192 per day; radio raises false alarms most of the time");
         assertThat(rate(confirmed(3, 5), Map.of("radio", radio(new FalseAlarms(100, 1, 10))))
                         .merging())
                 .isEmpty();

@@ -277,6 +277,6 @@ class PilotErrorsTest {
         assertThatThrownBy(runner::run)
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(
-                        "drones.hunter.flight: is steered, but no pilot steers 'hunter': give a pilot by");
+                        "drones.hunter.flight: is steered, but no pilot steers 'hunter': set a pilot with");
     }
 }

@@ -193,7 +193,7 @@ class SwarmTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> scene(same))
                 .withMessage(
-                        "drones 'a' and 'a-2' both give a drone 'a-2', as the drones of a swarm are numbered: rename"
+                        "drones 'a' and 'a-2' both produce a drone 'a-2', since the drones of a swarm are numbered: rename"
                                 + " one");
 
         Map<String, DroneSettings> many = new LinkedHashMap<>();

@@ -25,7 +25,7 @@ class TextsTest {
     void aDetectionOverUnknownGroundSaysSo() {
         Observation known = new Observation(
                 new LookId("north", "radar", 7, 75.5), "intruder", 812.34, new Reading(14.26, 13.0, "dB"));
-        String plain = "1:15.50  north gains intruder at 812.3 m (14.3 dB, needs 13 dB)";
+        String plain = "1:15.50  north detects intruder at 812.3 m (14.3 dB, needs 13 dB)";
         assertThat(Events.text(new DetectionEvent(0, true, known))).isEqualTo(plain);
         assertThat(Events.text(new DetectionEvent(0, true, known.asUnknown())))
                 .isEqualTo(plain + " over unknown ground");

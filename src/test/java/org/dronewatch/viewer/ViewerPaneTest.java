@@ -126,7 +126,7 @@ class ViewerPaneTest {
         assertThat(table.getValueAt(0, 0)).isEqualTo("camera");
         assertThat(table.getValueAt(0, 3)).isEqualTo("detects");
         assertThat((String) table.getValueAt(0, 6)).isEqualTo("12 px");
-        assertThat(pane.log().text()).contains("camera gains quadrotor at");
+        assertThat(pane.log().text()).contains("camera detects quadrotor at");
     }
 
     @Test

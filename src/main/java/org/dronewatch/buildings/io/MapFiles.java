@@ -266,7 +266,7 @@ public final class MapFiles {
         }
         if (all.length > most) {
             throw new InputException(
-                    String.format(Locale.ROOT, "%s: has more than %,d bytes of JSON: cut out the site", name, most)
+                    String.format(Locale.ROOT, "%s: has more than %,d bytes of JSON: clip it to the site", name, most)
                             + (most < MOST_JSON ? ", or give Java more memory, as in java -Xmx4g" : ""));
         }
         HeapBudget budget = budget(name);
@@ -280,6 +280,6 @@ public final class MapFiles {
     }
 
     private static HeapBudget budget(String name) {
-        return new HeapBudget(name, "cut out the site, as with 'osmium extract'");
+        return new HeapBudget(name, "clip it to the site, as with 'osmium extract'");
     }
 }

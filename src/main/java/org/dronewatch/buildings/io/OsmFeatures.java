@@ -110,7 +110,7 @@ final class OsmFeatures implements OsmElements {
         corners += refs.length;
         if (corners > MOST_CORNERS) {
             throw new InputException(file + ": ways with more than " + MOST_CORNERS
-                    + " corners: cut out the site with 'osmium extract'");
+                    + " corners: extract the site with 'osmium extract'");
         }
         nodes.takeMemoryOfWay(refs.length, isWanted(tags) ? tags : Map.of());
         ways.putIfAbsent(id, new Way(id, refs, isWanted(tags) ? sensible(tags) : Map.of()));

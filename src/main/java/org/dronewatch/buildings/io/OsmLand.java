@@ -112,7 +112,7 @@ final class OsmLand {
         corners += refs.length;
         if (corners > MOST_CORNERS) {
             throw new InputException(file + ": ways with more than " + MOST_CORNERS
-                    + " corners: cut out the site with 'osmium extract'");
+                    + " corners: extract the site with 'osmium extract'");
         }
         nodes.takeMemoryOfWay(refs.length, tags);
         ways.putIfAbsent(id, new Way(refs, tags));

@@ -177,7 +177,7 @@ public final class LandSurvey {
                 : Optional.of(String.format(
                         Locale.ROOT,
                         "%s: land cover: %,d %s left out: %s%s;"
-                                + " 'osmium extract --strategy smart' cuts out a map with whole areas",
+                                + " 'osmium extract --strategy smart' extracts a map with whole areas",
                         file,
                         cutOff.size(),
                         cutOff.size() == 1

@@ -188,7 +188,7 @@ record PlanFile(
         private void command(JsonNode item, String where) {
             JsonNode number = item.path("command");
             if (!number.isInt()) {
-                throw new InputException(name + ": " + where + ".command: must be the number of a command of MAVLink");
+                throw new InputException(name + ": " + where + ".command: must be the number of a MAVLink command");
             }
             int command = number.intValue();
             if (MissionCommands.isStill(command)) {

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import org.dronewatch.geo.EarthPoint;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
@@ -153,7 +154,11 @@ final class GpxFile {
             throw new InputException(name + ": has no track with points"
                     + (waypoints == 0
                             ? ""
-                            : ", only " + waypoints + " individual waypoints, which do not make a flight"));
+                            : ", only "
+                                    + Counted.of(
+                                            waypoints,
+                                            "individual waypoint, which does not make a flight",
+                                            "individual waypoints, which do not make a flight")));
         }
         if (wanted.isPresent() && !tracks.containsKey(wanted.get())) {
             throw new InputException(name + ": has no track '" + PlainText.value(wanted.get()) + "'; "

@@ -100,7 +100,7 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
 
     private static InputException missing(String file, List<String> header, String what, List<String> names) {
         String known = header.stream().map(PlainText::value).collect(Collectors.joining(", "));
-        return new InputException(file + ":1: no column of the " + what + ": none of " + String.join(", ", names)
+        return new InputException(file + ":1: no column for the " + what + ": none of " + String.join(", ", names)
                 + " among " + PlainText.beginning(known, PlainText.LONGEST));
     }
 

@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.file.FileHash;
 
 /**
@@ -46,17 +47,13 @@ public record LoadedModel(
                 Locale.ROOT,
                 "%s: %s%s, %.2f x %.2f x %.2f m along x, y, z, %s%s",
                 name,
-                counted(mesh.triangleCount(), "triangle"),
+                Counted.of(mesh.triangleCount(), "triangle"),
                 dropped == 0 ? "" : String.format(Locale.ROOT, " (%,d of zero area dropped)", dropped),
                 bounds.maxX() - bounds.minX(),
                 bounds.maxY() - bounds.minY(),
                 bounds.maxZ() - bounds.minZ(),
-                counted(mesh.materialNames().size(), "material"),
+                Counted.of(mesh.materialNames().size(), "material"),
                 skipped.isEmpty() ? "" : "; skipped " + listSkipped());
-    }
-
-    private static String counted(int count, String noun) {
-        return String.format(Locale.ROOT, "%,d %s%s", count, noun, count == 1 ? "" : "s");
     }
 
     private String listSkipped() {

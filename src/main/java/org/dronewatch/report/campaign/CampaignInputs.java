@@ -50,7 +50,7 @@ final class CampaignInputs {
                 + settings.until()
                         .map(until -> String.format(
                                 Locale.ROOT,
-                                "The outcomes decided how many cases were run: until the probability of '%s' of %s was known to within %s"
+                                "The outcomes decided how many cases were run: until the probability of '%s' for %s was known to within %s"
                                         + " percentage points. The other intervals are approximate. ",
                                 ShareWords.name(until.of()),
                                 plan.observed(),

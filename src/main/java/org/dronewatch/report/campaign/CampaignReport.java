@@ -18,6 +18,7 @@ import org.dronewatch.campaign.VariantSummary;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.ReadableNumbers;
+import org.dronewatch.setting.Counted;
 
 /** A campaign for those who decide: which variant is better, how certain that is, from where, and the worst cases. */
 final class CampaignReport {
@@ -99,10 +100,11 @@ final class CampaignReport {
                 .mapToInt(VariantSummary::failed)
                 .sum();
         if (failed > 0) {
-            sentences.add(String.format(
-                    Locale.ROOT,
-                    "%,d runs failed and are not included in these figures; the reasons are at the end.",
-                    failed));
+            sentences.add(Counted.of(
+                            failed,
+                            "run failed and is not included in these figures; the reason is",
+                            "runs failed and are not included in these figures; the reasons are")
+                    + " at the end.");
         }
         CampaignWords.cutShort(summary).ifPresent(sentences::add);
         return String.join(" ", sentences);
@@ -158,7 +160,7 @@ final class CampaignReport {
     private String words(Expectation one) {
         CampaignSummary summary = result.summary();
         return one.isMet(plan, summary)
-                ? "Met: " + ShareWords.name(one.of()) + " of " + one.variantIn(plan) + ", lower bound at least "
+                ? "Met: '" + ShareWords.name(one.of()) + "' for " + one.variantIn(plan) + ", lower bound at least "
                         + one.low() + ": "
                         + ShareWords.withInterval(
                                 one.proportion(plan, summary).orElseThrow(),

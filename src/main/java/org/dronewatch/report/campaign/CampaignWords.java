@@ -16,6 +16,7 @@ import org.dronewatch.campaign.FailedCases;
 import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
+import org.dronewatch.setting.Counted;
 
 /** Results of campaigns in sentences. */
 public final class CampaignWords {
@@ -48,8 +49,11 @@ public final class CampaignWords {
                             .orElseGet(() -> words(one.effect().orElseThrow())));
         }
         if (sensitivity.failed() > 0) {
-            lines.add(
-                    String.format(Locale.ROOT, "  %,d cases failed; their groups are left out", sensitivity.failed()));
+            lines.add("  "
+                    + Counted.of(
+                            sensitivity.failed(),
+                            "case failed; its group is left out",
+                            "cases failed; their groups are left out"));
         }
         return lines;
     }
@@ -82,7 +86,8 @@ public final class CampaignWords {
                         + result.firstSensor().get() + " at " + text(result.range()) + " m";
         String alerted = result.alert().isEmpty()
                 ? "no alert" + cameTo(result)
-                : "alert after " + text(result.alert()) + " s, warning " + text(result.warning()) + " s"
+                : "alert after " + text(result.alert()) + " s"
+                        + (result.warning().isEmpty() ? "" : ", warning " + text(result.warning()) + " s")
                         + result.inTime()
                                 .map(yes -> yes ? ", in time" : ", too late")
                                 .orElse("");
@@ -105,10 +110,10 @@ public final class CampaignWords {
         summary.variants().forEach((name, variant) -> variant.failures()
                 .forEach(reason -> lines.add(String.format(
                         Locale.ROOT,
-                        "%,d %s of %s could not be run, such as case %d: %s",
-                        reason.cases(),
-                        reason.cases() == 1 ? "case" : "cases",
+                        "%s of %s could not be run (%scase %d): %s",
+                        Counted.of(reason.cases(), "case"),
                         name,
+                        reason.cases() == 1 ? "" : "first: ",
                         reason.example(),
                         reason.words()))));
         return lines;
@@ -147,8 +152,8 @@ public final class CampaignWords {
 
     /** Why a campaign does not show what is expected of it. */
     public static String missed(CampaignPlan plan, Expectation expected, CampaignSummary summary) {
-        String what =
-                expected.of().name().toLowerCase(Locale.ROOT).replace('_', ' ') + " of " + expected.variantIn(plan);
+        String what = "'" + expected.of().name().toLowerCase(Locale.ROOT).replace('_', ' ') + "' for "
+                + expected.variantIn(plan);
         return expected.proportion(plan, summary)
                 .map(one -> String.format(
                         Locale.ROOT,

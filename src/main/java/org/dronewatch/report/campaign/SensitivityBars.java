@@ -7,6 +7,7 @@ import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
 import org.dronewatch.report.html.Html;
+import org.dronewatch.setting.Counted;
 
 /** Which settings matter, as bars. */
 final class SensitivityBars {
@@ -26,8 +27,11 @@ final class SensitivityBars {
                     "p", "What explains the " + what + ": " + CampaignWords.withoutInfluences(sensitivity) + ".");
         }
         String left = sensitivity.failed() > 0
-                ? String.format(
-                        Locale.ROOT, " %,d further cases failed; their groups are left out.", sensitivity.failed())
+                ? " "
+                        + Counted.of(
+                                sensitivity.failed(),
+                                "further case failed; its group is left out.",
+                                "further cases failed; their groups are left out.")
                 : "";
         return influences.get(0).index().isPresent() ? sobol(influences, left) : morris(influences, left);
     }

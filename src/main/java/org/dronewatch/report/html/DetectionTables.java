@@ -15,6 +15,7 @@ import java.util.stream.DoubleStream;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
+import org.dronewatch.setting.Counted;
 
 /**
  * Detections of a run by sensor: a row for each sensor with each drone or swarm, and a collapsible section with each
@@ -82,7 +83,12 @@ final class DetectionTables {
         }
         int without = all.size() - detected.size();
         return (without > 0
-                        ? Html.plain("p", without + " pairs of sensor and drone without a detection are not shown.")
+                        ? Html.plain(
+                                "p",
+                                Counted.of(
+                                        without,
+                                        "pair of sensor and drone without a detection is not shown.",
+                                        "pairs of sensor and drone without a detection are not shown."))
                         : "")
                 + Html.table(HEAD, detected.subList(0, Math.min(MAX_ROWS, detected.size())))
                 + notShown(detected.size() - MAX_ROWS);
@@ -90,7 +96,14 @@ final class DetectionTables {
 
     /** States how many rows a table omits; empty if it omits none. */
     static String notShown(int left) {
-        return left > 0 ? Html.plain("p", left + " more pairs of sensor and drone are not shown.") : "";
+        return left > 0
+                ? Html.plain(
+                        "p",
+                        Counted.of(
+                                left,
+                                "more pair of sensor and drone is not shown.",
+                                "more pairs of sensor and drone are not shown."))
+                : "";
     }
 
     private static String folded(List<List<String>> members) {
@@ -100,7 +113,10 @@ final class DetectionTables {
         List<List<String>> shown = members.subList(0, Math.min(MAX_FOLDED_ROWS, members.size()));
         String rest = shown.size() == members.size()
                 ? ""
-                : Html.plain("p", members.size() - shown.size() + " more rows are not shown.");
+                : Html.plain(
+                        "p",
+                        Counted.of(
+                                members.size() - shown.size(), "more row is not shown.", "more rows are not shown."));
         return Html.fold("Individual drones of the swarms", Html.table(HEAD, shown) + rest, false);
     }
 

@@ -41,7 +41,7 @@ final class DroneRows {
 
     private static String crossSection(RadarSignature radar) {
         String rotors = radar.rotorLevel()
-                .map(level -> ", rotors " + ReadableNumbers.number(level) + " dB below")
+                .map(level -> ", rotors " + ReadableNumbers.number(level) + " dB below the body")
                 .orElse("");
         return radar.droneClass()
                         .map(one -> Quantity.NUMBER.inBrief(one.crossSection()) + " m\u00b2, spread "

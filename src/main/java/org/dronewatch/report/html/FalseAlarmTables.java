@@ -19,6 +19,7 @@ import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.world.Weather;
 
 /** What the alert rule of a run costs in false alerts, and what another confirmation would gain or lose. */
@@ -65,7 +66,7 @@ final class FalseAlarmTables {
     }
 
     private static String number(long count, String what) {
-        return count + " " + what + (count == 1 ? "" : "s");
+        return Counted.of(count, what);
     }
 
     private static String assumptions() {

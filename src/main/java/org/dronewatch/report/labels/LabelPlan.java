@@ -5,6 +5,7 @@ import java.util.Locale;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -67,7 +68,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
         if (pictures > MOST_PICTURES || pixels > MOST_PIXELS) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: %d pictures with %.0f megapixels in all must be at most %d pictures and %.0f megapixels:"
+                    "%s: asks for %d pictures with %.0f megapixels in all, must be at most %d pictures and %.0f megapixels:"
                             + " lower the cameras' rate or resolution, or the run's duration",
                     option,
                     pictures,
@@ -107,6 +108,10 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
     /** The amount of data to be written, in words. */
     public String inWords() {
         return String.format(
-                Locale.ROOT, "%d pictures of %s, %.1f megapixels", pictures, String.join(", ", cameras), pixels / MEGA);
+                Locale.ROOT,
+                "%s by %s, %.1f megapixels",
+                Counted.of(pictures, "picture"),
+                String.join(", ", cameras),
+                pixels / MEGA);
     }
 }

@@ -167,7 +167,7 @@ public final class GeoTiff {
                 return writer;
             }
         }
-        throw new IllegalStateException("every Java platform since 9 writes TIFF");
+        throw new IllegalStateException("this Java platform has no writer for TIFF");
     }
 
     private IIOMetadata georeferenced(IIOMetadata blank, String nodata) throws IOException {

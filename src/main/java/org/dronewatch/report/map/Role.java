@@ -8,8 +8,8 @@ enum Role {
     SENSOR("Sensors", Size.LARGE),
     /** The field of view of a sensor. */
     FIELD("Fields of view", Size.MEDIUM),
-    /** The protected zone. */
-    ZONE("Protected", Size.LARGE),
+    /** A protected zone. */
+    ZONE("Protected zones", Size.LARGE),
     /** The path of a drone. */
     FLIGHT("Flights", Size.MEDIUM),
     /** The path of a bird. */

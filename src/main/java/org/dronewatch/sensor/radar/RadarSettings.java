@@ -52,8 +52,8 @@ import org.dronewatch.world.World;
  *     path lies within the field of view of the radar; none by default. The polarisation must then be horizontal or
  *     vertical
  * @param beam shape of its beam; without one the gain is the same throughout its field of view
- * @param diffraction whether the wave is diffracted round the edges of the site, in both directions, as for a radio
- *     receiver; otherwise the echo is scaled by the visible fraction of the drone
+ * @param diffraction whether the wave is diffracted round edges of terrain and buildings, in both directions, as for a
+ *     radio receiver; otherwise the echo is scaled by the visible fraction of the drone
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a Doppler filter that rejects stationary echoes, in place of minSpeed; none by default

@@ -313,8 +313,8 @@ public record RfSettings(
         return SensorDescription.measuring("signal-to-noise ratio")
                 .withWeakness("signal too weak")
                 .withLeavesOut(
-                        "Radio propagation consists of free-space loss and knife-edge diffraction at the edges of the site;"
-                                + " reflections from walls are not modelled, and other emitters interfere only in occupied bands.");
+                        "Radio propagation consists of free-space loss and knife-edge diffraction at edges of terrain and"
+                                + " buildings; reflections from walls are not modelled, and other emitters interfere only in occupied bands.");
     }
 
     @Override

@@ -115,7 +115,7 @@ final class SettingsWriter {
             return ready;
         }
         if (value instanceof Optional<?> optional) {
-            Object present = optional.orElseThrow(() -> refused(path, "being without a value"));
+            Object present = optional.orElseThrow(() -> refused(path, "a missing value"));
             return node(present, inner(type, 0), quantity, path);
         }
         if (value instanceof List<?> list) {

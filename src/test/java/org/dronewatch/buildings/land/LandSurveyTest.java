@@ -199,7 +199,7 @@ class LandSurveyTest {
         assertThat(area(loaded.landCover().orElseThrow(), LandClass.WATER)).isZero();
         assertThat(loaded.warnings())
                 .containsExactly("map: land cover: 1 area whose outline is incomplete in the file is left out:"
-                        + " relation/9; 'osmium extract --strategy smart' cuts out a map with whole areas");
+                        + " relation/9; 'osmium extract --strategy smart' extracts a map with whole areas");
         map.wayThrough(99, "natural=water", 1, 2, 4711, 1);
         map.wayThrough(98, "highway=track", 2, 4711, 2, 3);
         LandRaster cover = load(map.osm()).landCover().orElseThrow();

@@ -199,8 +199,8 @@ class TrackTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "latitude | breadth | a.csv:1: no column of the latitude: none of latitude, lat among time(millisecond)",
-                "altitude_above_seaLevel(feet) | altitude_barrels | a.csv:1: no column of the height",
+                "latitude | breadth | a.csv:1: no column for the latitude: none of latitude, lat among time(millisecond)",
+                "altitude_above_seaLevel(feet) | altitude_barrels | a.csv:1: no column for the height",
                 "1.001 | x | a.csv:3: latitude 'x' must be a number",
                 "1.001 | 437314000 | a.csv:3: latitude 437314000 must be -90.0 to 90.0",
                 "10100, | 50, | a.csv:3: is 0.05 s before the point in line 2: times must increase",

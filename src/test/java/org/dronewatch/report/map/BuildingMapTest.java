@@ -162,7 +162,7 @@ class BuildingMapTest {
     void protectedAreasHaveTheirFloorAndHeight() throws ParseException {
         List<JsonNode> zones = new ArrayList<>();
         root.get("features").forEach(feature -> {
-            if (feature.get("properties").get("folder").asString().equals("Protected")) {
+            if (feature.get("properties").get("folder").asString().equals("Protected zones")) {
                 zones.add(feature);
             }
         });

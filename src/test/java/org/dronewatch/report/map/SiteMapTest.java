@@ -252,7 +252,8 @@ class SiteMapTest {
         Element root = document.getDocumentElement();
         assertThat(root.getNamespaceURI()).isEqualTo("http://www.opengis.net/kml/2.2");
         List<String> expected = new ArrayList<>(List.of("meadow"));
-        for (String folder : List.of("Sensors", "Fields of view", "Protected", "Flights", "Alerts", "Detections")) {
+        for (String folder :
+                List.of("Sensors", "Fields of view", "Protected zones", "Flights", "Alerts", "Detections")) {
             expected.add(folder);
             for (JsonNode feature : features(folder)) {
                 expected.add(feature.get("properties").get("name").asString());

@@ -31,9 +31,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * The catalogue's array of 64 microphones of 3.4 m against what was published of one: quadrotors heard at 300 to 700 m
- * (712 m at most), fixed wings at 218 to 317 m; an aircraft in the background reduced 593 to 288 m and 305 to 230 m
- * (Altena and others, Applied Acoustics 2026, doi 10.1016/j.apacoust.2026.111474). Neither sound powers nor backgrounds
- * are published. Here drones are 50 m above grass.
+ * (712 m at most), fixed-wing drones at 218 to 317 m; an aircraft in the background reduced 593 to 288 m and 305 to
+ * 230 m (Altena and others, Applied Acoustics 2026, doi 10.1016/j.apacoust.2026.111474). Neither sound powers nor
+ * backgrounds are published. Here drones are 50 m above grass.
  */
 class LargeArrayTest {
     private static final double HEIGHT = 50;
@@ -100,7 +100,7 @@ class LargeArrayTest {
         assertThat(range(m300(), RURAL + 5, Criterion.A_WEIGHTED)).isCloseTo(384, within(5.0));
     }
 
-    /** One propeller in place of four is 6 dB less, which is all that distinguishes a fixed wing here. */
+    /** One propeller in place of four is 6 dB less, which is all that distinguishes a fixed-wing drone here. */
     @Test
     void fixedWingsOfOnePropellerAreHeardAsFarAsThePublishedOnes() {
         assertThat(range(ONE_PROPELLER, RURAL)).isBetween(218.0, 317.0);
@@ -108,7 +108,7 @@ class LargeArrayTest {
         assertThat(range(ONE_PROPELLER, RURAL) / range(QUADROTOR, RURAL)).isCloseTo(0.54, within(0.05));
     }
 
-    /** The span of the quadrotors is that of 9 dB of background or sound power; it contains that of the fixed wings. */
+    /** The span of the quadrotors is that of 9 dB of background or sound power; it contains that of fixed wings. */
     @ParameterizedTest
     @CsvSource({"26, 712", "35, 300"})
     void theSpanOfTheRangesIsThatOfBackgrounds(double background, double published) {

@@ -123,7 +123,7 @@ public record LevelModel(
                 Condition.WIND,
                 air,
                 Condition.NOISE_SOURCES,
-                "state its soundLevel, which the level model needs",
+                "state the source's soundLevel, which the level model needs",
                 Condition.SOUND_POWER_LEVEL,
                 "set the drone's soundLevel, which the level model uses",
                 Condition.SOUND,
