@@ -10,6 +10,7 @@ import org.dronewatch.scenario.SceneWriter;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
@@ -100,9 +101,8 @@ final class SaveCommand implements Callable<Integer> {
         Notes.of(spec)
                 .accept(String.format(
                         Locale.ROOT,
-                        "mission of %d %s in %s: the flight deviates from its lines by at most %.1f m",
-                        plan.items(),
-                        plan.items() == 1 ? "item" : "items",
+                        "mission of %s in %s: the flight deviates from its lines by at most %.1f m",
+                        Counted.of(plan.items(), "item"),
                         PlainText.value(out),
                         plan.tolerance()));
         return 0;

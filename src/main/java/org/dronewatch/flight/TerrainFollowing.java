@@ -2,6 +2,7 @@ package org.dronewatch.flight;
 
 import java.util.List;
 import org.dronewatch.setting.Check;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
 import org.dronewatch.setting.In;
@@ -37,7 +38,7 @@ public record TerrainFollowing(
         points = List.copyOf(points);
         if (points.size() < 2) {
             throw new IllegalArgumentException(
-                    "points has " + points.size() + (points.size() == 1 ? " point" : " points") + ", needs 2 or more");
+                    "points has " + Counted.of(points.size(), "point") + ", needs 2 or more");
         }
         double length = 0.0;
         for (int i = 1; i < points.size(); i++) {

@@ -3,6 +3,7 @@ package org.dronewatch.fusion;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -73,8 +74,7 @@ public record ProtectedArea(
     private static void checkPolygon(List<GroundPoint> corners) {
         int count = corners.size();
         if (count < 3 || count > MOST) {
-            throw new IllegalArgumentException(
-                    "area has " + count + (count == 1 ? " corner" : " corners") + ", must have 3 to " + MOST);
+            throw new IllegalArgumentException("area has " + Counted.of(count, "corner") + ", must have 3 to " + MOST);
         }
         for (int i = 0; i < count; i++) {
             for (int k = i + 2; k < count; k++) {

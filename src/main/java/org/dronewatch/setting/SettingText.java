@@ -167,8 +167,8 @@ public final class SettingText {
             return numbers(form, Collections.nCopies(form.parts().size(), texts.get(0)));
         }
         if (texts.size() != form.parts().size()) {
-            throw new IllegalArgumentException("'" + String.join(", ", texts) + "' has " + texts.size()
-                    + (texts.size() == 1 ? " number" : " numbers") + ", must have "
+            throw new IllegalArgumentException("'" + String.join(", ", texts) + "' has "
+                    + Counted.of(texts.size(), "number") + ", must have "
                     + form.parts().size() + ": "
                     + String.join(", ", form.names()));
         }

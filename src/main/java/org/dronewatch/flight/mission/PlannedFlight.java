@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.FlightSource;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.world.Places;
 
@@ -17,12 +18,7 @@ record PlannedFlight(Mission settings, PlanFile plan) implements FlightSource {
 
     @Override
     public String description() {
-        return String.format(
-                Locale.ROOT,
-                "%s: a mission of %d %s",
-                settings.plan(),
-                plan.items(),
-                plan.items() == 1 ? "item" : "items");
+        return String.format(Locale.ROOT, "%s: a mission of %s", settings.plan(), Counted.of(plan.items(), "item"));
     }
 
     @Override

@@ -55,12 +55,12 @@ public record SitePlacement(
         return rows / headings;
     }
 
-    /** The fraction of the air that a layout covers in the scene as it is, and under each condition. */
+    /** The fraction of the airspace that a layout covers in the scene as it is, and under each condition. */
     private double[] byCondition(List<Integer> layout) {
         return DoubleStream.of(problem.sums(layout)).map(sum -> sum / rows).toArray();
     }
 
-    /** The fraction of the air that the layout covers under each condition, by name, if there are any. */
+    /** The fraction of the airspace that the layout covers under each condition, by name, if there are any. */
     public Map<String, Double> byCondition() {
         Map<String, Double> byName = new LinkedHashMap<>();
         double[] fractions = byCondition(result.chosen());
@@ -70,7 +70,7 @@ public record SitePlacement(
         return byName;
     }
 
-    /** The fraction of the air that the layout covers in the scene as it is. */
+    /** The fraction of the airspace that the layout covers in the scene as it is. */
     public double asItIs() {
         return byCondition(result.chosen())[0];
     }

@@ -17,6 +17,7 @@ import org.dronewatch.analysis.field.GapMap;
 import org.dronewatch.analysis.field.GapSpan;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.setting.Counted;
 
 /** The largest gaps, the worst first: where each begins, how large it is, and why it is there. */
 final class WorstPlaces {
@@ -168,7 +169,7 @@ final class WorstPlaces {
             }
         }
         if (others > 0) {
-            rows.add(List.of(others == 1 ? "1 other" : others + " others", "farther from a detection"));
+            rows.add(List.of(Counted.of(others, "other"), "farther from a detection"));
         }
         return rows;
     }

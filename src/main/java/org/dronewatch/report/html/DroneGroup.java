@@ -7,6 +7,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.flight.Swarm;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.Counted;
 
 /**
  * A unit of the report: a single drone, or all drones of a swarm.
@@ -49,7 +50,7 @@ record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabe
     /** The words for a table: {@code wing (25 drones)}; with the role of the group unless it attacks. */
     String label() {
         String note = role == ThreatLabel.Role.DECOY ? "decoy" : role == ThreatLabel.Role.BYSTANDER ? "bystander" : "";
-        String count = isSwarm ? members.size() + (members.size() == 1 ? " drone" : " drones") : "";
+        String count = isSwarm ? Counted.of(members.size(), "drone") : "";
         String both = String.join(
                 ", ",
                 List.of(count, note).stream().filter(part -> !part.isEmpty()).toList());
