@@ -29,6 +29,7 @@ final class EnergyTally {
     private final double[] ofThisRay = new double[QUANTITIES];
     private final double[] sums = new double[QUANTITIES];
     private final double[] squares = new double[QUANTITIES];
+    private final double[] strongest = new double[QUANTITIES];
     private long rays;
 
     EnergyTally(Air air) {
@@ -40,6 +41,7 @@ final class EnergyTally {
         Arrays.fill(ofThisRay, 0.0);
         Arrays.fill(sums, 0.0);
         Arrays.fill(squares, 0.0);
+        Arrays.fill(strongest, 0.0);
         rays = 0;
     }
 
@@ -60,11 +62,17 @@ final class EnergyTally {
         decay.add((ray.travelled + onward) / air.soundSpeed(), inBand);
     }
 
+    /** The factor of a band's energy in the A-weighted sum. */
+    static double aWeight(int band) {
+        return A_WEIGHTS[band];
+    }
+
     /** Adds the contributions of other rays, which have all ended. */
     void add(EnergyTally others) {
         for (int i = 0; i < QUANTITIES; i++) {
             sums[i] += others.sums[i];
             squares[i] += others.squares[i];
+            strongest[i] = Math.max(strongest[i], others.strongest[i]);
         }
         decay.add(others.decay);
         rays += others.rays;
@@ -75,6 +83,7 @@ final class EnergyTally {
         for (int i = 0; i < QUANTITIES; i++) {
             sums[i] += ofThisRay[i];
             squares[i] += ofThisRay[i] * ofThisRay[i];
+            strongest[i] = Math.max(strongest[i], ofThisRay[i]);
             ofThisRay[i] = 0.0;
         }
         rays++;
@@ -96,8 +105,23 @@ final class EnergyTally {
 
     /** Standard error of {@link #received}, 1/m2. */
     double standardError(int quantity) {
+        return Math.sqrt(scatter(quantity)) / rays;
+    }
+
+    /** The same if there were one ray more, as strong as the strongest, 1/m2. */
+    double standardErrorWithAnother(int quantity) {
+        return Math.sqrt(scatter(quantity) + strongest[quantity] * strongest[quantity]) / rays;
+    }
+
+    /** What the strongest ray contributes to {@link #received}, 1/m2. */
+    double strongest(int quantity) {
+        return strongest[quantity] / rays;
+    }
+
+    /** The sum of squared deviations from the mean contribution. */
+    private double scatter(int quantity) {
         double sum = sums[quantity];
-        return Math.sqrt(Math.max(0.0, squares[quantity] - sum * sum / rays)) / rays;
+        return Math.max(0.0, squares[quantity] - sum * sum / rays);
     }
 
     /** How many rays of equal contributions would scatter as much as these (Kish, Survey Sampling, 1965). */

@@ -38,12 +38,6 @@ public final class EnergyTracer {
      */
     static final int FEWEST = 1000;
 
-    /** If rays contribute less than this fraction of what is heard, their number does not matter. */
-    private static final double INSIGNIFICANT = 0.1;
-
-    /** With fewer effective contributions than this, their scatter is not known. */
-    private static final double ENOUGH = 20.0;
-
     /** Characteristic impedance at which levels of sound pressure and of intensity are equal, Pa s/m (ISO 1683). */
     private static final double REFERENCE_IMPEDANCE = 400.0;
 
@@ -58,8 +52,10 @@ public final class EnergyTracer {
     /** Squared sound pressure over that in the reference air. */
     private final double pressure;
 
+    private final StrongestRay strongest;
     private final ExactPaths exact;
     private final EnergyTally tally;
+    private final Convergence convergence;
     private final EnergyLedger ledger = new EnergyLedger();
     private final BatchTeams batches;
 
@@ -82,8 +78,10 @@ public final class EnergyTracer {
         this.pressure = model.pressure() == EnergyModel.Pressure.PHYSICAL
                 ? world.atmosphere().impedance() / REFERENCE_IMPEDANCE
                 : 1.0;
+        this.strongest = new StrongestRay(world, surfaces);
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
+        this.convergence = new Convergence(tally, strongest);
         this.batches = new BatchTeams(world, () -> new RayBatch(model, radius, world, planes, surfaces, air));
     }
 
@@ -99,6 +97,7 @@ public final class EnergyTracer {
         ledger.clear();
         tally.clear();
         Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
+        strongest.between(source, sensor);
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
@@ -128,8 +127,13 @@ public final class EnergyTracer {
         if (rays < FEWEST) {
             return batches(FEWEST - rays);
         }
-        double excess = errorLevel(decisive(source)) / model.accuracy();
+        double excess = errorLevel(source) / model.accuracy();
         return batches(rays * (excess * excess - 1.0));
+    }
+
+    private double errorLevel(SoundSource source) {
+        int quantity = decisive(source);
+        return convergence.error(quantity, heard(quantity));
     }
 
     private static int batches(double rays) {
@@ -171,13 +175,12 @@ public final class EnergyTracer {
                 energies(source, intensities), nothing, nothing, nothing, 0, 0.0, true, unsent, new DecayCurve());
     }
 
-    /** As long as no ray has contributed anything, the contribution of further rays is unknown. */
     private boolean isAccurate(SoundSource source, int rays) {
         if (rays < FEWEST) {
             return false;
         }
         int quantity = decisive(source);
-        return tally.received(quantity) > 0.0 && errorLevel(quantity) < model.accuracy() && isConverged(quantity);
+        return convergence.isAccurate(quantity, heard(quantity), model.accuracy());
     }
 
     /** What is compared with the background: a band of the tally, or all of them A-weighted. */
@@ -220,23 +223,13 @@ public final class EnergyTracer {
         return sum;
     }
 
-    /** Standard error of the level so far, dB; infinity as long as nothing is heard. */
-    private double errorLevel(int quantity) {
-        double all = heard(quantity);
-        return all > 0.0 ? Levels.ofRatio(1.0 + tally.standardError(quantity) / all) : Double.POSITIVE_INFINITY;
-    }
-
-    private boolean isConverged(int quantity) {
-        return tally.received(quantity) <= INSIGNIFICANT * heard(quantity) || tally.effectiveRays(quantity) >= ENOUGH;
-    }
-
     private EnergyReading reading(SoundSource source, long traced) {
         List<Double> direct = energies(source, exact.direct()::heard);
         List<Double> diffracted = energies(source, exact.diffracted()::heard);
         List<Double> mirrored = energies(source, exact.mirrored()::heard);
         List<Double> reverberant = energies(source, tally::received);
         int quantity = decisive(source);
-        double error = errorLevel(quantity);
+        double error = convergence.error(quantity, heard(quantity));
         DecayCurve decay = tally.decay();
         exact.direct().addTo(decay, air.soundSpeed());
         exact.diffracted().addTo(decay, air.soundSpeed());
@@ -248,7 +241,7 @@ public final class EnergyTracer {
                 reverberant,
                 traced,
                 Double.isFinite(error) ? error : 0.0,
-                isConverged(quantity),
+                !(source.emitted() > 0.0) || convergence.isReached(quantity, heard(quantity)),
                 ledger.audit(tally.rays()),
                 decay);
     }

@@ -9,8 +9,6 @@ import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
-import org.dronewatch.sound.BandLevels;
-import org.dronewatch.sound.Levels;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -49,54 +47,29 @@ class ReadingErrorTest {
     @EnumSource
     void readingsScatterAsTheySay(Place place) {
         SoundSites site = place.site.get();
-        Sample there = check(site, Criterion.A_WEIGHTED, place.drone, place.microphone, place + " to the microphone");
-        Sample back = check(site, Criterion.A_WEIGHTED, place.microphone, place.drone, place + ", places exchanged");
+        ReadingSpread there =
+                check(site, Criterion.A_WEIGHTED, place.drone, place.microphone, place + " to the microphone");
+        ReadingSpread back =
+                check(site, Criterion.A_WEIGHTED, place.microphone, place.drone, place + ", places exchanged");
         if (LongForm.IS_ON || place == Place.ROOM) {
             check(site, Criterion.BEST_BAND, place.drone, place.microphone, place + ", best band");
         }
         // The means of a hundred readings, to a tenth of what one allows.
-        double error = Math.hypot(there.spread, back.spread) / Math.sqrt(SEEDS);
-        assertThat(there.mean).as("%s: places exchanged", place).isCloseTo(back.mean, within(4 * error));
+        double error = Math.hypot(there.deviation(), back.deviation()) / Math.sqrt(SEEDS);
+        assertThat(there.mean()).as("%s: places exchanged", place).isCloseTo(back.mean(), within(4 * error));
     }
 
-    /** Levels of a hundred readings, dB: mean of the energies, and standard deviation. */
-    private record Sample(double mean, double spread) {}
-
-    private static Sample check(SoundSites site, Criterion criterion, Position from, Position to, String where) {
-        EnergyTracer microphone = site.microphone(EnergyModel.DEFAULT.withCriterion(criterion), to);
-        double[] levels = new double[SEEDS];
-        double[] errors = new double[SEEDS];
-        for (int seed = 0; seed < SEEDS; seed++) {
-            EnergyReading reading =
-                    microphone.trace(site.drone(from), new SplittableRandom(1000 + seed), RayRecorder.NONE);
-            BandLevels noise = site.world().backgroundNoise().spectrum();
-            int band = reading.bestBand(noise);
-            levels[seed] = criterion == Criterion.A_WEIGHTED
-                    ? reading.aWeightedLevel()
-                    : reading.level(band) - noise.level(band);
-            errors[seed] = reading.standardError();
-        }
-        double energy = 0;
-        double sum = 0;
-        double stated = 0;
-        for (int seed = 0; seed < SEEDS; seed++) {
-            energy += Levels.toRatio(levels[seed]) / SEEDS;
-            sum += levels[seed] / SEEDS;
-            stated += errors[seed] / SEEDS;
-        }
-        double truth = Levels.ofRatio(energy);
-        double squares = 0;
-        int beyond = 0;
-        for (int seed = 0; seed < SEEDS; seed++) {
-            squares += (levels[seed] - sum) * (levels[seed] - sum) / (SEEDS - 1);
-            beyond += Math.abs(levels[seed] - truth) > 3 * errors[seed] ? 1 : 0;
-        }
-        System.out.printf("%s: standard deviation over stated error %.3f%n", where, Math.sqrt(squares) / stated);
-        assertThat(Math.sqrt(squares) / stated)
-                .as("%s: standard deviation over stated error %.3f dB", where, stated)
+    private static ReadingSpread check(SoundSites site, Criterion criterion, Position from, Position to, String where) {
+        ReadingSpread spread = ReadingSpread.of(site, criterion, from, to, SEEDS, 1000, 0);
+        System.out.printf("%s: standard deviation over stated error %.3f%n", where, spread.ratio());
+        assertThat(spread.unconverged()).as("%s: readings on few rays", where).isLessThanOrEqualTo(2);
+        assertThat(spread.ratio())
+                .as("%s: standard deviation over stated error %.3f dB", where, spread.stated())
                 .isBetween(0.8, 1.25);
-        assertThat(beyond).as("%s: readings beyond three stated errors", where).isLessThanOrEqualTo(2);
-        return new Sample(truth, Math.sqrt(squares));
+        assertThat(spread.beyond())
+                .as("%s: readings beyond three stated errors", where)
+                .isLessThanOrEqualTo(2);
+        return spread;
     }
 
     /** Nothing gets through opaque walls, whether the drone is inside or outside. */

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,8 @@ import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.acoustic.AcousticSensor;
 import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
+import org.dronewatch.sound.Directivity;
+import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.NoiseSource;
 import org.dronewatch.world.World;
@@ -110,6 +113,23 @@ class UnconvergedLookTest {
         return sensor.observe(world, List.of(drone()), look).get(0).figures().get("background_converged");
     }
 
+    /** Rays that find no way at all do not prove silence; a drone without a sound is silent. */
+    @Test
+    void silenceIsNotKnown() {
+        World world = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("rough", 0.5, 0.8));
+        EnergyModel model = EnergyModel.DEFAULT.withRays(1000).withDiffraction(Diffraction.OFF);
+        Position outside = new Position(5, 4, 6);
+        EnergyReading nothing = Sites.read(model, world, Sites.broadband(outside), PLACE, 1);
+        assertThat(nothing.totalLevel()).isEqualTo(Double.NEGATIVE_INFINITY);
+        assertThat(nothing.isConverged()).isFalse();
+
+        SoundSource silent = new SoundSource(
+                PLACE, Collections.nCopies(OctaveBands.COUNT, Double.NEGATIVE_INFINITY), Directivity.OMNIDIRECTIONAL);
+        EnergyReading silence = Sites.read(model, world, silent, new Position(7, 5, 1.5), 1);
+        assertThat(silence.totalLevel()).isEqualTo(Double.NEGATIVE_INFINITY);
+        assertThat(silence.isConverged()).isTrue();
+    }
+
     /** However loud the few rays were: the exact paths decide, here none, and the look says how uncertain it is. */
     @Test
     void whatFewRaysBringDoesNotDecideALook() {
@@ -128,13 +148,14 @@ class UnconvergedLookTest {
             double error = heard.figures().get("standard_error_db");
             assertThat(assessed.quantity()).isEqualTo(heard.value());
             assertThat(assessed.standardError()).isEqualTo(error);
-            if (heard.figures().get("converged") == 0.0) {
+            double byRays = heard.figures().get("reverberant_db");
+            if (heard.figures().get("converged") == 0.0 && byRays > Double.NEGATIVE_INFINITY) {
                 assertThat(heard.isDetected()).isFalse();
                 assertThat(heard.value()).isEqualTo(Double.NEGATIVE_INFINITY);
                 assertThat(error).isPositive();
                 assertThat(assessed.isEstimated()).isTrue();
                 unconverged++;
-                loud += heard.figures().get("reverberant_db") >= heard.threshold() ? 1 : 0;
+                loud += byRays >= heard.threshold() ? 1 : 0;
             }
         }
         assertThat(unconverged).isGreaterThan(3);
