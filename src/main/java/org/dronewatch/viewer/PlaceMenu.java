@@ -60,6 +60,11 @@ final class PlaceMenu {
         menu.addSeparator();
         menu.add(ViewerMenus.item(
                 "Undo", "Undoes the last move of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
+        menu.add(ViewerMenus.item(
+                "Redo",
+                "Does the move again that was undone last",
+                ViewerActions.shiftedMenuKey(KeyEvent.VK_Z),
+                placing::redo));
         return menu;
     }
 

@@ -5,6 +5,7 @@ import java.awt.GridLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultComboBoxModel;
@@ -31,6 +32,7 @@ final class PlacingPanel extends JPanel {
     private final JTextField azimuth = CoverageForm.field("", 5);
     private final JTextField tilt = CoverageForm.field("", 5);
     private final JButton undo = new JButton("Undo");
+    private final JButton redo = new JButton("Redo");
     private final JButton reset = new JButton("Reset all");
     private final JButton save = new JButton("Save scene as ...");
     private final WrappedText said = new WrappedText("what was done with the sensor");
@@ -40,6 +42,7 @@ final class PlacingPanel extends JPanel {
     private final transient CoveragePanel coverage;
     private transient Consumer<String> messages = line -> {};
     private transient Runnable saving = () -> {};
+    private transient BooleanSupplier mayLeave = () -> true;
     private boolean isUpdating;
 
     /**
@@ -55,7 +58,7 @@ final class PlacingPanel extends JPanel {
         this.mover = new SensorMover(layout, this::tell);
         JPanel rows = new JPanel(new GridLayout(0, 1));
         rows.add(CoverageForm.row(
-                CoverageForm.named("Sensor", sensors, "The sensor that is placed"), sensors, undo, reset));
+                CoverageForm.named("Sensor", sensors, "The sensor that is placed"), sensors, undo, redo, reset));
         rows.add(CoverageForm.row(
                 CoverageForm.named("East (m)", east, "Distance east of the origin"),
                 east,
@@ -82,9 +85,11 @@ final class PlacingPanel extends JPanel {
 
     private void listen(Consumer<String> selection) {
         undo.setToolTipText("Undoes the last move");
+        redo.setToolTipText("Does the move again that was undone last");
         reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
         undo.addActionListener(e -> undo());
+        redo.addActionListener(e -> redo());
         reset.addActionListener(e -> layout.reset());
         save.addActionListener(e -> saving.run());
         sensors.addActionListener(e -> {
@@ -149,6 +154,7 @@ final class PlacingPanel extends JPanel {
         boolean isMoved = layout.isThere() && !layout.moved().isEmpty();
         reset.setEnabled(isMoved);
         undo.setEnabled(layout.isUndoable());
+        redo.setEnabled(layout.isRedoable());
         save.setEnabled(layout.isThere());
         updateCovered();
     }
@@ -213,6 +219,11 @@ final class PlacingPanel extends JPanel {
         tell(layout.undo() ? "The last move was undone" : "There is no move to undo");
     }
 
+    /** Does the move again that was undone last. */
+    void redo() {
+        tell(layout.redo() ? "The move was done again" : "There is no move to do again");
+    }
+
     /** The settings of the displayed run, with its sensors as the user has put them; null before there is a run. */
     SceneSettings settings() {
         return layout.settings();
@@ -220,6 +231,21 @@ final class PlacingPanel extends JPanel {
 
     SensorMover mover() {
         return mover;
+    }
+
+    /** Where the user has put the sensors. */
+    SensorLayout layoutOfSensors() {
+        return layout;
+    }
+
+    /** Decides whether something else may be shown, which has none of the moves. */
+    void onLeaving(BooleanSupplier decision) {
+        mayLeave = decision;
+    }
+
+    /** Whether something else may be shown. */
+    boolean mayLeave() {
+        return mayLeave.getAsBoolean();
     }
 
     /** The line about the last move. */

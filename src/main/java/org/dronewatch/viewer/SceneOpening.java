@@ -3,6 +3,7 @@ package org.dronewatch.viewer;
 import java.awt.Component;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JFileChooser;
@@ -17,6 +18,7 @@ final class SceneOpening implements AutoCloseable {
     private final Consumer<Viewer.Subject> chosen;
     private final Consumer<Throwable> failed;
     private final Latest reading;
+    private BooleanSupplier mayLeave = () -> true;
 
     /**
      * An opening.
@@ -37,8 +39,16 @@ final class SceneOpening implements AutoCloseable {
         this.reading = new Latest("dronewatch-opening", 1, failed);
     }
 
+    /** Decides, before a file is opened by the user, whether the scene that is shown may be left. */
+    void onLeaving(BooleanSupplier decision) {
+        mayLeave = decision;
+    }
+
     /** Asks for a file and opens it. */
     void ask(Component parent) {
+        if (!mayLeave.getAsBoolean()) {
+            return;
+        }
         JFileChooser chooser = new JFileChooser(recent.list().stream()
                 .findFirst()
                 .map(path -> path.getParent().toFile())
@@ -69,7 +79,11 @@ final class SceneOpening implements AutoCloseable {
         menu.removeAll();
         for (Path file : recent.list()) {
             menu.add(new QuickItem(
-                    ViewerActions.action(String.valueOf(file.getFileName()), file.toString(), null, () -> open(file))));
+                    ViewerActions.action(String.valueOf(file.getFileName()), file.toString(), null, () -> {
+                        if (mayLeave.getAsBoolean()) {
+                            open(file);
+                        }
+                    })));
         }
         menu.setEnabled(menu.getItemCount() > 0);
     }

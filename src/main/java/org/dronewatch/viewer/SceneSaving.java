@@ -55,6 +55,7 @@ final class SceneSaving {
             WholeFile target = new WholeFile("scene", file).replacingOnly(SceneWriter.FIRST_LINE, "'save'");
             byte[] bytes = text.apply(pane.placing().settings(), target.path()).getBytes(StandardCharsets.UTF_8);
             target.write(stream -> stream.write(bytes));
+            pane.placing().layoutOfSensors().markSaved();
             pane.note("scene written to " + file);
         } catch (RuntimeException e) {
             pane.report(e);

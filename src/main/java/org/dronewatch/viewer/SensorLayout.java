@@ -12,21 +12,30 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
-/** Where the user has put the sensors of a run, with the last moves, which can be undone. For the event thread. */
+/**
+ * Where the user has put the sensors of a run, with the last moves, which can be undone and done again. For the event
+ * thread.
+ */
 final class SensorLayout {
     /** The number of moves that can be undone. */
     private static final int MOST_KEPT = 100;
 
     private final List<Runnable> listeners = new ArrayList<>();
     private final Deque<SceneSettings> before = new ArrayDeque<>();
+    private final Deque<SceneSettings> undone = new ArrayDeque<>();
     private SceneSettings original;
     private SceneSettings settings;
+
+    /** As it was written to a file last, or as the scene has it. */
+    private SceneSettings saved;
 
     /** Takes another run; nothing has been moved. */
     void show(SceneSettings next) {
         original = next;
         settings = next;
+        saved = next;
         before.clear();
+        undone.clear();
     }
 
     /** Called whenever a sensor was moved or turned. */
@@ -44,6 +53,16 @@ final class SensorLayout {
         return settings;
     }
 
+    /** The layout as it is now was written to a file. */
+    void markSaved() {
+        saved = settings;
+    }
+
+    /** The sensors whose moves are in no file: none if the layout is that of the scene. */
+    Set<String> unsaved() {
+        return isThere() && !settings.sensors().equals(saved.sensors()) ? moved() : Set.of();
+    }
+
     /** Remembers the layout: one undo leads back to it. */
     void remember() {
         if (before.isEmpty() || before.peek() != settings) {
@@ -57,6 +76,7 @@ final class SensorLayout {
     /** Replaces a sensor. */
     void set(String id, SensorSettings<?> sensor) {
         settings = settings.withSensor(id, sensor);
+        undone.clear();
         listeners.forEach(Runnable::run);
     }
 
@@ -70,6 +90,7 @@ final class SensorLayout {
         while (!before.isEmpty()) {
             SceneSettings last = before.pop();
             if (!last.sensors().equals(settings.sensors())) {
+                undone.push(settings);
                 settings = last;
                 listeners.forEach(Runnable::run);
                 return true;
@@ -78,11 +99,28 @@ final class SensorLayout {
         return false;
     }
 
+    /** Whether there is a move that was undone and can be done again. */
+    boolean isRedoable() {
+        return !undone.isEmpty();
+    }
+
+    /** Does the move again that was undone last; whether there was one. */
+    boolean redo() {
+        if (undone.isEmpty()) {
+            return false;
+        }
+        before.push(settings);
+        settings = undone.pop();
+        listeners.forEach(Runnable::run);
+        return true;
+    }
+
     /** Puts all sensors back to where the scene has them, which can be undone. */
     void reset() {
         if (isThere() && !moved().isEmpty()) {
             remember();
             settings = original;
+            undone.clear();
             listeners.forEach(Runnable::run);
         }
     }

@@ -64,8 +64,11 @@ final class ViewerPane extends JPanel {
         this.site = new SiteSection(threads, this::report);
         this.cameras = new CameraPanel(threads, status::write, this::select, this::report);
         this.tabs = new RunTabs(threads, playback, world(), stores, layout, this::select, this::report);
-        this.controls = new ControlBar(
-                playback, actions, number -> show(recording.runs().get(number)));
+        this.controls = new ControlBar(playback, actions, number -> {
+            if (placing().mayLeave()) {
+                show(recording.runs().get(number));
+            }
+        });
         world().onSelection(this::select);
         world().onHint(text ->
                 status.write(coverage().hint().map(words -> text + "; " + words).orElse(text)));

@@ -37,6 +37,7 @@ final class ViewerWindow {
     private final Timer timer;
     private ViewerPane pane;
     private FilmExport films;
+    private UnsavedMoves unsaved;
     private long lastTick = System.nanoTime();
     private boolean open = true;
 
@@ -66,7 +67,7 @@ final class ViewerWindow {
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
-                close();
+                leave();
             }
         });
         fill(title, pane, text);
@@ -81,8 +82,12 @@ final class ViewerWindow {
         films = new FilmExport(pane, exports, pane::report);
         SceneSaving saving = new SceneSaving(pane, title, text);
         pane.placing().onSave(saving::ask);
+        unsaved = new UnsavedMoves(
+                pane.placing().layoutOfSensors(), saving::ask, moved -> UnsavedMoves.ask(frame, moved));
+        pane.placing().onLeaving(unsaved::mayLeave);
+        opening.ifPresent(scenes -> scenes.onLeaving(unsaved::mayLeave));
         ViewerMenus menus = new ViewerMenus(
-                pane, exports, films, saving, opening, this::setDark, () -> KeysPage.open(frame), this::close);
+                pane, exports, films, saving, opening, this::setDark, () -> KeysPage.open(frame), this::leave);
         frame.setJMenuBar(menus.bar(layout.isDark()));
         frame.setContentPane(pane);
     }
@@ -162,6 +167,13 @@ final class ViewerWindow {
 
     JFrame frame() {
         return frame;
+    }
+
+    /** Closes, unless the user wants to keep moves of sensors that were not saved. */
+    private void leave() {
+        if (unsaved.mayLeave()) {
+            close();
+        }
     }
 
     /** Saves the layout and closes; idempotent. */

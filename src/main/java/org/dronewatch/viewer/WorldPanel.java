@@ -6,8 +6,6 @@ import java.awt.Graphics;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -214,26 +212,9 @@ final class WorldPanel extends JPanel {
         if (state == null || orbit == null) {
             return;
         }
-        List<String> ids = new ArrayList<>();
-        List<Position> positions = new ArrayList<>();
-        state.drones().forEach(mark -> {
-            ids.add(mark.drone().id());
-            positions.add(mark.drone().origin());
-        });
-        state.sensors().forEach(mark -> {
-            ids.add(mark.id());
-            positions.add(mark.position());
-        });
-        double nearest = NEAR * Scaled.factor();
-        String found = null;
-        for (int i = 0; i < ids.size(); i++) {
-            double distance = distance(positions.get(i), x, y);
-            if (distance < nearest) {
-                nearest = distance;
-                found = ids.get(i);
-            }
-        }
-        selection.accept(found);
+        SymbolPick pick = SymbolPick.of(state, place -> distance(place, x, y), NEAR * Scaled.factor());
+        selection.accept(pick.chosen().orElse(null));
+        pick.hint().ifPresent(hint);
     }
 
     private double distance(Position place, int x, int y) {

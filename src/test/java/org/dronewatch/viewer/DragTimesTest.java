@@ -43,11 +43,12 @@ class DragTimesTest {
     private CoveragePanel coverage;
     private Point2d pointer;
 
-    /** Opens a scene without its microphone, whose coverage takes long, and computes the coverage. */
-    private void open(String scene) throws Exception {
+    /** Opens a scene and computes its coverage: without its microphone unless that is dragged, since it takes long. */
+    private void open(String scene, boolean hears) throws Exception {
         SceneFile file = new SceneFile(Path.of("scenes", scene));
-        SceneRunner runner =
-                new SceneRunner(file).set("run.duration", "0.5 s").set("sensors.microphone.enabled", "false");
+        SceneRunner runner = new SceneRunner(file)
+                .set("run.duration", "0.5 s")
+                .set("sensors.microphone.enabled", String.valueOf(hears));
         viewer = Viewer.open(file, runner, 2, directory.resolve("viewer.properties"));
         world = viewer.pane().world();
         coverage = viewer.pane().coverage();
@@ -155,7 +156,7 @@ class DragTimesTest {
         assumeTrue(LongForm.IS_ON, "only in the long form");
         Optional<String> obstacle = Viewer.obstacle();
         assumeTrue(obstacle.isEmpty(), () -> "no window: " + obstacle.orElse(""));
-        open(scene);
+        open(scene, sensor.equals("microphone"));
         try {
             measure(scene, sensor);
         } finally {
@@ -176,5 +177,15 @@ class DragTimesTest {
     @Test
     void aCameraOverMultiSensor() throws Exception {
         drag("multi-sensor.yaml", "north-east-2");
+    }
+
+    @Test
+    void aMicrophoneOverMonaco() throws Exception {
+        drag("monaco.yaml", "microphone");
+    }
+
+    @Test
+    void aMicrophoneOverMultiSensor() throws Exception {
+        drag("multi-sensor.yaml", "microphone");
     }
 }

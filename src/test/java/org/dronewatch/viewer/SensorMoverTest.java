@@ -4,11 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.assertj.core.data.Offset;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.SensorMark;
+import org.dronewatch.render.SiteState;
 import org.dronewatch.sensor.Aim;
+import org.dronewatch.sensor.Outlined;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -120,5 +126,109 @@ class SensorMoverTest {
         assertThat(layout.moved()).isEmpty();
         assertThat(layout.undo()).isTrue();
         assertThat(place("round")).isEqualTo(home.plus(new Position(0, 3, 0)));
+    }
+
+    @Test
+    void whatWasUndoneIsDoneAgainUntilAnotherMove() {
+        Position home = place("round");
+        mover.shift(1, 0);
+        mover.shift(0, 2);
+        layout.undo();
+        layout.undo();
+        assertThat(place("round")).isEqualTo(home);
+        assertThat(layout.redo()).isTrue();
+        assertThat(place("round")).isEqualTo(home.plus(new Position(1, 0, 0)));
+        // A move that is refused is none.
+        mover.place(5000, 0, 4);
+        assertThat(layout.isRedoable()).isTrue();
+        assertThat(layout.redo()).isTrue();
+        assertThat(place("round")).isEqualTo(home.plus(new Position(1, 2, 0)));
+        assertThat(layout.redo()).isFalse();
+        layout.undo();
+        mover.shift(-3, 0);
+        assertThat(layout.isRedoable()).isFalse();
+        assertThat(layout.redo()).isFalse();
+        assertThat(layout.undo()).isTrue();
+        assertThat(place("round")).isEqualTo(home.plus(new Position(1, 0, 0)));
+    }
+
+    /** They are asked about once there are any, and no longer once they are saved or undone. */
+    @Test
+    void movesThatAreInNoFileAreNotLostWithoutAQuestion() {
+        List<Set<String>> asked = new ArrayList<>();
+        UnsavedMoves.Answer[] answer = {UnsavedMoves.Answer.STAY};
+        boolean[] isWritten = {false};
+        UnsavedMoves moves = new UnsavedMoves(
+                layout,
+                () -> {
+                    if (isWritten[0]) {
+                        layout.markSaved();
+                    }
+                },
+                moved -> {
+                    asked.add(moved);
+                    return answer[0];
+                });
+        assertThat(moves.mayLeave()).isTrue();
+        mover.shift(1, 0);
+        assertThat(moves.mayLeave()).isFalse();
+        answer[0] = UnsavedMoves.Answer.DISCARD;
+        assertThat(moves.mayLeave()).isTrue();
+        // The user cancels the choice of a file.
+        answer[0] = UnsavedMoves.Answer.SAVE;
+        assertThat(moves.mayLeave()).isFalse();
+        isWritten[0] = true;
+        assertThat(moves.mayLeave()).isTrue();
+        assertThat(asked).hasSize(4).allMatch(Set.of("round")::equals);
+        assertThat(moves.mayLeave()).isTrue();
+        layout.undo();
+        // The file has another layout than the scene, which is shown again.
+        assertThat(layout.unsaved()).isEmpty();
+        layout.redo();
+        assertThat(layout.unsaved()).isEmpty();
+        assertThat(asked).hasSize(4);
+        assertThat(UnsavedMoves.words(Set.of("round")))
+                .isEqualTo("'round' was moved or turned, and this is in no scene file yet.");
+    }
+
+    /** Two sensors on one mast: each can be selected and moved, and the other stays. */
+    @Test
+    void clicksInOnePlaceSelectOneSensorAfterTheOther() {
+        mover.select("ear");
+        mover.place(place("round").x(), place("round").y(), place("round").z());
+        assertThat(place("ear")).isEqualTo(place("round"));
+        List<String> chosen = new ArrayList<>();
+        Optional<String> selected = Optional.empty();
+        for (int click = 0; click < 3; click++) {
+            SymbolPick pick = SymbolPick.of(
+                    state(selected),
+                    at -> Math.hypot(
+                            at.x() - place("round").x(), at.y() - place("round").y()),
+                    2.0);
+            selected = pick.chosen();
+            chosen.add(selected.orElseThrow());
+            assertThat(pick.hint()).hasValueSatisfying(hint -> assertThat(hint).contains(" of 2 in this place"));
+        }
+        assertThat(chosen).containsExactly("round", "ear", "round");
+        mover.select("round");
+        Position mast = place("round");
+        mover.begin();
+        mover.drag(Optional.of(new Position(40, -20, 0)), mover.above());
+        assertThat(place("ear")).isEqualTo(mast);
+        assertThat(place("round")).isEqualTo(new Position(40, -20, mast.z()));
+        assertThat(SymbolPick.of(state(Optional.of("round")), at -> 9.0, 2.0).chosen())
+                .isEmpty();
+    }
+
+    private SiteState state(Optional<String> selected) {
+        List<SensorMark> marks = layout.settings().enabledSensors().entrySet().stream()
+                .map(sensor -> new SensorMark(
+                        sensor.getKey(),
+                        sensor.getValue().kind(),
+                        sensor.getValue().position(),
+                        Outlined.outline(sensor.getValue()),
+                        false))
+                .toList();
+        return new SiteState("site", 0.0, marks, List.of(), selected, Optional.empty(), List.of());
     }
 }
