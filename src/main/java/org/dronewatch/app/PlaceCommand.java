@@ -4,33 +4,14 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.placement.SolverLimits;
-import org.dronewatch.placement.site.BudgetFront;
-import org.dronewatch.placement.site.CoveredCells;
 import org.dronewatch.placement.site.FrontSearch;
-import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
-import org.dronewatch.placement.site.PlaceSearch;
-import org.dronewatch.placement.site.RoutePlacement;
-import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.placement.site.WarningPlacement;
-import org.dronewatch.placement.site.WarningSearch;
-import org.dronewatch.placement.site.WeakestRouteSearch;
-import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.PlaceDirectory;
-import org.dronewatch.report.placement.PlaceFile;
 import org.dronewatch.report.placement.PlaceResults;
-import org.dronewatch.report.placement.PlaceTable;
-import org.dronewatch.report.placement.RoutePlaceFile;
-import org.dronewatch.report.placement.RoutePlaceTable;
-import org.dronewatch.report.placement.WarningPlaceFile;
-import org.dronewatch.report.placement.WarningPlaceTable;
 import org.dronewatch.report.provenance.Provenance;
-import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -134,13 +115,13 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan plan = budget == null ? fine : fine.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
-                boolean isComplete =
-                        switch (plan.settings().objective()) {
-                            case COVERAGE -> placeForCoverage(given, plan, limits, target, shown);
-                            case WARNING_TIME -> placeForWarning(given, plan, limits, target, shown);
-                            case WEAKEST_ROUTE -> placeAgainstRoutes(given, plan, limits, target, shown);
-                        };
-                if (!isComplete) {
+                PlaceResults results = results(given, plan, limits, shown);
+                main.interruption().letFinish();
+                if (target != null) {
+                    target.write(results, provenance(given, plan), threads.number(), shown.notes());
+                }
+                json.print(results::toJson, printed -> results.lines().forEach(printed::println));
+                if (!results.complete()) {
                     spec.commandLine().getErr().println("interrupted: this is the best layout so far");
                 }
                 return 0;
@@ -148,40 +129,13 @@ final class PlaceCommand implements Callable<Integer> {
         }
     }
 
-    private boolean placeForCoverage(
-            Path given, PlacePlan plan, SolverLimits limits, PlaceDirectory target, TaskProgress shown) {
-        PlaceResults results = search(given, plan, limits, shown);
-        main.interruption().letFinish();
-        if (target != null) {
-            target.write(results, provenance(given, plan), threads.number(), shown.notes());
+    private PlaceResults results(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
+        PlaceTask task = PlaceTask.of(plan, limits, budgets, main.interruption(), shown);
+        try {
+            return PlaceFinder.of(plan.settings().objective()).find(task);
+        } catch (InputException e) {
+            throw PlacePlan.placed(given, e);
         }
-        json.print(() -> PlaceFile.toJson(results), out -> PlaceTable.lines(results)
-                .forEach(out::println));
-        return results.complete();
-    }
-
-    private boolean placeForWarning(
-            Path given, PlacePlan plan, SolverLimits limits, PlaceDirectory target, TaskProgress shown) {
-        WarningPlacement placement = searchForWarning(given, plan, limits, shown);
-        main.interruption().letFinish();
-        if (target != null) {
-            target.write(placement, provenance(given, plan), threads.number(), shown.notes());
-        }
-        json.print(() -> WarningPlaceFile.toJson(placement), out -> WarningPlaceTable.lines(placement)
-                .forEach(out::println));
-        return placement.complete();
-    }
-
-    private boolean placeAgainstRoutes(
-            Path given, PlacePlan plan, SolverLimits limits, PlaceDirectory target, TaskProgress shown) {
-        RoutePlacement placement = searchAgainstRoutes(given, plan, limits, shown);
-        main.interruption().letFinish();
-        if (target != null) {
-            target.write(placement, provenance(given, plan), threads.number(), shown.notes());
-        }
-        json.print(() -> RoutePlaceFile.toJson(placement), out -> RoutePlaceTable.lines(placement)
-                .forEach(out::println));
-        return placement.complete();
     }
 
     private SolverLimits limits() {
@@ -201,70 +155,6 @@ final class PlaceCommand implements Callable<Integer> {
     private void configure(SceneRunner runner) {
         SetOption.parsed("--set", overrides).forEach(runner::set);
         seed.apply(runner);
-    }
-
-    private PlaceResults search(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
-        Stage stage = stage(plan);
-        try {
-            CoveredCells cells = new CoveredCells(plan, stage, store(plan, shown));
-            PlaceSearch search = new PlaceSearch(plan, cells, new ExactSolver());
-            SitePlacement found = shown.during(
-                    "coverage of candidates",
-                    cells.looks(),
-                    progress -> search.found(limits, progress, main.interruption()::letFinish));
-            return about(found, cells, limits, shown);
-        } catch (InputException e) {
-            throw PlacePlan.placed(given, e);
-        }
-    }
-
-    /** What lower budgets buy, and how the layout compares with the scene's own sensors. */
-    private PlaceResults about(SitePlacement found, CoveredCells cells, SolverLimits limits, TaskProgress shown) {
-        BudgetFront front = shown.during(
-                "layouts for lower budgets", budgets - 1L, progress -> new FrontSearch(cells, new ExactSolver())
-                        .found(found, budgets, limits, progress));
-        long looks = cells.looks(front.best().chosen().size()
-                + found.plan().present().enabledSensors().size());
-        Optional<LayoutFields> fields = found.complete()
-                ? shown.during(
-                        "coverage of the layout", looks, progress -> LayoutFields.of(front.best(), cells, progress))
-                : Optional.empty();
-        return new PlaceResults(front, fields);
-    }
-
-    private WarningPlacement searchForWarning(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
-        Stage stage = stage(plan);
-        try {
-            WarningSearch search = new WarningSearch(plan, stage, store(plan, shown), new ExactSolver());
-            return shown.during(
-                    "warnings of candidates",
-                    search.looks(),
-                    progress -> search.found(limits, progress, main.interruption()::letFinish));
-        } catch (InputException e) {
-            throw PlacePlan.placed(given, e);
-        }
-    }
-
-    private RoutePlacement searchAgainstRoutes(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
-        Stage stage = stage(plan);
-        try {
-            WeakestRouteSearch search = new WeakestRouteSearch(plan, stage, store(plan, shown), new ExactSolver());
-            return shown.during(
-                    "rates of detection, then routes",
-                    search.looks(),
-                    progress -> search.found(limits, progress, round -> {}));
-        } catch (InputException e) {
-            throw PlacePlan.placed(given, e);
-        }
-    }
-
-    private static Stage stage(PlacePlan plan) {
-        plan.runner().adviseOnConditions();
-        return plan.runner().stage(plan.present());
-    }
-
-    private static LayerStore store(PlacePlan plan, TaskProgress shown) {
-        return LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
     }
 
     /** The placement file and its conditions count among the files that describe the scene. */

@@ -22,7 +22,7 @@ final class ProgressLines {
     /**
      * The task begins.
      *
-     * @param steps their approximate number
+     * @param steps their approximate number; negative if it is not known
      * @param clock gives the time, ns
      */
     ProgressLines(String task, long steps, PrintWriter err, LongSupplier clock) {
@@ -36,7 +36,10 @@ final class ProgressLines {
     /** A number of steps is done in all. */
     synchronized void reached(long done) {
         double seconds = seconds();
-        if (seconds >= next && done > 0 && done < steps) {
+        if (seconds >= next && done > 0 && steps < 0) {
+            next = seconds + EVERY_SECONDS;
+            err.printf(Locale.ROOT, "%s: %d after %s%n", task, done, duration(seconds));
+        } else if (seconds >= next && done > 0 && done < steps) {
             next = seconds + EVERY_SECONDS;
             String left = duration(seconds * (steps - done) / done);
             err.printf(Locale.ROOT, "%s: %d %%, %s left%n", task, PERCENT * done / steps, left);

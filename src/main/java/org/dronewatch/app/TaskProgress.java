@@ -16,6 +16,9 @@ import me.tongfei.progressbar.ProgressBar;
  * @param err receives it
  */
 record TaskProgress(Amount amount, PrintWriter err) {
+    /** A number of steps that is not known. */
+    static final long UNKNOWN = -1;
+
     /** How much is shown. */
     enum Amount {
         /** Warnings only. */
@@ -54,6 +57,11 @@ record TaskProgress(Amount amount, PrintWriter err) {
             lines.ended();
             return result;
         }
+    }
+
+    /** Does a task whose number of steps is not known before, and which reports how many it has done since the last time. */
+    <T> T during(String task, Function<IntConsumer, T> work) {
+        return during(task, UNKNOWN, work);
     }
 
     private static IntConsumer total(LongConsumer shown) {

@@ -6,120 +6,119 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.IntConsumer;
-import org.dronewatch.parallel.Workers;
-import org.dronewatch.placement.PlacementConditions;
-import org.dronewatch.placement.PlacementProblem;
-import org.dronewatch.placement.PlacementResult;
-import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 
-/** Finds the best layouts for lower budgets, which show what more money buys. */
-public final class FrontSearch {
+/**
+ * Finds the best layouts for lower budgets, which show what more money buys.
+ *
+ * @param <L> a layout on some objective
+ */
+public final class FrontSearch<L extends PlacedLayout> {
     /** Maximum number of budgets. */
     public static final int MOST = 12;
 
-    private final CoveredCells cells;
-    private final PlacementSolver solver;
+    private final CheaperLayouts<L> layouts;
+    private final L best;
 
-    /**
-     * A search.
-     *
-     * @param cells in which the candidates were assessed
-     */
-    public FrontSearch(CoveredCells cells, PlacementSolver solver) {
-        this.cells = cells;
-        this.solver = solver;
+    /** A search. */
+    public FrontSearch(CheaperLayouts<L> layouts) {
+        this.layouts = layouts;
+        this.best = layouts.best();
     }
 
     /**
-     * Solves for each budget on the {@link Workers} of the calling thread; the same for any number of them.
+     * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the same for
+     * any number of them.
      *
-     * @param best layout for the whole budget
      * @param budgets greatest number of budgets, including the whole, 1 to {@link #MOST}
      * @param progress receives 1 for each budget; from any thread
      */
-    public BudgetFront found(SitePlacement best, int budgets, SolverLimits limits, IntConsumer progress) {
+    public BudgetFront<L> found(int budgets, SolverLimits limits, IntConsumer progress) {
         List<Double> lower = BudgetSteps.below(
-                best.result().cost(), budgets - 1, best.problem().table().candidates());
-        AtomicReferenceArray<PlacementResult> results = new AtomicReferenceArray<>(lower.size());
+                best.result().cost(),
+                budgets - 1,
+                best.plan().candidates().stream().map(SiteCandidate::candidate).toList());
+        AtomicReferenceArray<L> results = new AtomicReferenceArray<>(lower.size());
         boolean isWhole = best.complete();
         try {
-            Workers.forEach(isWhole ? lower.size() : 0, at -> {
-                solved(best.problem(), lower.get(at), limits).ifPresent(result -> results.set(at, result));
+            layouts.forEach(isWhole ? lower.size() : 0, at -> {
+                layouts.within(lower.get(at), limits).ifPresent(layout -> results.set(at, layout));
                 progress.accept(1);
             });
         } catch (CancellationException e) {
             isWhole = false;
         }
-        List<SitePlacement> layouts = new ArrayList<>();
+        List<L> found = new ArrayList<>();
         List<Double> asked = new ArrayList<>();
         for (int at = 0; at < lower.size(); at++) {
-            PlacementResult result = results.get(at);
-            if (result != null) {
-                layouts.add(best.with(result));
+            L layout = results.get(at);
+            if (layout != null) {
+                found.add(layout);
                 asked.add(lower.get(at));
-                isWhole &= result.complete();
+                isWhole &= layout.complete();
             }
         }
-        layouts.add(best);
+        found.add(best);
         asked.add(best.plan().settings().budget());
-        return new BudgetFront(points(layouts, asked), isWhole);
+        return new BudgetFront<>(points(bounded(found), asked), isWhole);
     }
 
-    private Optional<PlacementResult> solved(PlacementProblem problem, double budget, SolverLimits limits) {
-        PlacementConditions conditions = problem.conditions().withBudget(budget);
-        return solver.solve(new PlacementProblem(problem.table(), problem.objective(), conditions), limits);
-    }
-
-    /** Without layouts that cover nothing or that a cheaper one equals; a bound for more money holds for less, too. */
-    private List<FrontPoint> points(List<SitePlacement> layouts, List<Double> budgets) {
-        double[] bounds = new double[layouts.size()];
-        double least = Double.POSITIVE_INFINITY;
-        for (int at = layouts.size() - 1; at >= 0; at--) {
-            least = Math.min(least, layouts.get(at).result().bound());
-            bounds[at] = least;
+    /** A bound for more money holds for less, too. */
+    private List<L> bounded(List<L> found) {
+        List<L> bounded = new ArrayList<>(found);
+        L tightest = best;
+        for (int at = found.size() - 1; at >= 0; at--) {
+            L layout = found.get(at);
+            tightest = layout.bound() < tightest.bound() ? layout : tightest;
+            bounded.set(at, layouts.bounded(layout, tightest.result().bound()));
         }
-        List<FrontPoint> points = new ArrayList<>();
-        AirSectors sectors = new AirSectors(cells);
-        for (int at = 0; at < layouts.size(); at++) {
-            SitePlacement before =
-                    points.isEmpty() ? null : points.get(points.size() - 1).layout();
-            boolean isLast = at == layouts.size() - 1;
-            SitePlacement bounded = layouts.get(at).within(bounds[at]);
-            boolean isBetter = before == null
-                    ? bounded.value() > 0.0
-                    : bounded.result().value() > before.result().value();
-            if (isBetter || before == null && isLast) {
-                points.add(point(budgets.get(at), before, bounded, sectors));
+        return bounded;
+    }
+
+    /** Without layouts that are worth nothing or that a cheaper one equals. */
+    private List<FrontPoint<L>> points(List<L> found, List<Double> budgets) {
+        List<FrontPoint<L>> points = new ArrayList<>();
+        for (int at = 0; at < found.size(); at++) {
+            Optional<L> before = points.isEmpty()
+                    ? Optional.empty()
+                    : Optional.of(points.get(points.size() - 1).layout());
+            boolean isLast = at == found.size() - 1;
+            L layout = found.get(at);
+            double least = before.map(PlacedLayout::value).orElse(0.0);
+            if (layout.value() > least || before.isEmpty() && isLast) {
+                points.add(point(budgets.get(at), before, layout));
             } else if (isLast) {
-                points.set(points.size() - 1, closing(points.get(points.size() - 1), bounded));
+                points.set(points.size() - 1, closing(points.get(points.size() - 1), layout));
             }
         }
+        FrontPoint<L> last = points.get(points.size() - 1);
+        points.set(points.size() - 1, last.with(layouts.described(last.layout())));
         return points;
     }
 
     /** A cheaper layout that is as good as the one for the whole budget takes its place. */
-    private static FrontPoint closing(FrontPoint cheaper, SitePlacement whole) {
-        return new FrontPoint(
+    private FrontPoint<L> closing(FrontPoint<L> cheaper, L whole) {
+        return new FrontPoint<>(
                 whole.plan().settings().budget(),
-                cheaper.layout().within(whole.result().bound()),
+                layouts.bounded(cheaper.layout(), whole.result().bound()),
                 cheaper.added(),
                 cheaper.removed(),
                 cheaper.gain());
     }
 
-    private static FrontPoint point(double budget, SitePlacement before, SitePlacement layout, AirSectors sectors) {
-        List<Integer> had = before == null ? fixed(layout) : before.result().chosen();
+    private FrontPoint<L> point(double budget, Optional<L> before, L layout) {
+        List<Integer> had = before.map(cheaper -> cheaper.result().chosen()).orElseGet(() -> kept(layout));
         List<Integer> has = layout.result().chosen();
-        return new FrontPoint(
+        return new FrontPoint<>(
                 budget,
                 layout,
                 names(layout, without(has, had)),
                 names(layout, without(had, has)),
-                sectors.gain(layout.problem(), had, has));
+                layouts.gain(before, layout));
     }
 
-    private static List<Integer> fixed(SitePlacement layout) {
+    /** The numbers of the sensors that are kept. */
+    static List<Integer> kept(PlacedLayout layout) {
         return layout.result().chosen().stream()
                 .filter(number ->
                         layout.plan().candidates().get(number).candidate().fixed())
@@ -130,7 +129,7 @@ public final class FrontSearch {
         return all.stream().filter(number -> !some.contains(number)).toList();
     }
 
-    private static List<String> names(SitePlacement layout, List<Integer> numbers) {
+    private static List<String> names(PlacedLayout layout, List<Integer> numbers) {
         return numbers.stream()
                 .map(number -> layout.plan().candidates().get(number).name())
                 .toList();

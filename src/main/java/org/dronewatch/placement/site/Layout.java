@@ -33,6 +33,18 @@ public final class Layout {
         return SettingsForm.with(scene, Map.of("sensors", all, "disabled", others));
     }
 
+    /** The same with the sensors of a layout: consistent even if the scene needs others. */
+    public static SceneSettings alone(PlacePlan plan, List<SiteCandidate> chosen) {
+        return alone(plan.present(), sensors(chosen));
+    }
+
+    /** The sensors of a layout by their names. */
+    static Map<String, SensorSettings<?>> sensors(List<SiteCandidate> chosen) {
+        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
+        chosen.forEach(one -> sensors.put(one.name(), one.sensor()));
+        return sensors;
+    }
+
     /**
      * The scene of a plan with some of its candidates alone, and their prices.
      *

@@ -1,7 +1,5 @@
 package org.dronewatch.placement.site;
 
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -29,7 +27,7 @@ public record LayoutFields(
      * @return empty if the layout has no sensor, or this thread is interrupted; it then stays interrupted
      */
     public static Optional<LayoutFields> of(SitePlacement placement, CoveredCells cells, IntConsumer progress) {
-        Map<String, SensorSettings<?>> chosen = chosen(placement.chosen());
+        Map<String, SensorSettings<?>> chosen = Layout.sensors(placement.chosen());
         Map<String, SensorSettings<?>> own = placement.plan().present().enabledSensors();
         if (chosen.isEmpty()) {
             return Optional.empty();
@@ -42,12 +40,6 @@ public record LayoutFields(
         } catch (CancellationException e) {
             return Optional.empty();
         }
-    }
-
-    private static Map<String, SensorSettings<?>> chosen(List<SiteCandidate> sensors) {
-        Map<String, SensorSettings<?>> chosen = new LinkedHashMap<>();
-        sensors.forEach(one -> chosen.put(one.name(), one.sensor()));
-        return chosen;
     }
 
     /**

@@ -12,7 +12,6 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.solver.CutResult;
-import org.dronewatch.route.search.WeakestRoute;
 
 /** What is stated about a layout that was found: routes are searched for past each part of it. */
 final class RouteFigures {
@@ -33,7 +32,7 @@ final class RouteFigures {
                     cut,
                     alone(cut),
                     without(cut),
-                    front(cut),
+                    purchases(cut),
                     present(),
                     cut.result().complete());
         } catch (CancellationException e) {
@@ -41,27 +40,40 @@ final class RouteFigures {
         }
     }
 
+    /** Without the figures of parts of the layout and of the scene. */
+    RoutePlacement inBrief(CutResult cut) {
+        return of(
+                cut,
+                Map.of(),
+                Map.of(),
+                List.of(),
+                Optional.empty(),
+                cut.result().complete());
+    }
+
     private RoutePlacement of(
             CutResult cut,
             Map<String, Double> alone,
             Map<String, Double> without,
-            List<PlaceStep> front,
+            List<PlaceStep> purchases,
             Optional<PresentLayout> present,
             boolean isComplete) {
         PlacementResult found = cut.result();
         // These routes have been searched for already.
-        List<WeakestRoute> past = rows.pastCandidates(found.chosen());
+        List<DirectedRoute> past = rows.pastCandidates(found.chosen());
         double value = Math.min(found.value(), past.get(0).exposure());
-        double lower = past.stream().mapToDouble(WeakestRoute::lower).min().orElse(0.0);
+        double lower =
+                past.stream().mapToDouble(one -> one.route().lower()).min().orElse(0.0);
         return new RoutePlacement(
                 plan,
                 grid,
                 new PlacementResult(found.chosen(), value, found.bound(), found.cost(), isComplete),
-                past.get(0),
+                past.get(0).route(),
+                past.get(0).bearing(),
                 Math.min(lower, value),
                 alone,
                 without,
-                front,
+                purchases,
                 present,
                 cut.rounds(),
                 cut.problem().table().rows(),
@@ -92,7 +104,7 @@ final class RouteFigures {
         return own.isEmpty() ? Optional.empty() : Optional.of(new PresentLayout(own.size(), counted(rows.past(own))));
     }
 
-    private static double counted(List<WeakestRoute> routes) {
+    private static double counted(List<DirectedRoute> routes) {
         return Math.min(WeakestRouteSearch.ENOUGH, routes.get(0).exposure());
     }
 
@@ -108,7 +120,7 @@ final class RouteFigures {
     }
 
     /** Each time the sensor that adds most for its price; where none closes the last gap yet, most over all routes. */
-    private List<PlaceStep> front(CutResult cut) {
+    private List<PlaceStep> purchases(CutResult cut) {
         PlacementProblem problem = cut.problem();
         List<Integer> bought = new ArrayList<>(cut.result().chosen().stream()
                 .filter(number -> plan.candidates().get(number).candidate().fixed())

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.route.search.WeakestRoute;
@@ -17,10 +18,11 @@ import org.dronewatch.route.search.WeakestRoute;
  * @param grid the cells over which routes are searched for
  * @param result of the search
  * @param weakest the least exposed route past the layout
+ * @param bearing of the direction from which it comes, clockwise from north, rad
  * @param lower a certified lower bound of the exposure of all routes past the layout
  * @param alone by the name of each sensor, the value of a layout of it alone; empty if that was not computed
- * @param without by the name of each sensor, the value without it; empty if that was not computed
- * @param front the order in which to buy the sensors, after those that are kept; empty if it was not computed
+ * @param withoutEach by the name of each sensor, the value without it; empty if that was not computed
+ * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param rounds number of layouts whose routes were searched for
  * @param routes number of routes that were compared
@@ -31,24 +33,56 @@ public record RoutePlacement(
         FieldGrid grid,
         PlacementResult result,
         WeakestRoute weakest,
+        double bearing,
         double lower,
         Map<String, Double> alone,
-        Map<String, Double> without,
-        List<PlaceStep> front,
+        Map<String, Double> withoutEach,
+        List<PlaceStep> purchases,
         Optional<PresentLayout> present,
         int rounds,
         int routes,
-        boolean complete) {
+        boolean complete)
+        implements PlacedLayout {
     /** Copies the lists and maps. */
     public RoutePlacement {
         alone = Collections.unmodifiableMap(new LinkedHashMap<>(alone));
-        without = Collections.unmodifiableMap(new LinkedHashMap<>(without));
-        front = List.copyOf(front);
+        withoutEach = Collections.unmodifiableMap(new LinkedHashMap<>(withoutEach));
+        purchases = List.copyOf(purchases);
     }
 
-    /** The sensors of the layout, in the order of the file. */
-    public List<SiteCandidate> chosen() {
-        return result.chosen().stream().map(plan.candidates()::get).toList();
+    @Override
+    public double value() {
+        return result.value();
+    }
+
+    @Override
+    public double bound() {
+        return result.bound();
+    }
+
+    @Override
+    public OptionalDouble alone(SiteCandidate sensor) {
+        Double known = alone.get(sensor.name());
+        return known == null ? OptionalDouble.empty() : OptionalDouble.of(known);
+    }
+
+    /** The same with another bound; none below the value. */
+    RoutePlacement within(double bound) {
+        double atLeast = Math.max(result.value(), bound);
+        return new RoutePlacement(
+                plan,
+                grid,
+                new PlacementResult(result.chosen(), result.value(), atLeast, result.cost(), result.complete()),
+                weakest,
+                bearing,
+                lower,
+                alone,
+                withoutEach,
+                purchases,
+                present,
+                rounds,
+                routes,
+                complete);
     }
 
     /** The probability of at least one detection along a route of some exposure, 0 to 1. */

@@ -11,7 +11,6 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.placement.RowOracle;
 import org.dronewatch.route.LayoutRoutes;
 import org.dronewatch.route.SiteRoutes;
-import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.setting.InputException;
 
 /** The weakest route from each direction past a layout, by its exposure to each candidate. */
@@ -20,7 +19,7 @@ final class RouteRows implements RowOracle {
     private final List<String> candidates;
 
     /** By the names of the sensors: the routes past them, the weakest first. */
-    private final Map<Set<String>, List<WeakestRoute>> known = new HashMap<>();
+    private final Map<Set<String>, List<DirectedRoute>> known = new HashMap<>();
 
     /**
      * The routes of a site.
@@ -36,12 +35,12 @@ final class RouteRows implements RowOracle {
     public List<double[]> weakest(List<Integer> chosen) {
         Set<String> names = names(chosen);
         SiteRoutes past = routes.past(List.copyOf(names));
-        List<WeakestRoute> found = fromAllDirections(past);
+        List<DirectedRoute> found = fromAllDirections(past);
         List<double[]> rows = new ArrayList<>();
-        for (WeakestRoute route : found) {
+        for (DirectedRoute one : found) {
             Workers.checkInterrupted();
             rows.add(candidates.stream()
-                    .mapToDouble(name -> Math.min(WeakestRouteSearch.ENOUGH, routes.exposure(past, route, name)))
+                    .mapToDouble(name -> Math.min(WeakestRouteSearch.ENOUGH, routes.exposure(past, one.route(), name)))
                     .toArray());
         }
         known.put(names, found);
@@ -55,34 +54,36 @@ final class RouteRows implements RowOracle {
     }
 
     /** The weakest routes past some of the sensors from each direction, the weakest of all first. */
-    List<WeakestRoute> past(Set<String> names) {
-        List<WeakestRoute> before = known.get(names);
+    List<DirectedRoute> past(Set<String> names) {
+        List<DirectedRoute> before = known.get(names);
         if (before != null) {
             return before;
         }
-        List<WeakestRoute> found = fromAllDirections(routes.past(List.copyOf(names)));
+        List<DirectedRoute> found = fromAllDirections(routes.past(List.copyOf(names)));
         known.put(names, found);
         return found;
     }
 
     /** The same for candidates, by their numbers. */
-    List<WeakestRoute> pastCandidates(List<Integer> chosen) {
+    List<DirectedRoute> pastCandidates(List<Integer> chosen) {
         return past(names(chosen));
     }
 
-    private static List<WeakestRoute> fromAllDirections(SiteRoutes past) {
-        List<WeakestRoute> all = new ArrayList<>();
+    private static List<DirectedRoute> fromAllDirections(SiteRoutes past) {
+        List<DirectedRoute> all = new ArrayList<>();
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             Workers.checkInterrupted();
-            past.from(sector).ifPresent(all::add);
+            int from = sector;
+            past.from(sector).ifPresent(route -> all.add(new DirectedRoute(from, route)));
         }
         if (all.isEmpty()) {
             throw new InputException("air: no route leads from the edge of the square to the protected zone");
         }
-        if (all.stream().anyMatch(route -> route.seconds() == 0.0)) {
+        if (all.stream().anyMatch(one -> one.route().seconds() == 0.0)) {
             throw new InputException("air.side: the protected zone reaches the edge of the square: must be larger");
         }
-        all.sort(Comparator.comparingDouble(WeakestRoute::exposure).thenComparingDouble(WeakestRoute::seconds));
+        all.sort(Comparator.comparingDouble(DirectedRoute::exposure)
+                .thenComparingDouble(one -> one.route().seconds()));
         return all;
     }
 }

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementConditions;
@@ -33,21 +34,17 @@ public record SitePlacement(
         PlacementProblem problem,
         PlacementResult result,
         Optional<PresentLayout> present,
-        boolean complete) {
+        boolean complete)
+        implements PlacedLayout {
     /** The same with another layout. */
     SitePlacement with(PlacementResult other) {
-        return new SitePlacement(plan, grid, headings, rows, problem, other, present, complete);
+        return new SitePlacement(plan, grid, headings, rows, problem, other, present, complete && other.complete());
     }
 
     /** The same with another bound, in rows; none below the value. */
     SitePlacement within(double bound) {
         return with(new PlacementResult(
                 result.chosen(), result.value(), Math.max(result.value(), bound), result.cost(), result.complete()));
-    }
-
-    /** The sensors of the layout, in the order of the file. */
-    public List<SiteCandidate> chosen() {
-        return result.chosen().stream().map(plan.candidates()::get).toList();
     }
 
     /** The number of cells that count. */
@@ -76,22 +73,26 @@ public record SitePlacement(
     }
 
     /** The fraction of the airspace that the layout covers. */
+    @Override
     public double value() {
         return result.value() / rows;
     }
 
     /** The fraction that no layout exceeds. */
+    @Override
     public double bound() {
         return result.bound() / rows;
     }
 
     /** The fraction of the airspace that a chosen sensor covers by itself. */
-    public double alone(SiteCandidate sensor) {
+    @Override
+    public OptionalDouble alone(SiteCandidate sensor) {
         PlacementProblem once = new PlacementProblem(problem.table(), problem.objective(), PlacementConditions.NONE);
-        return once.value(List.of(plan.candidates().indexOf(sensor))) / rows;
+        return OptionalDouble.of(once.value(List.of(plan.candidates().indexOf(sensor))) / rows);
     }
 
     /** The fraction that remains covered without each of the sensors, by their names, in the order of the file. */
+    @Override
     public Map<String, Double> withoutEach() {
         Map<String, Double> remaining = new LinkedHashMap<>();
         for (int lost : result.chosen()) {
@@ -106,10 +107,9 @@ public record SitePlacement(
      * The order in which the sensors of the layout are best bought: each time the one that adds most for its price,
      * after those that are kept.
      */
+    @Override
     public List<PlaceStep> purchases() {
-        List<Integer> bought = new ArrayList<>(result.chosen().stream()
-                .filter(number -> plan.candidates().get(number).candidate().fixed())
-                .toList());
+        List<Integer> bought = new ArrayList<>(FrontSearch.kept(this));
         List<Integer> left = new ArrayList<>(result.chosen());
         left.removeAll(bought);
         List<PlaceStep> steps = new ArrayList<>();

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
@@ -32,10 +33,11 @@ public record WarningPlacement(
         PlacementProblem problem,
         PlacementResult result,
         Optional<PresentLayout> present,
-        boolean complete) {
-    /** The sensors of the layout, in the order of the file. */
-    public List<SiteCandidate> chosen() {
-        return result.chosen().stream().map(plan.candidates()::get).toList();
+        boolean complete)
+        implements PlacedLayout {
+    /** The same with another layout. */
+    WarningPlacement with(PlacementResult other) {
+        return new WarningPlacement(plan, grid, longest, problem, other, present, complete && other.complete());
     }
 
     /** Which warning counts. */
@@ -53,11 +55,13 @@ public record WarningPlacement(
     }
 
     /** The warning that the layout gives, s. */
+    @Override
     public double value() {
         return seconds(result.value());
     }
 
     /** The warning that no layout exceeds, s. */
+    @Override
     public double bound() {
         return seconds(result.bound());
     }
@@ -82,11 +86,13 @@ public record WarningPlacement(
     }
 
     /** The warning that a sensor of the layout gives by itself, s. */
-    public double alone(SiteCandidate sensor) {
-        return warning(List.of(plan.candidates().indexOf(sensor)));
+    @Override
+    public OptionalDouble alone(SiteCandidate sensor) {
+        return OptionalDouble.of(warning(List.of(plan.candidates().indexOf(sensor))));
     }
 
     /** The warning that remains without each of the sensors, by their names, in the order of the file, s. */
+    @Override
     public Map<String, Double> withoutEach() {
         Map<String, Double> remaining = new LinkedHashMap<>();
         for (Integer lost : result.chosen()) {
@@ -103,13 +109,12 @@ public record WarningPlacement(
      * The order in which the sensors of the layout are best bought: each time the one that adds most for its price or,
      * where none makes the worst warning longer yet, that gives most warnings for its price; after those that are kept.
      */
-    public List<PlaceStep> front() {
-        List<Integer> bought = new ArrayList<>(result.chosen().stream()
-                .filter(number -> plan.candidates().get(number).candidate().fixed())
-                .toList());
+    @Override
+    public List<PlaceStep> purchases() {
+        List<Integer> bought = new ArrayList<>(FrontSearch.kept(this));
         List<Integer> left = new ArrayList<>(result.chosen());
         left.removeAll(bought);
-        List<PlaceStep> front = new ArrayList<>();
+        List<PlaceStep> steps = new ArrayList<>();
         while (!left.isEmpty()) {
             double before = warning(bought);
             Integer next = left.stream()
@@ -121,9 +126,9 @@ public record WarningPlacement(
                     .orElseThrow();
             left.remove(next);
             bought.add(next);
-            front.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), warning(bought)));
+            steps.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), warning(bought)));
         }
-        return front;
+        return steps;
     }
 
     private static List<Integer> with(List<Integer> bought, Integer number) {

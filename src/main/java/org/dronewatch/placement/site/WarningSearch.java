@@ -51,8 +51,7 @@ public final class WarningSearch {
 
     /** The approximate number of cells at which sensors have to be assessed. */
     public long looks() {
-        return flights.looks()
-                * (plan.candidates().size() + plan.present().enabledSensors().size());
+        return looks(plan.candidates().size() + plan.present().enabledSensors().size());
     }
 
     /**
@@ -84,6 +83,21 @@ public final class WarningSearch {
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
                 present.map(all -> new PresentLayout(own.size(), seconds(all))),
                 isComplete);
+    }
+
+    /** The approximate number of cells at which a number of sensors have to be assessed. */
+    public long looks(int sensors) {
+        return flights.looks() * sensors;
+    }
+
+    /**
+     * The warnings of a layout beside those of the scene's own sensors.
+     *
+     * @param progress receives the number of cells that were assessed since the last call
+     * @return empty if the layout has no sensor, or this thread is interrupted; it then stays interrupted
+     */
+    public Optional<LayoutWarnings> compared(WarningPlacement placement, IntConsumer progress) {
+        return LayoutWarnings.of(placement, flights, progress);
     }
 
     /** Assesses each candidate by itself; gives whether it was not interrupted after the first. */

@@ -8,19 +8,14 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.LayerStore;
-import org.dronewatch.placement.Candidate;
-import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
-import org.dronewatch.placement.solver.CutResult;
-import org.dronewatch.placement.solver.CuttingPlanes;
 import org.dronewatch.route.FieldExposure;
 import org.dronewatch.route.LayoutRoutes;
 import org.dronewatch.route.SensorFields;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.Quantity;
 
 /**
  * Finds the layout of a plan past which the weakest route to the protected zone is most exposed: each candidate is
@@ -90,27 +85,24 @@ public final class WeakestRouteSearch {
      * @throws CancellationException when this thread is interrupted before the first layout has been tried
      */
     public RoutePlacement found(SolverLimits limits, IntConsumer progress, IntConsumer round) {
+        return assessed(progress).found(limits, round);
+    }
+
+    /**
+     * Assesses each sensor by itself.
+     *
+     * @param progress receives the number of cells that were assessed since the last call
+     * @throws InputException when there is no route
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public RouteLayouts assessed(IntConsumer progress) {
         List<SensorFields> known = new ArrayList<>();
         plan.candidates().forEach(one -> known.add(fields.of(one.name(), one.sensor(), progress)));
         others().forEach((name, sensor) -> known.add(fields.of(name, sensor, progress)));
         RouteRows rows = new RouteRows(
                 routes(known),
                 plan.candidates().stream().map(SiteCandidate::name).toList());
-        List<Candidate> candidates =
-                plan.candidates().stream().map(SiteCandidate::candidate).toList();
-        CutResult cut = new CuttingPlanes(candidates, conditions(), rows, solver, ENOUGH)
-                .solve(limits, round)
-                .orElseThrow(this::impossible);
-        return new RouteFigures(plan, fields.grid(), rows).of(cut);
-    }
-
-    private InputException impossible() {
-        return PlanConditions.impossible(
-                plan,
-                plan.settings()
-                        .conditions()
-                        .anyoneLost()
-                        .map(loss -> "a probability of detection of " + Quantity.NUMBER.inWords(loss.fraction())));
+        return new RouteLayouts(plan, fields.grid(), rows, solver);
     }
 
     private LayoutRoutes routes(List<SensorFields> known) {
@@ -119,14 +111,5 @@ public final class WeakestRouteSearch {
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }
-    }
-
-    private PlacementConditions conditions() {
-        PlacementConditions conditions = PlanConditions.of(plan);
-        return plan.settings()
-                .conditions()
-                .anyoneLost()
-                .map(loss -> conditions.withAnyoneLost(Math.min(ENOUGH, -Math.log1p(-loss.fraction()))))
-                .orElse(conditions);
     }
 }

@@ -32,6 +32,11 @@ public final class CuttingPlanes {
     private final PlacementSolver solver;
     private final double enough;
 
+    /** What earlier searches of the same candidates have found: rows, and the layouts past which they are all known. */
+    private final Known known;
+
+    private record Known(List<double[]> rows, List<List<Integer>> layouts) {}
+
     /**
      * A search.
      *
@@ -45,11 +50,27 @@ public final class CuttingPlanes {
             RowOracle oracle,
             PlacementSolver solver,
             double enough) {
+        this(candidates, conditions, oracle, solver, enough, new Known(new ArrayList<>(), new ArrayList<>()));
+    }
+
+    private CuttingPlanes(
+            List<Candidate> candidates,
+            PlacementConditions conditions,
+            RowOracle oracle,
+            PlacementSolver solver,
+            double enough,
+            Known known) {
         this.candidates = List.copyOf(candidates);
         this.conditions = conditions;
         this.oracle = oracle;
         this.solver = solver;
         this.enough = enough;
+        this.known = known;
+    }
+
+    /** The same search with another budget; it begins with the rows that this one has found. */
+    public CuttingPlanes within(double budget) {
+        return new CuttingPlanes(candidates, conditions.withBudget(budget), oracle, solver, enough, known);
     }
 
     /**
@@ -61,7 +82,9 @@ public final class CuttingPlanes {
      */
     public Optional<CutResult> solve(SolverLimits limits, IntConsumer round) {
         Search search = new Search(limits);
-        search.cut(fixed());
+        if (known.rows().isEmpty()) {
+            search.cut(fixed());
+        }
         search.run(round);
         return search.result();
     }
@@ -77,24 +100,31 @@ public final class CuttingPlanes {
     private final class Search {
         private final SolverLimits limits;
         private final CutRows rows = new CutRows(candidates, conditions);
-        private final Set<List<Integer>> tried = new HashSet<>();
-        private final List<List<Integer>> layouts = new ArrayList<>();
+        private final List<List<Integer>> layouts = new ArrayList<>(known.layouts());
+        private final Set<List<Integer>> tried = new HashSet<>(layouts);
+        private final int before = layouts.size();
         private double bound = enough;
         private boolean isInterrupted;
         private boolean isProven;
 
         Search(SolverLimits limits) {
             this.limits = limits;
+            rows.addAll(known.rows());
         }
 
         void cut(List<Integer> layout) {
-            rows.addAll(oracle.weakest(layout));
+            add(layout);
             if (conditions.anyoneLost().isPresent()) {
                 for (Integer lost : layout) {
-                    rows.addAll(oracle.weakest(
-                            layout.stream().filter(other -> !other.equals(lost)).toList()));
+                    add(layout.stream().filter(other -> !other.equals(lost)).toList());
                 }
             }
+        }
+
+        private void add(List<Integer> layout) {
+            List<double[]> found = oracle.weakest(layout);
+            rows.addAll(found);
+            known.rows().addAll(found);
         }
 
         void run(IntConsumer round) {
@@ -111,7 +141,7 @@ public final class CuttingPlanes {
                 boolean isNew = tried.add(layout);
                 if (isNew) {
                     cutUnlessInterrupted(layout);
-                    round.accept(layouts.size());
+                    round.accept(rounds());
                 }
                 double value = rows.best(layouts).map(this::value).orElse(Double.NEGATIVE_INFINITY);
                 // What the oracle cannot cut in an accurately solved round is the best.
@@ -124,6 +154,7 @@ public final class CuttingPlanes {
             try {
                 cut(layout);
                 layouts.add(layout);
+                known.layouts().add(layout);
             } catch (CancellationException e) {
                 isInterrupted = true;
             }
@@ -131,6 +162,11 @@ public final class CuttingPlanes {
 
         private double value(List<Integer> layout) {
             return Math.min(enough, rows.value(layout));
+        }
+
+        /** The number of layouts that this search has given to the oracle. */
+        private int rounds() {
+            return layouts.size() - before;
         }
 
         Optional<CutResult> result() {
@@ -143,7 +179,7 @@ public final class CuttingPlanes {
                 boolean isComplete = isProven && !isInterrupted;
                 PlacementResult result =
                         new PlacementResult(layout, value, Math.max(bound, value), problem.cost(layout), isComplete);
-                return new CutResult(problem, result, layouts.size());
+                return new CutResult(problem, result, rounds());
             });
         }
     }

@@ -11,7 +11,7 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.In;
 
 /** The map of the warning of straight inbound flights: where they begin, and a line for each height. */
-final class WarningMap {
+public final class WarningMap {
     private static final Color START = Color.GRAY;
 
     /** The side of a map of flights, as a multiple of the distance at which they begin. */
@@ -20,7 +20,8 @@ final class WarningMap {
     private final CoverageSite site;
     private final CoverageInputs inputs;
 
-    WarningMap(CoverageSite site, CoverageInputs inputs) {
+    /** A map of a site. */
+    public WarningMap(CoverageSite site, CoverageInputs inputs) {
         this.site = site;
         this.inputs = inputs;
     }
@@ -32,7 +33,7 @@ final class WarningMap {
      * @param grid of the other maps
      * @param ground of that grid, as {@link MapSheet#ground} gives it
      */
-    MapSheet sheet(FieldGrid grid, int[] ground, InboundWarnings warnings) {
+    public MapSheet sheet(FieldGrid grid, int[] ground, InboundWarnings warnings) {
         FieldGrid shown = showsAll(grid, warnings) ? grid : around(warnings);
         MapSheet sheet = new MapSheet(shown);
         int[] below = shown.equals(grid) ? ground : MapSheet.ground(site.stage().world(), shown);

@@ -11,15 +11,16 @@ import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.html.Html;
 
 /** The warning of straight inbound flights in words and in a table. */
-final class WarningWords {
+public final class WarningWords {
     private final InboundWarnings warnings;
 
-    WarningWords(InboundWarnings warnings) {
+    /** The words for some warnings. */
+    public WarningWords(InboundWarnings warnings) {
         this.warnings = warnings;
     }
 
-    /** The section. */
-    String html() {
+    /** The section of a report. */
+    public String html() {
         return Html.plain("p", introduction()) + new WarningRose(warnings).svg() + table() + range();
     }
 

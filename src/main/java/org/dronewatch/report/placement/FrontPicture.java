@@ -2,31 +2,38 @@ package org.dronewatch.report.placement;
 
 import java.awt.Color;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.report.Charts;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** What the best layouts cover over what they cost, in steps, with the most that any layout could cover. */
+/** What the best layouts are worth over what they cost, in steps, with the most that any layout could reach. */
 final class FrontPicture {
     private static final Color LAYOUTS = new Color(0x0072b2);
     private static final Color TODAY = new Color(0xd55e00);
-    private static final double PERCENT = 100.0;
     private static final double TEN = 10.0;
 
-    private final BudgetFront front;
+    /** The part of the axis that is left free above what is drawn, if values have no limit. */
+    private static final double FREE = 0.05;
+
+    private final BudgetFront<? extends PlacedLayout> front;
+    private final PlaceMeasure measure;
     private final PlacePlan plan;
     private final double dearest;
 
-    FrontPicture(BudgetFront front) {
+    FrontPicture(BudgetFront<? extends PlacedLayout> front, PlaceMeasure measure) {
         this.front = front;
+        this.measure = measure;
         this.plan = front.best().plan();
         this.dearest = Math.max(plan.settings().budget(), priceOfToday().orElse(0.0));
     }
@@ -35,20 +42,18 @@ final class FrontPicture {
     XYChart chart() {
         String currency = plan.present().prices().currency();
         XYChart chart = Charts.chart(
-                plan.scene().name() + ": best layouts for the money",
-                "cost [" + currency + "]",
-                "airspace covered [%]");
+                plan.scene().name() + ": best layouts for the money", "cost [" + currency + "]", measure.axis());
         addLayouts(chart);
         addBound(chart);
         front.best().present().ifPresent(own -> addToday(chart, own));
-        double least = chart.getSeriesCollection().stream()
-                .mapToDouble(XYSeries::getYMin)
-                .min()
-                .orElse(0.0);
+        DoubleSummaryStatistics drawn = chart.getSeriesCollection().stream()
+                .flatMapToDouble(series -> DoubleStream.of(series.getYMin(), series.getYMax()))
+                .summaryStatistics();
+        double least = drawn.getMin();
         chart.getStyler()
                 .setXAxisMin(0.0)
                 .setYAxisMin(Math.max(0.0, Math.floor(least / TEN - 0.5) * TEN))
-                .setYAxisMax(PERCENT)
+                .setYAxisMax(measure.most().orElse(Math.max(1.0, (1.0 + FREE) * drawn.getMax())))
                 .setXAxisDecimalPattern("#,##0.##");
         return chart;
     }
@@ -57,13 +62,13 @@ final class FrontPicture {
     private void addLayouts(XYChart chart) {
         List<Double> costs = new ArrayList<>();
         List<Double> values = new ArrayList<>();
-        for (FrontPoint point : front.points()) {
+        for (FrontPoint<? extends PlacedLayout> point : front.points()) {
             if (!values.isEmpty()) {
                 costs.add(point.cost());
                 values.add(values.get(values.size() - 1));
             }
             costs.add(point.cost());
-            values.add(PERCENT * point.layout().value());
+            values.add(measure.plotted(point.layout().value()));
         }
         costs.add(dearest);
         values.add(values.get(values.size() - 1));
@@ -73,7 +78,7 @@ final class FrontPicture {
                 "layouts",
                 front.points().stream().map(FrontPoint::cost).toList(),
                 front.points().stream()
-                        .map(point -> PERCENT * point.layout().value())
+                        .map(point -> measure.plotted(point.layout().value()))
                         .toList());
         dots.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
         dots.setMarker(SeriesMarkers.CIRCLE).setMarkerColor(LAYOUTS).setShowInLegend(false);
@@ -84,20 +89,20 @@ final class FrontPicture {
         List<Double> budgets = new ArrayList<>();
         List<Double> bounds = new ArrayList<>();
         double from = front.points().get(0).cost();
-        for (FrontPoint point : front.points()) {
-            double bound = PERCENT * point.layout().bound();
+        for (FrontPoint<? extends PlacedLayout> point : front.points()) {
+            double bound = measure.plotted(point.layout().bound());
             budgets.add(from);
             bounds.add(bound);
             budgets.add(point.budget());
             bounds.add(bound);
             from = point.budget();
         }
-        Charts.asReference(chart.addSeries("no layout covers more", budgets, bounds));
+        Charts.asReference(chart.addSeries(measure.unbeaten(), budgets, bounds));
     }
 
     /** A point where all prices are known; otherwise a line, since any cost may be its own. */
     private void addToday(XYChart chart, PresentLayout own) {
-        double value = PERCENT * own.value();
+        double value = measure.plotted(own.value());
         OptionalDouble price = priceOfToday();
         if (price.isPresent()) {
             XYSeries point =

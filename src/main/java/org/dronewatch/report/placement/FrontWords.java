@@ -2,32 +2,42 @@ package org.dronewatch.report.placement;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.FrontPoint;
-import org.dronewatch.placement.site.SectorGain;
-import org.dronewatch.report.CompassPoint;
+import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.report.Numbers;
 
 /** What more money buys, in a line for each step. */
 final class FrontWords {
+    static final double PERCENT = 100.0;
+
+    /** Fractions from here on are less than all, but round to 100, %. */
+    private static final double MOST_ROUNDED = 99.95;
+
     private static final String ROW = "%12s  %12s  %8s  %8s  %s";
 
-    private FrontWords() {}
+    private final PlaceMeasure measure;
 
-    /** A table. */
-    static List<String> lines(BudgetFront front) {
+    FrontWords(PlaceMeasure measure) {
+        this.measure = measure;
+    }
+
+    /** A table after an empty line; nothing if there is only one layout. */
+    List<String> lines(List<? extends FrontPoint<? extends PlacedLayout>> points) {
         List<String> lines = new ArrayList<>();
+        if (points.size() < 2) {
+            return lines;
+        }
+        lines.add("");
         lines.add("best layout for each budget:");
-        lines.add(text(ROW, "cost", "more", "covered", "at most", "change"));
-        double before = 0.0;
-        for (FrontPoint point : front.points()) {
-            lines.add(text(
+        lines.add(PlaceTable.text(ROW, "cost", "more", measure.heading(), "at most", "change"));
+        double before = Double.NaN;
+        for (FrontPoint<? extends PlacedLayout> point : points) {
+            lines.add(PlaceTable.text(
                     ROW,
                     Numbers.text(point.cost()),
-                    lines.size() == 2 ? "-" : Numbers.text(point.cost() - before),
-                    percent(point.layout().value()),
-                    percent(point.layout().bound()),
+                    Double.isNaN(before) ? "-" : Numbers.text(point.cost() - before),
+                    measure.text(point.layout().value()),
+                    measure.text(point.layout().bound()),
                     change(point)));
             before = point.cost();
         }
@@ -35,19 +45,11 @@ final class FrontWords {
     }
 
     /** {@code radar-2 in place of radio-1; closes the west at 30 to 60 m (12.0 % before, 98.1 % now)}. */
-    static String change(FrontPoint point) {
+    String change(FrontPoint<? extends PlacedLayout> point) {
         String change = point.added().isEmpty()
                 ? point.removed().isEmpty() ? "no further sensor" : "without " + list(point.removed())
                 : list(point.added()) + (point.removed().isEmpty() ? "" : " in place of " + list(point.removed()));
-        return change + point.gain().map(gain -> "; " + gained(gain)).orElse("");
-    }
-
-    private static String gained(SectorGain gain) {
-        String heights = Numbers.text(gain.lowest())
-                + (gain.lowest() < gain.highest() ? " to " + Numbers.text(gain.highest()) : "");
-        String before = percent(gain.before());
-        return (gain.isClosed() ? "closes the gap in the " : "adds most in the ") + CompassPoint.of(gain.bearing())
-                + " at " + heights + " m (" + before + " before, " + percent(gain.after()) + " now)";
+        return change + point.gain().map(gain -> "; " + measure.gained(gain)).orElse("");
     }
 
     /** {@code a, b and c}. */
@@ -55,11 +57,11 @@ final class FrontWords {
         return String.join(", ", names).replaceFirst(", ([^,]+)$", " and $1");
     }
 
+    /** A fraction or probability in percent: 100.0 for all alone. */
     static String percent(double fraction) {
-        return text("%.1f %%", 100.0 * fraction);
-    }
-
-    private static String text(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
+        if (fraction < 1.0 && PERCENT * fraction >= MOST_ROUNDED) {
+            return "> 99.9 %";
+        }
+        return PlaceTable.text("%.1f %%", PERCENT * fraction);
     }
 }

@@ -5,17 +5,12 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import org.dronewatch.placement.site.Layout;
-import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
-import org.dronewatch.placement.site.RoutePlacement;
-import org.dronewatch.placement.site.SiteCandidate;
-import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.html.Figure;
@@ -25,7 +20,6 @@ import org.dronewatch.report.provenance.ResultKind;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
-import tools.jackson.databind.node.ObjectNode;
 
 /** The directory into which {@code place} writes; its files appear together, or none of them. */
 public final class PlaceDirectory implements AutoCloseable {
@@ -37,7 +31,8 @@ public final class PlaceDirectory implements AutoCloseable {
      * removed unless they are replaced.
      */
     private static final Pattern FILES =
-            Pattern.compile("layout\\.yaml|report\\.html|front\\.png|(layout|today|change)-[0-9.]+\\.png");
+            Pattern.compile("layout\\.yaml|report\\.html|front\\.png|(layout|today|change)-[0-9.]+\\.png"
+                    + "|(routes|warnings)(-today)?\\.png");
 
     private final Path target;
     private final OutputDirectory directory;
@@ -64,56 +59,26 @@ public final class PlaceDirectory implements AutoCloseable {
     public void write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
         PlacePlan plan = results.best().plan();
         directory.write(() -> {
-            Optional<SceneSettings> layout =
-                    writeCommon(plan, results.best().chosen(), PlaceFile.toJson(results), provenance, threads, notes);
-            SceneSettings shown = layout.or(() -> results.fields().map(LayoutFields::settings))
-                    .orElse(plan.present());
-            writeReport(results, shown, provenance.inWords(plan.present().run().seed(), threads));
-            directory.publish(directory.former(NUMBERS, FILES));
-        });
-    }
-
-    /** The same for the layout past which the weakest route is most exposed, without report and pictures. */
-    public void write(RoutePlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
-        writeNumbers(
-                placement.plan(), placement.chosen(), RoutePlaceFile.toJson(placement), provenance, threads, notes);
-    }
-
-    /** The same for the layout with the longest warning. */
-    public void write(WarningPlacement placement, Provenance provenance, int threads, Consumer<String> notes) {
-        writeNumbers(
-                placement.plan(), placement.chosen(), WarningPlaceFile.toJson(placement), provenance, threads, notes);
-    }
-
-    private void writeNumbers(
-            PlacePlan plan,
-            List<SiteCandidate> chosen,
-            ObjectNode numbers,
-            Provenance provenance,
-            int threads,
-            Consumer<String> notes) {
-        directory.write(() -> {
-            writeCommon(plan, chosen, numbers, provenance, threads, notes);
+            Optional<SceneSettings> layout = writeCommon(results, provenance, threads, notes);
+            writeReport(
+                    results,
+                    layout.orElseGet(() -> Layout.alone(plan, results.best().chosen())),
+                    provenance.inWords(plan.present().run().seed(), threads));
             directory.publish(directory.former(NUMBERS, FILES));
         });
     }
 
     /** The numbers, their provenance, and the layout as a scene; gives its settings, if they are consistent. */
     private Optional<SceneSettings> writeCommon(
-            PlacePlan plan,
-            List<SiteCandidate> chosen,
-            ObjectNode numbers,
-            Provenance provenance,
-            int threads,
-            Consumer<String> notes)
-            throws IOException {
-        JsonFile.write(directory.file(NUMBERS), numbers);
+            PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) throws IOException {
+        PlacePlan plan = results.best().plan();
+        JsonFile.write(directory.file(NUMBERS), results.toJson());
         JsonFile.write(
                 directory.file(ProvenanceFile.NAME),
                 ProvenanceFile.of(provenance, plan.scene().name(), threads));
         Optional<SceneSettings> layout = Optional.empty();
         try {
-            layout = Optional.of(Layout.of(plan, chosen));
+            layout = Optional.of(Layout.of(plan, results.best().chosen()));
             String text = plan.runner().text(layout.get(), target.resolve(SCENE));
             Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
         } catch (InputException e) {
@@ -126,12 +91,13 @@ public final class PlaceDirectory implements AutoCloseable {
             throws IOException {
         PlacePlan plan = results.best().plan();
         Stage stage = plan.runner().stage(plan.present());
-        Map<String, Figure> pictures = new PlacePictures(results, stage).all();
+        PlaceReport report = new PlaceReport(results, stage);
+        Map<String, Figure> pictures = report.pictures();
         for (Map.Entry<String, Figure> picture : pictures.entrySet()) {
             Files.write(directory.file(picture.getKey()), picture.getValue().png());
         }
         try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
-            new PlaceReport(results, stage).write(page, pictures, layout, provenance);
+            report.write(page, pictures, layout, provenance);
         }
     }
 

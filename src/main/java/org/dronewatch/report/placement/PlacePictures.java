@@ -10,7 +10,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.site.AirSettings;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
-import org.dronewatch.report.Charts;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.CauseMap;
 import org.dronewatch.report.coverage.ChangeMap;
@@ -20,7 +19,7 @@ import org.dronewatch.report.html.Figure;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** The plot of value over budget, and maps of what the layout and the scene's own sensors cover at each height. */
+/** Maps of what the layout and the scene's own sensors cover at each height. */
 final class PlacePictures {
     /** The greatest number of labels on a map. */
     private static final int MOST_NAMES = 12;
@@ -28,13 +27,11 @@ final class PlacePictures {
     /** Labels of sensors within this fraction of the map's side would cover each other. */
     private static final double NEAR = 0.03;
 
-    private static final String FRONT = "front.png";
-
-    private final PlaceResults results;
+    private final CoveragePlaceResults results;
     private final PlacePlan plan;
     private final Stage stage;
 
-    PlacePictures(PlaceResults results, Stage stage) {
+    PlacePictures(CoveragePlaceResults results, Stage stage) {
         this.results = results;
         this.plan = results.best().plan();
         this.stage = stage;
@@ -46,11 +43,6 @@ final class PlacePictures {
      */
     Map<String, Figure> all() throws IOException {
         Map<String, Figure> figures = new LinkedHashMap<>();
-        figures.put(
-                FRONT,
-                Figure.of(
-                        "Coverage of the best layouts versus their cost, and the most that any layout could cover.",
-                        Charts.picture(new FrontPicture(results.front()).chart())));
         if (results.fields().isPresent()) {
             LayoutFields fields = results.fields().get();
             int[] ground = MapSheet.ground(stage.world(), results.best().grid());

@@ -1,26 +1,20 @@
 package org.dronewatch.report.placement;
 
-import static org.dronewatch.report.html.ReadableNumbers.number;
-
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldTerms;
-import org.dronewatch.analysis.field.HeightSummary;
-import org.dronewatch.placement.site.AirSettings;
 import org.dronewatch.placement.site.FrontPoint;
-import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.site.SiteCandidate;
-import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.report.coverage.Losses;
+import org.dronewatch.report.Charts;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
@@ -31,18 +25,41 @@ import org.dronewatch.setting.Counted;
 
 /** The best layout for those who decide: what to buy, what more money buys, and what changes on the site. */
 final class PlaceReport {
+    private static final String FRONT = "front.png";
+
     private final PlaceResults results;
-    private final SitePlacement best;
+    private final PlacedLayout best;
     private final PlacePlan plan;
     private final Stage stage;
+    private final PlaceMeasure measure;
     private final PlaceWords words;
+    private final PlaceChapter chapter;
 
-    PlaceReport(PlaceResults results, Stage stage) {
+    /**
+     * A report.
+     *
+     * @param stage the site
+     */
+    PlaceReport(PlaceResults results, Stage stage) throws IOException {
         this.results = results;
         this.best = results.best();
         this.plan = best.plan();
         this.stage = stage;
+        this.measure = results.measure();
         this.words = new PlaceWords(results);
+        this.chapter = results.chapter(stage);
+    }
+
+    /** The pictures by the names of their files: the plot of value over cost, and those of the objective. */
+    Map<String, Figure> pictures() throws IOException {
+        Map<String, Figure> pictures = new LinkedHashMap<>();
+        pictures.put(
+                FRONT,
+                Figure.of(
+                        "What the best layouts are worth versus their cost, and the most that any layout could reach.",
+                        Charts.picture(new FrontPicture(results.front(), measure).chart())));
+        pictures.putAll(chapter.pictures());
+        return pictures;
     }
 
     /**
@@ -56,17 +73,14 @@ final class PlaceReport {
             throws IOException {
         String scene = plan.scene().name();
         Page page = new Page(target, scene + ": placement report", scene + ": the best layout for the money");
-        page.verdict(words.verdict());
+        page.verdict((words.verdict() + " " + chapter.verdict()).strip());
         if (!results.complete()) {
             page.warning("the search was interrupted: this is the best layout so far");
         }
         page.section("What to buy", purchases());
-        page.section("What more money buys", front() + figures(pictures, name -> name.startsWith("front")));
-        if (results.fields().isPresent()) {
-            LayoutFields fields = results.fields().get();
-            page.section("Coverage by height", byHeight(fields));
-            page.section("If a sensor fails", new Losses(fields.layout()).html());
-            page.section("Maps", figures(pictures, shown(fields)));
+        page.section("What more money buys", front() + figures(pictures, FRONT::equals));
+        for (PlaceChapter.Section section : chapter.sections()) {
+            page.section(section.title(), section.html());
         }
         SensorTables sensors = new SensorTables(layout);
         page.section("Sensors of the layout", sensors.sensors());
@@ -85,102 +99,71 @@ final class PlaceReport {
     private String purchases() {
         List<String> head = List.of(
                 "sensor", "kind", "east, north, up [m]", "azimuth", words.priced("cost"), "sum", "alone", "together");
+        PlaceTable table = new PlaceTable(best, measure);
         List<List<String>> rows = new ArrayList<>();
+        boolean isOrdered = !best.purchases().isEmpty();
         best.chosen().stream()
-                .filter(sensor -> sensor.candidate().fixed())
-                .forEach(sensor -> rows.add(row(sensor, "kept", "", "")));
+                .filter(sensor -> !isOrdered || sensor.candidate().fixed())
+                .forEach(sensor -> rows.add(row(
+                        table,
+                        sensor,
+                        sensor.candidate().fixed()
+                                ? "kept"
+                                : PlaceWords.money(sensor.candidate().cost()),
+                        "",
+                        "")));
         for (PlaceStep step : best.purchases()) {
             SiteCandidate sensor = PlaceTable.added(step, best);
             rows.add(row(
+                    table,
                     sensor,
                     PlaceWords.money(sensor.candidate().cost()),
                     PlaceWords.money(step.cost()),
-                    FrontWords.percent(step.value())));
+                    measure.text(step.value())));
         }
         return Html.plain(
                         "p",
-                        "The sensors in the order in which to buy them: each time the one that adds most for its price."
-                                + " 'Alone' is the part of the airspace that a sensor covers by itself, 'together' what all"
-                                + " sensors so far cover.")
+                        "The sensors in the order in which to buy them: each time the one that adds most for its price. "
+                                + measure.columns())
                 + Html.table(head, rows);
     }
 
-    private List<String> row(SiteCandidate sensor, String cost, String sum, String together) {
-        OptionalDouble azimuth = PlaceTable.azimuth(sensor);
+    private static List<String> row(PlaceTable table, SiteCandidate sensor, String cost, String sum, String together) {
         return List.of(
                 sensor.name(),
                 sensor.sensor().kind(),
                 PlaceTable.position(sensor),
-                azimuth.isPresent() ? PlaceTable.text("%.0f°", azimuth.getAsDouble()) : "-",
+                PlaceTable.azimuthInWords(sensor),
                 cost,
                 sum,
-                FrontWords.percent(best.alone(sensor)),
+                table.alone(sensor),
                 together);
     }
 
     private String front() {
+        FrontWords front = new FrontWords(measure);
         List<List<String>> rows = new ArrayList<>();
         double before = Double.NaN;
-        for (FrontPoint point : results.front().points()) {
+        for (FrontPoint<? extends PlacedLayout> point : results.front().points()) {
             rows.add(List.of(
                     PlaceWords.money(point.cost()),
                     Double.isNaN(before) ? "-" : PlaceWords.money(point.cost() - before),
-                    FrontWords.percent(point.layout().value()),
-                    FrontWords.percent(point.layout().bound()),
-                    FrontWords.change(point)));
+                    measure.text(point.layout().value()),
+                    measure.text(point.layout().bound()),
+                    front.change(point)));
             before = point.cost();
         }
         return Html.plain(
                         "p",
                         "Each row is the best layout that was found for its cost, in a separate search; a dearer layout"
                                 + " need not contain a cheaper one. 'At most' is what no layout for that money can exceed."
-                                + " The change states what is bought, and where most is gained: the direction from the"
-                                + " middle of the area, and the heights.")
-                + Html.table(List.of(words.priced("cost"), "more", "covered", "at most", "change"), rows);
+                                + " The change states what is bought, and where most is gained, seen from the middle of the"
+                                + " area.")
+                + Html.table(List.of(words.priced("cost"), "more", measure.heading(), "at most", "change"), rows);
     }
 
-    private String byHeight(LayoutFields fields) {
-        List<List<String>> rows = new ArrayList<>();
-        for (int height = 0; height < fields.layout().heights().size(); height++) {
-            HeightSummary its = fields.layout().heights().get(height);
-            List<String> row = new ArrayList<>(List.of(number(its.height()) + " m"));
-            if (fields.present().isPresent()) {
-                row.addAll(figures(fields.present().get().heights().get(height)));
-            }
-            row.addAll(figures(its));
-            rows.add(row);
-        }
-        List<String> head = new ArrayList<>(List.of("height"));
-        for (String of : fields.present().isPresent() ? List.of("today: ", "layout: ") : List.of("")) {
-            head.addAll(List.of(of + "covered [%]", of + "after the worst loss [%]", of + "largest gap [ha]"));
-        }
-        return Html.plain(
-                        "p",
-                        "The coverage" + FieldsTable.heading(fields)
-                                + ", in % of the known area at each height; after the loss of the sensor that matters most"
-                                + " there; and the largest gap. " + FieldsTable.worstPlace(fields.layout()))
-                + Html.table(head, rows)
-                + Html.plain(
-                        "p",
-                        "The command 'coverage layout.yaml " + SameCoverage.options(best)
-                                + "' gives the figures of the layout, and the reasons for its gaps.");
-    }
-
-    private static List<String> figures(HeightSummary height) {
-        HeightFigures figures = new HeightFigures(height);
-        return List.of(figures.covered(), figures.afterNamedLoss(), figures.largestGap());
-    }
-
-    /** What changes at each height, and both layouts where the best covers least. */
-    private Predicate<String> shown(LayoutFields fields) {
-        String worst = PlacePictures.name("", PlaceWords.leastCovered(fields).height());
-        boolean isAlone = fields.present().isEmpty();
-        return name -> name.startsWith("change")
-                || name.startsWith("layout") && (isAlone || name.endsWith(worst))
-                || name.startsWith("today") && name.endsWith(worst);
-    }
-
-    private static String figures(Map<String, Figure> pictures, Predicate<String> isShown) {
+    /** Those of the pictures whose file has such a name, with their captions. */
+    static String figures(Map<String, Figure> pictures, Predicate<String> isShown) {
         return pictures.entrySet().stream()
                 .filter(picture -> isShown.test(picture.getKey()))
                 .map(picture ->
@@ -188,24 +171,19 @@ final class PlaceReport {
                 .collect(Collectors.joining());
     }
 
+    /** How the drone flies, and where sensors on positioners point, where it flies level. */
+    static String flight(PlacePlan plan) {
+        return "Only the drone '" + plan.drone() + "' flies, level and at its cruise speed; sensors on positioners "
+                + (plan.settings().air().terms().pointing() == FieldTerms.Turning.CUED
+                        ? "have turned to it."
+                        : "search for it.");
+    }
+
     private List<String> scope(SensorTables sensors) {
-        FieldGrid grid = best.grid();
-        AirSettings air = plan.settings().air();
         List<String> items = new ArrayList<>();
         items.add("Only the candidates of the placement file were compared: "
                 + Counted.of(plan.candidates().size(), "candidate") + ".");
-        items.add("The airspace is "
-                + air.area().map(name -> "that over '" + name + "', in ").orElse("")
-                + "a square of " + number(grid.columns() * grid.cell()) + " m in cells of " + number(grid.cell())
-                + " m, at heights of "
-                + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
-                + " m above the ground: what is smaller than a cell may be missed.");
-        items.add(
-                best.headings() > 1
-                        ? "Unless stated otherwise, each of eight headings of the drone counts as an eighth of a cell."
-                        : "The drone flies towards the protected zone.");
-        items.add("Only the drone '" + plan.drone() + "' flies, level and at its cruise speed; sensors on positioners "
-                + (air.terms().pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
+        items.addAll(chapter.scope());
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());
         items.addAll(stage.credits());

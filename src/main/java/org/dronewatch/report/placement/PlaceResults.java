@@ -1,27 +1,39 @@
 package org.dronewatch.report.placement;
 
-import java.util.Optional;
+import java.io.IOException;
+import java.util.List;
 import org.dronewatch.placement.site.BudgetFront;
-import org.dronewatch.placement.site.LayoutFields;
-import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.run.Stage;
+import tools.jackson.databind.node.ObjectNode;
 
-/**
- * What a placement found.
- *
- * @param front best layouts for several budgets
- * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
- *     was interrupted before they were assessed
- */
-public record PlaceResults(BudgetFront front, Optional<LayoutFields> fields) {
+/** What a placement found on one objective, as it is printed and written. */
+public interface PlaceResults {
+    /** The best layouts for several budgets. */
+    BudgetFront<? extends PlacedLayout> front();
+
     /** The best layout for the whole budget. */
-    public SitePlacement best() {
-        return front.best();
+    default PlacedLayout best() {
+        return front().best();
     }
 
     /** Whether nothing is missing. */
-    public boolean complete() {
-        return best().complete()
-                && front.complete()
-                && (fields.isPresent() || best().chosen().isEmpty());
-    }
+    boolean complete();
+
+    /** What the values of the objective are, in words. */
+    PlaceMeasure measure();
+
+    /** The results as tables and in words, in lines. */
+    List<String> lines();
+
+    /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
+    ObjectNode toJson();
+
+    /**
+     * What the report says about this objective, with its pictures, drawn on the
+     * {@link org.dronewatch.parallel.Workers} of the calling thread.
+     *
+     * @param stage the site
+     */
+    PlaceChapter chapter(Stage stage) throws IOException;
 }

@@ -6,146 +6,109 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.placement.site.SiteCandidate;
-import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.setting.Counted;
 
-/** The best layout as tables and in words. */
-public final class PlaceTable {
+/** The best layout as a table, in the order in which its sensors are best bought. */
+final class PlaceTable {
     private static final String ROW = "%-24s  %-8s  %24s  %7s  %10s  %10s  %7s  %8s";
+    private static final String NONE = "-";
     private static final double FULL_TURN = 360.0;
 
-    private PlaceTable() {}
+    private final PlacedLayout layout;
+    private final PlaceMeasure measure;
 
-    /**
-     * The sensors in the order in which they are best bought, the coverage in words, what each step of the budget buys,
-     * and the coverage at each height beside that of the scene's own sensors.
-     */
-    public static List<String> lines(PlaceResults results) {
-        SitePlacement best = results.best();
-        List<String> lines = new ArrayList<>(sensors(best));
-        lines.add("");
-        lines.addAll(sentences(results));
-        if (results.front().points().size() > 1) {
-            lines.add("");
-            lines.addAll(FrontWords.lines(results.front()));
+    PlaceTable(PlacedLayout layout, PlaceMeasure measure) {
+        this.layout = layout;
+        this.measure = measure;
+    }
+
+    /** A heading and a line for each sensor. */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        lines.add("best layout from " + Counted.of(layout.plan().candidates().size(), "candidate")
+                + " for a budget of " + Numbers.text(layout.plan().settings().budget()) + measure.purpose()
+                + ", in the order in which to buy:");
+        lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
+        for (SiteCandidate sensor : unordered()) {
+            lines.add(row(sensor, sensor.candidate().fixed() ? "kept" : cost(sensor), NONE, NONE));
         }
-        results.fields().ifPresent(fields -> {
-            lines.add("");
-            lines.addAll(FieldsTable.lines(fields, best));
-        });
+        for (PlaceStep step : layout.purchases()) {
+            SiteCandidate sensor = added(step, layout);
+            lines.add(row(sensor, cost(sensor), Numbers.text(step.cost()), measure.text(step.value())));
+        }
         return lines;
     }
 
-    private static List<String> sensors(SitePlacement placement) {
-        List<String> lines = new ArrayList<>();
-        lines.add("best layout from " + Counted.of(placement.plan().candidates().size(), "candidate")
-                + " for a budget of " + Numbers.text(placement.plan().settings().budget())
-                + ", in the order in which to buy:");
-        lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
-        placement.chosen().stream()
-                .filter(sensor -> sensor.candidate().fixed())
-                .forEach(sensor -> lines.add(row(sensor, "kept", "-", placement, "-")));
-        for (PlaceStep step : placement.purchases()) {
-            lines.add(row(
-                    added(step, placement),
-                    Numbers.text(added(step, placement).candidate().cost()),
-                    Numbers.text(step.cost()),
-                    placement,
-                    FrontWords.percent(step.value())));
-        }
-        return lines;
+    /** The sensors that are kept, or all if the order in which to buy them is not known. */
+    private List<SiteCandidate> unordered() {
+        boolean isOrdered = !layout.purchases().isEmpty();
+        return layout.chosen().stream()
+                .filter(sensor -> !isOrdered || sensor.candidate().fixed())
+                .toList();
     }
 
     /** The sensor that is bought in a step. */
-    static SiteCandidate added(PlaceStep step, SitePlacement placement) {
-        return placement.chosen().stream()
+    static SiteCandidate added(PlaceStep step, PlacedLayout layout) {
+        return layout.chosen().stream()
                 .filter(one -> one.name().equals(step.added()))
                 .findFirst()
                 .orElseThrow();
     }
 
-    /** What the layout covers, compared with the best possible, with today's sensors, and after a loss. */
-    static List<String> sentences(PlaceResults results) {
-        SitePlacement placement = results.best();
-        List<String> lines = new ArrayList<>(List.of(worth(placement)));
-        byCondition(placement).ifPresent(lines::add);
-        results.fields().ifPresent(fields -> lines.add(together(fields, placement)));
-        placement
-                .present()
-                .ifPresent(own ->
-                        lines.add("The scene's own " + Counted.of(own.sensors(), "sensor covers ", "sensors cover ")
-                                + FrontWords.percent(own.value())
-                                + "."));
-        worstLoss(placement).ifPresent(lines::add);
-        return lines;
+    /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
+    Optional<String> present() {
+        return layout.present()
+                .map(own ->
+                        "The scene's own " + counted(own) + " " + measure.claim(own.sensors() == 1, own.value()) + ".");
     }
 
-    /** What the layout covers under each condition; empty without conditions. */
-    private static Optional<String> byCondition(SitePlacement placement) {
-        Map<String, Double> fractions = placement.byCondition();
-        if (fractions.isEmpty()) {
-            return Optional.empty();
-        }
-        StringBuilder text =
-                new StringBuilder("In the scene as it is, it covers ").append(FrontWords.percent(placement.asItIs()));
-        fractions.forEach((name, fraction) -> text.append("; under the condition '")
-                .append(name)
-                .append("', ")
-                .append(FrontWords.percent(fraction)));
-        return Optional.of(text.append(". The least of these counts.").toString());
+    /** {@code 4 sensors}. */
+    static String counted(PresentLayout own) {
+        return Counted.of(own.sensors(), "sensor");
     }
 
-    private static String together(LayoutFields fields, SitePlacement placement) {
-        if (fields.heading() == FieldHeading.INBOUND) {
-            return "All figures are for flight towards the protected zone.";
-        }
-        int fold = placement.plan().settings().conditions().fold();
-        return "On the heading that is worst in each cell, the layout covers "
-                + FrontWords.percent(LayoutFields.share(fields.layout(), fold)) + " of the known cells.";
-    }
-
-    /** What remains without the sensor whose loss is worst; empty without a sensor. */
-    static Optional<String> worstLoss(SitePlacement placement) {
-        return placement.withoutEach().entrySet().stream()
+    /** What remains without the sensor whose loss is worst, in a sentence; empty if it is not known. */
+    Optional<String> worstLoss() {
+        return layout.withoutEach().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
-                .map(worst -> "Without " + worst.getKey() + ", whose loss is worst, the layout covers "
-                        + FrontWords.percent(worst.getValue()) + ".");
+                .map(worst -> "Without " + worst.getKey() + ", whose loss is worst, the layout "
+                        + measure.claim(true, worst.getValue()) + ".");
     }
 
-    private static String worth(SitePlacement placement) {
-        int fold = placement.plan().settings().conditions().fold();
-        String covered = "The layout covers " + FrontWords.percent(placement.value()) + " of the airspace"
-                + (fold > 1 ? " with " + fold + " sensors or more" : "") + " ("
-                + Counted.of(placement.cells(), "cell")
-                + (placement.headings() > 1 ? ", " + placement.headings() + " headings)" : ")") + " for "
-                + Numbers.text(placement.result().cost());
-        boolean isBest = placement.value() == placement.bound();
-        return covered
-                + (isBest
-                        ? "; no layout within the budget covers more."
-                        : "; no layout within the budget covers more than " + FrontWords.percent(placement.bound())
-                                + ".");
-    }
-
-    private static String row(SiteCandidate sensor, String cost, String sum, SitePlacement placement, String value) {
-        OptionalDouble azimuth = azimuth(sensor);
+    private String row(SiteCandidate sensor, String cost, String sum, String value) {
         return text(
                 ROW,
                 sensor.name(),
                 sensor.sensor().kind(),
                 position(sensor),
-                azimuth.isPresent() ? text("%.0f°", azimuth.getAsDouble()) : "-",
+                azimuthInWords(sensor),
                 cost,
                 sum,
-                FrontWords.percent(placement.alone(sensor)),
+                alone(sensor),
                 value);
+    }
+
+    private static String cost(SiteCandidate sensor) {
+        return Numbers.text(sensor.candidate().cost());
+    }
+
+    /** The value of a sensor by itself; a dash if it is not known. */
+    String alone(SiteCandidate sensor) {
+        OptionalDouble alone = layout.alone(sensor);
+        return alone.isPresent() ? measure.text(alone.getAsDouble()) : NONE;
+    }
+
+    /** The direction in which a sensor is aimed: {@code 90°}; a dash if it has no aim. */
+    static String azimuthInWords(SiteCandidate sensor) {
+        OptionalDouble azimuth = azimuth(sensor);
+        return azimuth.isPresent() ? text("%.0f°", azimuth.getAsDouble()) : NONE;
     }
 
     /** The direction in which a sensor is aimed, from north towards east, deg; empty if it has no aim. */

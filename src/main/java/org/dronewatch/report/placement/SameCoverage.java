@@ -3,26 +3,31 @@ package org.dronewatch.report.placement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.placement.site.AirSettings;
-import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.site.PlacedLayout;
 
 /** The options with which {@code coverage} assesses the scene of a layout in the same cells and on the same terms. */
 final class SameCoverage {
+    /** A coordinate of less is 0, m. */
+    private static final double NOTHING = 1e-9;
+
     private SameCoverage() {}
 
     /** The options in one line. */
-    static String options(SitePlacement placement) {
+    static String options(PlacedLayout placement) {
         AirSettings air = placement.plan().settings().air();
         FieldGrid grid = placement.grid();
         List<String> words = new ArrayList<>();
         if (air.area().isPresent()) {
             words.add("--area " + air.area().get());
         } else {
-            words.add("--centre=" + exact(grid.east()) + "," + exact(grid.north()));
+            words.add("--centre=" + metres(grid.east()) + "," + metres(grid.north()));
             words.add("--side " + exact(grid.side()));
         }
         words.add("--cell " + exact(grid.cell()));
@@ -38,19 +43,26 @@ final class SameCoverage {
         if (air.pointing().filter(FieldTerms.Turning.SEARCH::equals).isPresent()) {
             words.add("--pointing " + FieldTerms.Turning.SEARCH.name().toLowerCase(Locale.ROOT));
         }
-        if (!placement
-                .plan()
-                .drone()
-                .equals(placement.plan().present().individualDrones().keySet().stream()
-                        .findFirst()
-                        .orElse(""))) {
-            words.add("--drone " + placement.plan().drone());
-        }
+        drone(placement.plan()).ifPresent(words::add);
         return String.join(" ", words);
     }
 
+    /** The option for the drone; empty if it is the first of the scene, which needs none. */
+    static Optional<String> drone(PlacePlan plan) {
+        boolean isFirst = plan.present().individualDrones().keySet().stream()
+                .findFirst()
+                .filter(plan.drone()::equals)
+                .isPresent();
+        return isFirst ? Optional.empty() : Optional.of("--drone " + plan.drone());
+    }
+
+    /** A coordinate, without what rounding has left of 0. */
+    private static String metres(double coordinate) {
+        return exact(Math.abs(coordinate) < NOTHING ? 0.0 : coordinate);
+    }
+
     /** All digits that are needed for the same number. */
-    private static String exact(double value) {
+    static String exact(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e15
                 ? String.format(Locale.ROOT, "%d", (long) value)
                 : Double.toString(value);

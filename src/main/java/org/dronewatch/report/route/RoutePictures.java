@@ -13,13 +13,14 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.run.Stage;
 
 /** The plan of a site with its weakest routes, coloured by how exposed the drone is on them. */
-final class RoutePictures {
+public final class RoutePictures {
     private static final Color ZONE = new Color(0x0b3d91);
 
     private final Stage stage;
     private final RouteInputs inputs;
 
-    RoutePictures(Stage stage, RouteInputs inputs) {
+    /** The plan of a search. */
+    public RoutePictures(Stage stage, RouteInputs inputs) {
         this.stage = stage;
         this.inputs = inputs;
     }
@@ -29,7 +30,7 @@ final class RoutePictures {
      *
      * @param ground as {@link MapSheet#ground} gives it
      */
-    MapSheet plan(RouteSurvey survey, int[] ground) {
+    public MapSheet plan(RouteSurvey survey, int[] ground) {
         MapSheet sheet = new MapSheet(inputs.grid());
         sheet.drawMap(
                 ground, (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.25), inputs.sensors());

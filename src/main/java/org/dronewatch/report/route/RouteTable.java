@@ -53,10 +53,17 @@ public final class RouteTable {
             lines.addAll(proofs(results));
         }
         lines.add("");
-        lines.add(new RouteWords(inputs).weakest(results));
+        lines.addAll(summary(results, inputs));
+        return lines;
+    }
+
+    /** The weakest of all routes in words, and what limits these figures: a line for each sentence. */
+    public static List<String> summary(RouteResults results, RouteInputs inputs) {
         RouteNotes notes = new RouteNotes(inputs);
+        List<String> lines = new ArrayList<>();
+        lines.add(new RouteWords(inputs).weakest(results));
         lines.addAll(notes.notes(results));
-        notes.warnings(survey).forEach(text -> lines.add("warning: " + text));
+        notes.warnings(results.survey()).forEach(text -> lines.add("warning: " + text));
         return lines;
     }
 

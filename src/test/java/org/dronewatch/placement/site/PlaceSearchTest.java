@@ -96,8 +96,8 @@ class PlaceSearchTest {
         CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
         SitePlacement whole =
                 new PlaceSearch(plan, cells, new ExactSolver()).found(SolverLimits.NONE, some -> {}, () -> {});
-        BudgetFront front =
-                new FrontSearch(cells, new ExactSolver()).found(whole, budgets, SolverLimits.NONE, some -> {});
+        BudgetFront<SitePlacement> front = new FrontSearch<>(new CheaperCoverage(whole, cells, new ExactSolver()))
+                .found(budgets, SolverLimits.NONE, some -> {});
         countAll(plan, whole);
         List<Double> asked = BudgetSteps.below(
                 whole.result().cost(), budgets - 1, whole.problem().table().candidates());
@@ -114,7 +114,7 @@ class PlaceSearchTest {
         assertThat(front.best().value()).isEqualTo(whole.value());
         assertThat(front.points()).hasSameSizeAs(bests).hasSizeGreaterThan(2);
         for (int at = 0; at < bests.size(); at++) {
-            FrontPoint point = front.points().get(at);
+            FrontPoint<SitePlacement> point = front.points().get(at);
             assertThat(point.layout().value()).isCloseTo(bests.get(at), within(1e-12));
             assertThat(point.layout().bound()).isEqualTo(point.layout().value());
             assertThat(point.cost()).isLessThanOrEqualTo(point.budget());
@@ -134,7 +134,7 @@ class PlaceSearchTest {
     }
 
     /** What a step adds and removes turns the previous layout into this one; the part that gains is counted anew. */
-    private static void assertGain(FrontPoint point, List<SiteCandidate> before, CoveredCells cells) {
+    private static void assertGain(FrontPoint<SitePlacement> point, List<SiteCandidate> before, CoveredCells cells) {
         List<String> names =
                 new ArrayList<>(before.stream().map(SiteCandidate::name).toList());
         names.removeAll(point.removed());
@@ -287,8 +287,8 @@ class PlaceSearchTest {
         assertThat(byName.get("eye-1-quick").candidate().cost()).isEqualTo(3.5);
         assertThat(byName.get("eye-1-quick").candidate().kind()).isEqualTo("eye");
         SitePlacement placement = found(plan);
-        double turning = placement.alone(byName.get("eye-1-quick"));
-        double ahead = placement.alone(byName.get("eye-1-0"));
+        double turning = placement.alone(byName.get("eye-1-quick")).orElseThrow();
+        double ahead = placement.alone(byName.get("eye-1-0")).orElseThrow();
         assertThat(turning).isGreaterThan(2.0 * ahead);
         SceneSettings layout =
                 Layout.of(plan, List.of(byName.get("radar-2"), byName.get("radio-1"), byName.get("eye-1-slow")));
@@ -364,7 +364,9 @@ class PlaceSearchTest {
         assertThat(placement.complete()).isFalse();
         assertThat(placement.value()).isPositive();
         assertThat(placement.bound()).isEqualTo(1.0);
-        assertThat(placement.chosen()).isNotEmpty().allMatch(one -> placement.alone(one) > 0.0);
+        assertThat(placement.chosen())
+                .isNotEmpty()
+                .allMatch(one -> placement.alone(one).orElseThrow() > 0.0);
     }
 
     @Test

@@ -1,7 +1,6 @@
 package org.dronewatch.placement.site;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -22,9 +21,7 @@ import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -102,6 +99,9 @@ class WarningSearchTest {
             }
         }
 
+        if (remaining == 0.0) {
+            assertFront(placement, warnings);
+        }
         assertThat(best).isBetween(1.0, 0.95 * placement.longest());
         assertThat(placement.complete()).isTrue();
         assertThat(placement.value()).isCloseTo(best, within(1e-9));
@@ -110,14 +110,32 @@ class WarningSearchTest {
         assertThat(warning(plan, stage, placement, placement.result().chosen())).isCloseTo(best, within(1e-9));
     }
 
-    @Test
-    void whatCannotRemainAfterALossIsStated() throws IOException {
-        PlacePlan plan = plan("warning: worst\nbudget: 0\nconditions: {anyoneLost: {warning: 30 s}}\n");
-        Stage stage = plan.runner().stage(plan.present());
-        WarningSearch search = new WarningSearch(plan, stage, LayerStore.NONE, new ExactSolver());
-
-        assertThatThrownBy(() -> search.found(SolverLimits.NONE, cells -> {}, () -> {}))
-                .isInstanceOf(InputException.class)
-                .hasMessageEndingWith(", and a warning of 30 s after the loss of any one");
+    /** Each layout of the front is the best of all for its cost, and its gain is where flights are seen earlier. */
+    private static void assertFront(WarningPlacement whole, double[] warnings) {
+        PlacePlan plan = whole.plan();
+        BudgetFront<WarningPlacement> front = new FrontSearch<>(new CheaperWarnings(whole, new ExactSolver()))
+                .found(FrontSearch.MOST, SolverLimits.NONE, budget -> {});
+        assertThat(front.complete()).isTrue();
+        assertThat(front.best().value()).isEqualTo(whole.value());
+        assertThat(front.points()).hasSizeGreaterThan(1);
+        for (FrontPoint<WarningPlacement> point : front.points()) {
+            double most = 0.0;
+            for (int choice = 0; choice < warnings.length; choice++) {
+                int all = choice;
+                double cost = IntStream.range(0, plan.candidates().size())
+                        .filter(one -> (all >> one & 1) == 1)
+                        .mapToDouble(
+                                one -> plan.candidates().get(one).candidate().cost())
+                        .sum();
+                most = cost <= point.cost() ? Math.max(most, warnings[choice]) : most;
+            }
+            assertThat(point.layout().value()).isCloseTo(most, within(1e-9));
+            assertThat(point.layout().bound())
+                    .isGreaterThanOrEqualTo(point.layout().value());
+            assertThat(point.gain()).hasValueSatisfying(gain -> {
+                assertThat(gain.after()).isGreaterThan(gain.before());
+                assertThat(gain.after()).isLessThanOrEqualTo(whole.longest());
+            });
+        }
     }
 }

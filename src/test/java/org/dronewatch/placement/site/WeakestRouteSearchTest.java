@@ -81,12 +81,12 @@ class WeakestRouteSearchTest {
         DetectionField field = FieldAssessment.of(
                 scene,
                 stage,
-                FieldSite.DRONE,
+                plan.drone(),
                 placement.grid(),
-                Course.all(sensors, DetectionField.droneOf(stage, FieldSite.DRONE)),
+                Course.all(sensors, DetectionField.droneOf(stage, plan.drone())),
                 FieldTerms.ONE_LOOK.withPointing(FieldTerms.Turning.SEARCH),
                 cells -> {});
-        SiteRoutes routes = SiteRoutes.of(field, scene, stage, FieldSite.DRONE);
+        SiteRoutes routes = SiteRoutes.of(field, scene, stage, plan.drone());
         return IntStream.range(0, SiteRoutes.SECTORS)
                 .mapToObj(routes::from)
                 .flatMap(Optional::stream)
@@ -126,8 +126,44 @@ class WeakestRouteSearchTest {
         assertThat(placement.result().value()).isCloseTo(best, within(0.01 * best));
         assertThat(placement.result().bound()).isBetween(placement.result().value(), 1.01 * best);
         assertThat(placement.lower()).isBetween(0.0, placement.result().value());
+        if (remaining == 0.0) {
+            assertFront(plan, exposures);
+        }
         double promised = exposure(plan, placement, stage, placement.result().chosen());
         assertThat(placement.result().value()).isCloseTo(promised, within(1e-3 * promised));
+    }
+
+    /** Each layout of the front is the best of all for its cost, and there is one as good for each cost. */
+    private static void assertFront(PlacePlan plan, double[] exposures) {
+        Stage stage = plan.runner().stage(plan.present());
+        RouteLayouts layouts =
+                new WeakestRouteSearch(plan, stage, LayerStore.NONE, new ExactSolver()).assessed(cells -> {});
+        RoutePlacement whole = layouts.found(SolverLimits.NONE, round -> {});
+        BudgetFront<RoutePlacement> front =
+                new FrontSearch<>(layouts.cheaper(whole)).found(FrontSearch.MOST, SolverLimits.NONE, budget -> {});
+        assertThat(front.complete()).isTrue();
+        assertThat(front.best().value()).isEqualTo(whole.value());
+        assertThat(front.best().withoutEach()).hasSameSizeAs(front.best().chosen());
+        for (double budget = 1.0; budget <= plan.settings().budget(); budget++) {
+            double most = 0.0;
+            for (int choice = 0; choice < exposures.length; choice++) {
+                double cost = chosen(plan, choice).stream()
+                        .mapToDouble(
+                                one -> plan.candidates().get(one).candidate().cost())
+                        .sum();
+                most = cost <= budget ? Math.max(most, exposures[choice]) : most;
+            }
+            double limit = budget;
+            double best = front.points().stream()
+                    .filter(point -> point.cost() <= limit)
+                    .mapToDouble(point -> point.layout().value())
+                    .max()
+                    .orElse(0.0);
+            assertThat(best).isCloseTo(most, within(0.01 * most));
+            front.points().stream().filter(point -> point.cost() <= limit).forEach(point -> assertThat(
+                            point.layout().bound())
+                    .isGreaterThanOrEqualTo(point.layout().value()));
+        }
     }
 
     /** Each objective's layout is better on it than that of the other: the best coverage leaves a weaker route. */
@@ -154,6 +190,48 @@ class WeakestRouteSearchTest {
         double coveredOfOther = coverage.problem().value(routes.result().chosen());
         assertThat(exposed).isGreaterThan(1.1 * exposedOfOther);
         assertThat(covered).isGreaterThan(coveredOfOther);
+    }
+
+    /** On a packaged scene: each objective's layout is no worse on its own, and better on at least one. */
+    @Test
+    void atThePalaceEachLayoutIsTheBetterOneOnItsOwnObjective() {
+        PlacePlan read = PlacePlan.read(Path.of("scenes", "palace.place.yaml"), runner -> {}, note -> {});
+        AirSettings air = SettingsForm.with(
+                read.settings().air(),
+                Map.of("side", Optional.of(1200.0), "cell", Optional.of(LongForm.IS_ON ? 40.0 : 100.0)));
+        PlacePlan over = with(read, air, PlaceObjective.COVERAGE);
+        PlacePlan against = with(read, air, PlaceObjective.WEAKEST_ROUTE);
+        Stage stage = over.runner().stage(over.present());
+        RoutePlacement routes = found(against);
+        SitePlacement coverage = new PlaceSearch(
+                        over, new CoveredCells(over, stage, LayerStore.NONE), new ExactSolver())
+                .found(SolverLimits.NONE, cells -> {}, () -> {});
+
+        double exposed = routes.value();
+        double exposedOfOther =
+                exposure(against, routes, stage, coverage.result().chosen());
+        double covered = coverage.result().value();
+        double coveredOfOther = coverage.problem().value(routes.result().chosen());
+        assertThat(exposed).isGreaterThanOrEqualTo(Math.min(exposedOfOther, WeakestRouteSearch.ENOUGH));
+        assertThat(covered).isGreaterThanOrEqualTo(coveredOfOther);
+        assertThat(exposed > 1.01 * exposedOfOther || covered > 1.01 * coveredOfOther)
+                .as("exposures %s and %s, covered %s and %s", exposed, exposedOfOther, covered, coveredOfOther)
+                .isTrue();
+    }
+
+    private static PlacePlan with(PlacePlan read, AirSettings air, PlaceObjective objective) {
+        PlaceSettings settings = SettingsForm.with(
+                read.settings(),
+                Map.of("objective", objective, "budget", 85_000.0, "air", air, "conditions", LayoutConditions.NONE));
+        return new PlacePlan(
+                settings,
+                read.scene(),
+                read.runner(),
+                read.present(),
+                read.drone(),
+                read.candidates(),
+                read.conditions(),
+                read.conditionsFile());
     }
 
     private static List<Integer> chosen(PlacePlan plan, int choice) {
@@ -183,7 +261,7 @@ class WeakestRouteSearchTest {
         assertThat(placement.result().bound())
                 .isGreaterThanOrEqualTo(placement.result().value());
         assertThat(placement.weakest().seconds()).isPositive();
-        assertThat(placement.front()).isEmpty();
+        assertThat(placement.purchases()).isEmpty();
     }
 
     @Test

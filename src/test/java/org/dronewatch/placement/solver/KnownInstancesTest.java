@@ -4,26 +4,32 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.util.ArrayList;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.dronewatch.LongForm;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.CandidateTable;
+import org.dronewatch.placement.CandidateTableReader;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementObjective;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.SolverLimits;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The solver on published instances; the README beside the files states their sources and optima. */
 class KnownInstancesTest {
+    @TempDir
+    private Path directory;
+
     /** J. E. Beasley, A note on solving large p-median problems (1985): optima of the OR-Library. */
     @ParameterizedTest
     @CsvSource({"pmed1.txt, 5819", "pmed2.txt, 4093", "pmed5.txt, 1355", "pmed10.txt, 1255"})
@@ -144,33 +150,25 @@ class KnownInstancesTest {
     @ParameterizedTest
     @CsvSource({"5, 12, 0.7, 1.4, 1.68", "3, 7, 1, 2, 2.33333333333", "4, 8, 0.3, 0.6, 0.6", "6, 5, 1, 0, 0.83333333333"
     })
-    void provesTheWeakestColumnOfACorridor(int width, int number, double exposure, double binary, double relaxed) {
-        List<Candidate> sensors = new ArrayList<>();
-        List<CandidateColumn> columns = new ArrayList<>();
+    void provesTheWeakestColumnOfACorridor(int width, int number, double exposure, double binary, double relaxed)
+            throws IOException {
+        StringBuilder candidates = new StringBuilder("name,cost\n");
+        StringBuilder values = new StringBuilder("row,candidate,value\n");
         for (int cell = 0; cell < width * (number / width + 1); cell++) {
-            sensors.add(new Candidate("cell " + cell, 1.0));
-            columns.add(column(new int[] {cell % width}, exposure));
+            candidates.append("cell ").append(cell).append(",1\n");
+            values.append("column ").append(cell % width).append(",cell ").append(cell);
+            values.append(',').append(exposure).append('\n');
         }
-        double[] weights = new double[width];
-        Arrays.fill(weights, 1.0);
-        CandidateTable table = new CandidateTable(sensors, columns, weights);
+        CandidateTable table = CandidateTableReader.read(
+                Files.writeString(directory.resolve("candidates.csv"), candidates),
+                Files.writeString(directory.resolve("values.csv"), values));
         PlacementConditions conditions = PlacementConditions.NONE.withAtMost(number);
         PlacementResult result = solve(table, PlacementObjective.WEAKEST_ROW, conditions, SolverLimits.NONE);
 
         assertThat(result.value()).isCloseTo(binary, within(1e-12));
         assertThat(result.bound()).isCloseTo(binary, within(1e-12));
-        assertThat(relaxed(new PlacementProblem(table, PlacementObjective.WEAKEST_ROW, conditions)))
+        assertThat(Relaxation.of(new PlacementProblem(table, PlacementObjective.WEAKEST_ROW, conditions)))
                 .isCloseTo(relaxed, within(1e-9));
-    }
-
-    /** The bound of the relaxation, before anything is decided. */
-    private static double relaxed(PlacementProblem problem) {
-        Gains gains = new Gains(problem);
-        Rules rules = new Rules(problem);
-        Incumbent none = new Incumbent(gains, rules, OptionalDouble.empty());
-        Dual dual = Dual.of(gains, rules);
-        return new Subgradient(dual, none, new Cutoff(gains, none, 0.0), chosen -> {}, () -> false)
-                .lowest(dual.start(new int[0]), new byte[rules.size], 500);
     }
 
     private static PlacementResult solve(

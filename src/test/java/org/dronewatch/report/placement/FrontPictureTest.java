@@ -10,12 +10,14 @@ import java.util.List;
 import org.dronewatch.analysis.field.LayerStore;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.CheaperCoverage;
 import org.dronewatch.placement.site.CoveredCells;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.PlaceSearch;
 import org.dronewatch.placement.site.PlacedSite;
+import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,11 +29,12 @@ class FrontPictureTest {
     @TempDir
     private Path directory;
 
-    private static BudgetFront front(Path file) {
+    private static BudgetFront<SitePlacement> front(Path file) {
         PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
         CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
         var whole = new PlaceSearch(plan, cells, new ExactSolver()).found(SolverLimits.NONE, some -> {}, () -> {});
-        return new FrontSearch(cells, new ExactSolver()).found(whole, 4, SolverLimits.NONE, some -> {});
+        return new FrontSearch<>(new CheaperCoverage(whole, cells, new ExactSolver()))
+                .found(4, SolverLimits.NONE, some -> {});
     }
 
     private static XYSeries series(XYChart chart, String name) {
@@ -46,10 +49,10 @@ class FrontPictureTest {
         Path file = PlacedSite.in(directory, "budget: 7\n");
         Path site = directory.resolve("site.yaml");
         Files.writeString(site, Files.readString(site) + "prices: {currency: CHF, sensors: {round: 9}}\n");
-        BudgetFront front = front(file);
-        XYChart chart = new FrontPicture(front).chart();
+        BudgetFront<SitePlacement> front = front(file);
+        XYChart chart = new FrontPicture(front, new ShareMeasure(1)).chart();
         XYSeries steps = series(chart, "best layouts");
-        List<FrontPoint> points = front.points();
+        List<FrontPoint<SitePlacement>> points = front.points();
 
         assertThat(points).hasSizeBetween(2, 4);
         assertThat(steps.getXData()).hasSize(2 * points.size()).isSorted();

@@ -1,0 +1,40 @@
+package org.dronewatch.placement.site;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.placement.SolverLimits;
+
+/**
+ * Finds layouts for less money than the best one, on one objective.
+ *
+ * @param <L> a layout on that objective
+ */
+public interface CheaperLayouts<L extends PlacedLayout> {
+    /** The best layout for the whole budget. */
+    L best();
+
+    /** The best layout for a lower budget; empty if none complies with the conditions, or the search is stopped. */
+    Optional<L> within(double budget, SolverLimits limits);
+
+    /** A layout with another bound, in the values of its result; none below its value. */
+    L bounded(L layout, double bound);
+
+    /** Where a layout is better than the one for less money; empty if it is better nowhere. */
+    Optional<SectorGain> gain(Optional<L> before, L after);
+
+    /** Adds what is only stated of the layout for the whole budget. */
+    default L described(L layout) {
+        return layout;
+    }
+
+    /**
+     * Calls an action for each of several budgets, in any order, on the {@link Workers} of the calling thread.
+     *
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    default void forEach(int budgets, IntConsumer action) {
+        Workers.forEach(budgets, action);
+    }
+}

@@ -1,0 +1,57 @@
+package org.dronewatch.placement.site;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.placement.PlacementResult;
+
+/**
+ * The best layout of a plan that was found, on any objective. Values are in the unit of the objective: fractions, times
+ * or exposures, of which more is better.
+ */
+public interface PlacedLayout {
+    /** What was asked for. */
+    PlacePlan plan();
+
+    /** The cells in which candidates were assessed. */
+    FieldGrid grid();
+
+    /** The result of the search, in the values of its problem. */
+    PlacementResult result();
+
+    /** The scene's own sensors; empty if it has none, or the search was interrupted before. */
+    Optional<PresentLayout> present();
+
+    /** Whether every candidate was assessed and the search ended by itself. */
+    boolean complete();
+
+    /** The value of the layout. */
+    double value();
+
+    /** The value that no layout within the budget exceeds. */
+    double bound();
+
+    /** The value of a chosen sensor by itself; empty if it was not computed. */
+    OptionalDouble alone(SiteCandidate sensor);
+
+    /** The value that remains without each of the sensors, by their names; empty if it was not computed. */
+    Map<String, Double> withoutEach();
+
+    /**
+     * The order in which the sensors are best bought, after those that are kept: each time the one that adds most for
+     * its price. Empty if it was not computed.
+     */
+    List<PlaceStep> purchases();
+
+    /** The sensors of the layout, in the order of the file. */
+    default List<SiteCandidate> chosen() {
+        return result().chosen().stream().map(plan().candidates()::get).toList();
+    }
+
+    /** By how much the bound exceeds the value, as a fraction of the value; infinite for a value of 0. */
+    default double gap() {
+        return bound() <= value() ? 0.0 : bound() / value() - 1.0;
+    }
+}

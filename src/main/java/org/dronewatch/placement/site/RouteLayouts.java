@@ -1,0 +1,157 @@
+package org.dronewatch.placement.site;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.parallel.Workers;
+import org.dronewatch.placement.PlacementConditions;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.solver.CutResult;
+import org.dronewatch.placement.solver.CuttingPlanes;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * The layouts of a plan against the weakest routes past them, once all candidates have been assessed: for the whole
+ * budget and, with the routes that were found for it, for lower ones. One thread at a time.
+ */
+public final class RouteLayouts {
+    private final PlacePlan plan;
+    private final RouteRows rows;
+    private final RouteFigures figures;
+    private final CuttingPlanes planes;
+
+    RouteLayouts(PlacePlan plan, FieldGrid grid, RouteRows rows, PlacementSolver solver) {
+        this.plan = plan;
+        this.rows = rows;
+        this.figures = new RouteFigures(plan, grid, rows);
+        this.planes = new CuttingPlanes(
+                plan.candidates().stream().map(SiteCandidate::candidate).toList(),
+                conditions(),
+                rows,
+                solver,
+                WeakestRouteSearch.ENOUGH);
+    }
+
+    private PlacementConditions conditions() {
+        PlacementConditions conditions = PlanConditions.of(plan);
+        return plan.settings()
+                .conditions()
+                .anyoneLost()
+                .map(loss ->
+                        conditions.withAnyoneLost(Math.min(WeakestRouteSearch.ENOUGH, -Math.log1p(-loss.fraction()))))
+                .orElse(conditions);
+    }
+
+    /**
+     * The best layout that is found; if this thread is interrupted, the best that was tried so far, and its interrupt
+     * status is kept.
+     *
+     * @param round receives the number of layouts that were tried so far
+     * @throws InputException when no layout complies with the conditions, or there is no route
+     * @throws CancellationException when this thread is interrupted before the first layout has been tried
+     */
+    public RoutePlacement found(SolverLimits limits, IntConsumer round) {
+        return figures.of(planes.solve(limits, round).orElseThrow(this::impossible));
+    }
+
+    private InputException impossible() {
+        return PlanConditions.impossible(
+                plan,
+                plan.settings()
+                        .conditions()
+                        .anyoneLost()
+                        .map(loss -> "a probability of detection of " + Quantity.NUMBER.inWords(loss.fraction())));
+    }
+
+    /**
+     * The search for cheaper layouts.
+     *
+     * @param best the layout for the whole budget that was found
+     */
+    public CheaperLayouts<RoutePlacement> cheaper(RoutePlacement best) {
+        return new Cheaper(best);
+    }
+
+    /** Layouts for less money, one after the other, since each knows the routes of those before. */
+    private final class Cheaper implements CheaperLayouts<RoutePlacement> {
+        private final RoutePlacement best;
+        private final Map<List<Integer>, CutResult> found = new HashMap<>();
+
+        Cheaper(RoutePlacement best) {
+            this.best = best;
+        }
+
+        @Override
+        public RoutePlacement best() {
+            return best;
+        }
+
+        @Override
+        public Optional<RoutePlacement> within(double budget, SolverLimits limits) {
+            return planes.within(budget).solve(limits, round -> {}).map(cut -> {
+                found.put(cut.result().chosen(), cut);
+                return figures.inBrief(cut);
+            });
+        }
+
+        @Override
+        public RoutePlacement bounded(RoutePlacement layout, double bound) {
+            return layout.within(bound);
+        }
+
+        @Override
+        public RoutePlacement described(RoutePlacement layout) {
+            CutResult cut = found.get(layout.result().chosen());
+            return cut == null || !layout.alone().isEmpty()
+                    ? layout
+                    : figures.of(cut).within(layout.bound());
+        }
+
+        @Override
+        public void forEach(int budgets, IntConsumer action) {
+            for (int budget = budgets - 1; budget >= 0; budget--) {
+                Workers.checkInterrupted();
+                action.accept(budget);
+            }
+        }
+
+        /** The direction from which the drone came least detected before; among equals, where most is gained. */
+        @Override
+        public Optional<SectorGain> gain(Optional<RoutePlacement> before, RoutePlacement after) {
+            if (before.isEmpty()) {
+                return Optional.empty();
+            }
+            Map<Integer, Double> has = new HashMap<>();
+            past(after).forEach(one -> has.put(one.sector(), detection(one)));
+            List<DirectedRoute> had = new ArrayList<>(past(before.get()));
+            had.removeIf(one -> !has.containsKey(one.sector()));
+            List<Double> heights = after.grid().heights();
+            return had.stream()
+                    .min(Comparator.comparingDouble(Cheaper::detection)
+                            .thenComparingDouble(one -> -has.get(one.sector())))
+                    .filter(one -> has.get(one.sector()) > detection(one))
+                    .map(one -> new SectorGain(
+                            one.bearing(),
+                            heights.get(0),
+                            heights.get(heights.size() - 1),
+                            detection(one),
+                            has.get(one.sector())));
+        }
+
+        private List<DirectedRoute> past(RoutePlacement layout) {
+            return rows.pastCandidates(layout.result().chosen());
+        }
+
+        private static double detection(DirectedRoute one) {
+            return RoutePlacement.detection(one.exposure());
+        }
+    }
+}

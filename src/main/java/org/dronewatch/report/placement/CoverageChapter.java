@@ -1,0 +1,104 @@
+package org.dronewatch.report.placement;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.placement.site.AirSettings;
+import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.report.coverage.Losses;
+import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.run.Stage;
+
+/** What the report says about the layout that covers the most air: coverage by height, losses and maps. */
+final class CoverageChapter {
+    private final CoveragePlaceResults results;
+    private final SitePlacement best;
+    private final Stage stage;
+
+    CoverageChapter(CoveragePlaceResults results, Stage stage) {
+        this.results = results;
+        this.best = results.best();
+        this.stage = stage;
+    }
+
+    PlaceChapter chapter() throws IOException {
+        Map<String, Figure> pictures = new PlacePictures(results, stage).all();
+        List<PlaceChapter.Section> sections = new ArrayList<>();
+        if (results.fields().isPresent()) {
+            LayoutFields fields = results.fields().get();
+            sections.add(new PlaceChapter.Section("Coverage by height", byHeight(fields)));
+            sections.add(new PlaceChapter.Section("If a sensor fails", new Losses(fields.layout()).html()));
+            sections.add(new PlaceChapter.Section("Maps", PlaceReport.figures(pictures, shown(fields))));
+        }
+        return new PlaceChapter(new CoverageSentences(results).leastCovered(), pictures, sections, scope());
+    }
+
+    private String byHeight(LayoutFields fields) {
+        List<List<String>> rows = new ArrayList<>();
+        for (int height = 0; height < fields.layout().heights().size(); height++) {
+            HeightSummary its = fields.layout().heights().get(height);
+            List<String> row = new ArrayList<>(List.of(number(its.height()) + " m"));
+            if (fields.present().isPresent()) {
+                row.addAll(figures(fields.present().get().heights().get(height)));
+            }
+            row.addAll(figures(its));
+            rows.add(row);
+        }
+        List<String> head = new ArrayList<>(List.of("height"));
+        for (String of : fields.present().isPresent() ? List.of("today: ", "layout: ") : List.of("")) {
+            head.addAll(List.of(of + "covered [%]", of + "after the worst loss [%]", of + "largest gap [ha]"));
+        }
+        return Html.plain(
+                        "p",
+                        "The coverage" + FieldsTable.heading(fields)
+                                + ", in % of the known area at each height; after the loss of the sensor that matters most"
+                                + " there; and the largest gap. " + FieldsTable.worstPlace(fields.layout()))
+                + Html.table(head, rows)
+                + Html.plain(
+                        "p",
+                        "The command 'coverage layout.yaml " + SameCoverage.options(best)
+                                + "' gives the figures of the layout, and the reasons for its gaps.");
+    }
+
+    private static List<String> figures(HeightSummary height) {
+        HeightFigures figures = new HeightFigures(height);
+        return List.of(figures.covered(), figures.afterNamedLoss(), figures.largestGap());
+    }
+
+    /** What changes at each height, and both layouts where the best covers least. */
+    private Predicate<String> shown(LayoutFields fields) {
+        String worst =
+                PlacePictures.name("", CoverageSentences.leastCovered(fields).height());
+        boolean isAlone = fields.present().isEmpty();
+        return name -> name.startsWith("change")
+                || name.startsWith("layout") && (isAlone || name.endsWith(worst))
+                || name.startsWith("today") && name.endsWith(worst);
+    }
+
+    private List<String> scope() {
+        FieldGrid grid = best.grid();
+        AirSettings air = best.plan().settings().air();
+        return List.of(
+                "The airspace is "
+                        + air.area()
+                                .map(name -> "that over '" + name + "', in ")
+                                .orElse("")
+                        + "a square of " + number(grid.columns() * grid.cell()) + " m in cells of "
+                        + number(grid.cell()) + " m, at heights of "
+                        + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
+                        + " m above the ground: what is smaller than a cell may be missed.",
+                best.headings() > 1
+                        ? "Unless stated otherwise, each of eight headings of the drone counts as an eighth of a cell."
+                        : "The drone flies towards the protected zone.",
+                PlaceReport.flight(best.plan()));
+    }
+}

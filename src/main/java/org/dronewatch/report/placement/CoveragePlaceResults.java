@@ -1,0 +1,75 @@
+package org.dronewatch.report.placement;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.run.Stage;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * What a placement for the most coverage found.
+ *
+ * @param front best layouts for several budgets
+ * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
+ *     was interrupted before
+ */
+public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<LayoutFields> fields)
+        implements PlaceResults {
+    @Override
+    public SitePlacement best() {
+        return front.best();
+    }
+
+    @Override
+    public boolean complete() {
+        return best().complete()
+                && front.complete()
+                && (fields.isPresent() || best().chosen().isEmpty());
+    }
+
+    @Override
+    public PlaceMeasure measure() {
+        return new ShareMeasure(best().plan().settings().conditions().fold());
+    }
+
+    @Override
+    public List<String> lines() {
+        List<String> lines = new ArrayList<>(new PlaceTable(best(), measure()).lines());
+        lines.add("");
+        lines.addAll(new CoverageSentences(this).lines());
+        lines.addAll(new FrontWords(measure()).lines(front.points()));
+        fields.ifPresent(its -> {
+            lines.add("");
+            lines.addAll(FieldsTable.lines(its, best()));
+        });
+        return lines;
+    }
+
+    @Override
+    public ObjectNode toJson() {
+        return PlaceFile.of(this, terms -> {}, this::addConditions, more -> {});
+    }
+
+    /** Adds what the layout covers as the scene is and under each condition, if there are any. */
+    private void addConditions(ObjectNode root) {
+        Map<String, Double> fractions = best().byCondition();
+        if (!fractions.isEmpty()) {
+            root.put("as_it_is", Numbers.rounded(best().asItIs()));
+            ArrayNode conditions = root.putArray("conditions");
+            fractions.forEach((name, fraction) ->
+                    conditions.addObject().put("name", name).put("value", Numbers.rounded(fraction)));
+        }
+    }
+
+    @Override
+    public PlaceChapter chapter(Stage stage) throws IOException {
+        return new CoverageChapter(this, stage).chapter();
+    }
+}

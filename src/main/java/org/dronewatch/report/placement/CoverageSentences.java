@@ -1,0 +1,93 @@
+package org.dronewatch.report.placement;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.analysis.field.FieldHeading;
+import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.SitePlacement;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.setting.Counted;
+
+/** What the layout that covers the most air is worth, in sentences. */
+final class CoverageSentences {
+    private final CoveragePlaceResults results;
+    private final SitePlacement best;
+    private final int fold;
+
+    CoverageSentences(CoveragePlaceResults results) {
+        this.results = results;
+        this.best = results.best();
+        this.fold = best.plan().settings().conditions().fold();
+    }
+
+    /** What the layout covers, compared with the best possible, with today's sensors, and after a loss. */
+    List<String> lines() {
+        PlaceTable table = new PlaceTable(best, results.measure());
+        List<String> lines = new ArrayList<>(List.of(worth()));
+        byCondition().ifPresent(lines::add);
+        results.fields().ifPresent(fields -> lines.add(together(fields)));
+        table.present().ifPresent(lines::add);
+        table.worstLoss().ifPresent(lines::add);
+        return lines;
+    }
+
+    /** What the layout covers under each condition; empty without conditions. */
+    private Optional<String> byCondition() {
+        Map<String, Double> fractions = best.byCondition();
+        if (fractions.isEmpty()) {
+            return Optional.empty();
+        }
+        StringBuilder text =
+                new StringBuilder("In the scene as it is, it covers ").append(FrontWords.percent(best.asItIs()));
+        fractions.forEach((name, fraction) -> text.append("; under the condition '")
+                .append(name)
+                .append("', ")
+                .append(FrontWords.percent(fraction)));
+        return Optional.of(text.append(". The least of these counts.").toString());
+    }
+
+    private String together(LayoutFields fields) {
+        if (fields.heading() == FieldHeading.INBOUND) {
+            return "All figures are for flight towards the protected zone.";
+        }
+        return "On the heading that is worst in each cell, the layout covers "
+                + FrontWords.percent(LayoutFields.share(fields.layout(), fold)) + " of the known cells.";
+    }
+
+    private String worth() {
+        String covered = "The layout covers " + FrontWords.percent(best.value())
+                + results.measure().whole() + " (" + Counted.of(best.cells(), "cell")
+                + (best.headings() > 1 ? ", " + best.headings() + " headings)" : ")") + " for "
+                + Numbers.text(best.result().cost());
+        boolean isBest = best.value() == best.bound();
+        return covered
+                + (isBest
+                        ? "; no layout within the budget covers more."
+                        : "; no layout within the budget covers more than " + FrontWords.percent(best.bound()) + ".");
+    }
+
+    /** Where the layout covers least; empty without a layout. */
+    String leastCovered() {
+        return results.fields()
+                .map(fields -> {
+                    HeightSummary least = leastCovered(fields);
+                    return "With all its sensors, the layout covers least at " + PlaceTable.text("%.0f", least.height())
+                            + " m above the ground:"
+                            + (best.headings() > 1 ? " on the heading that is worst in each cell, " : " ")
+                            + new HeightFigures(least).covered() + " %.";
+                })
+                .orElse("");
+    }
+
+    /** The height at which the layout covers the smallest fraction; the lowest among equals. */
+    static HeightSummary leastCovered(LayoutFields fields) {
+        return fields.layout().heights().stream()
+                .min(Comparator.comparingDouble(
+                        height -> height.known() == 0 ? 1.0 : (double) height.covered() / height.known()))
+                .orElseThrow();
+    }
+}

@@ -1,0 +1,70 @@
+package org.dronewatch.report.placement;
+
+import java.util.OptionalDouble;
+import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.placement.site.SectorGain;
+import org.dronewatch.report.CompassPoint;
+
+/** An exposure on the weakest route as the probability of a detection, in words. */
+record DetectionMeasure() implements PlaceMeasure {
+    @Override
+    public String purpose() {
+        return " against the weakest route";
+    }
+
+    @Override
+    public String text(double value) {
+        return FrontWords.percent(RoutePlacement.detection(value));
+    }
+
+    @Override
+    public String claim(boolean isOne, double value) {
+        return (isOne ? "detects" : "detect") + " the drone with a probability of " + text(value)
+                + " on the weakest route";
+    }
+
+    @Override
+    public String whole() {
+        return "";
+    }
+
+    @Override
+    public String heading() {
+        return "detected";
+    }
+
+    @Override
+    public String axis() {
+        return "probability of a detection on the weakest route [%]";
+    }
+
+    @Override
+    public double plotted(double value) {
+        return FrontWords.PERCENT * RoutePlacement.detection(value);
+    }
+
+    @Override
+    public OptionalDouble most() {
+        return OptionalDouble.of(FrontWords.PERCENT);
+    }
+
+    @Override
+    public String unbeaten() {
+        return "no layout does better";
+    }
+
+    @Override
+    public String columns() {
+        return "'Alone' is the probability that a sensor by itself detects the drone on the weakest route past it,"
+                + " 'together' the same for all sensors so far.";
+    }
+
+    @Override
+    public String gained(SectorGain gain) {
+        String from = CompassPoint.of(gain.bearing());
+        return (gain.isClosed()
+                        ? "closes the way from the " + from
+                        : "the weakest route, from the " + from + ", improves")
+                + " (" + FrontWords.percent(gain.before()) + " before, " + FrontWords.percent(gain.after()) + " now)";
+    }
+}

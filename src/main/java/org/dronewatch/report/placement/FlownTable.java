@@ -1,0 +1,110 @@
+package org.dronewatch.report.placement;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.route.RouteTable;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.SiteRoutes;
+
+/** The weakest routes past the layout and past the scene's own sensors, as they are flown, by direction. */
+final class FlownTable {
+    private static final String ROW = "%-12s  %8s  %8s  %8s  %8s  %10s";
+    private static final String NONE = "-";
+
+    private final FlownLayout layout;
+    private final Optional<FlownLayout> present;
+    private final RoutePlacement best;
+
+    /**
+     * The weakest routes from one direction.
+     *
+     * @param from the direction
+     * @param layout route past the layout; empty if there is none
+     * @param present route past the scene's own sensors; empty as above, or if it has no sensors
+     */
+    record Pair(String from, Optional<SectorRoute> layout, Optional<SectorRoute> present) {}
+
+    FlownTable(FlownLayout layout, Optional<FlownLayout> present, RoutePlacement best) {
+        this.layout = layout;
+        this.present = present;
+        this.best = best;
+    }
+
+    /** The routes from all directions from which any leads. */
+    static List<Pair> pairs(Optional<FlownLayout> layout, Optional<FlownLayout> present) {
+        List<Pair> pairs = new ArrayList<>();
+        for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
+            int from = sector;
+            Function<FlownLayout, Optional<SectorRoute>> its = flown -> route(flown, from);
+            Pair pair =
+                    new Pair(CompassPoint.of(SectorRoute.bearing(sector)), layout.flatMap(its), present.flatMap(its));
+            if (pair.layout().isPresent() || pair.present().isPresent()) {
+                pairs.add(pair);
+            }
+        }
+        return pairs;
+    }
+
+    private static Optional<SectorRoute> route(FlownLayout flown, int sector) {
+        return flown.results().survey().routes().stream()
+                .filter(route -> route.sector() == sector)
+                .findFirst();
+    }
+
+    /** The heads of the columns, without that of the direction. */
+    static List<String> heads() {
+        return List.of("today: search", "today: flown", "layout: search", "layout: flown", "layout: time left");
+    }
+
+    /** The figures of a direction under these heads. */
+    static List<String> figures(Pair pair) {
+        return List.of(
+                text(pair.present(), route -> route.searched().detection()),
+                text(pair.present(), SectorRoute::detection),
+                text(pair.layout(), route -> route.searched().detection()),
+                text(pair.layout(), SectorRoute::detection),
+                pair.layout()
+                        .filter(route -> route.left().isPresent())
+                        .map(route -> PlaceTable.text("%.1f s", route.left().getAsDouble()))
+                        .orElse(NONE));
+    }
+
+    private static String text(Optional<SectorRoute> route, Function<SectorRoute, Double> detection) {
+        return route.map(its -> FrontWords.percent(detection.apply(its))).orElse(NONE);
+    }
+
+    /** A table after an empty line, the weakest routes in words, and how to fly them again. */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        lines.add("");
+        lines.add("probability of a detection on the weakest route from each direction, by the search and as flown:");
+        lines.add(PlaceTable.text(ROW, "", "today", "", "layout", "", ""));
+        lines.add(PlaceTable.text(ROW, "from", "search", "flown", "search", "flown", "time left"));
+        for (Pair pair : pairs(Optional.of(layout), present)) {
+            List<Object> cells = new ArrayList<>(List.of(pair.from()));
+            cells.addAll(figures(pair));
+            lines.add(PlaceTable.text(ROW, cells.toArray()));
+        }
+        lines.addAll(words());
+        return lines;
+    }
+
+    /** The weakest route past each layout in words, and how to fly them again. */
+    List<String> words() {
+        List<String> words = new ArrayList<>();
+        RouteTable.summary(layout.results(), layout.inputs()).forEach(line -> words.add(of("Past the layout", line)));
+        present.map(flown -> RouteTable.summary(flown.results(), flown.inputs()).get(0))
+                .ifPresent(line -> words.add(of("Past today's sensors", line)));
+        words.add("'route layout.yaml " + SameRoute.options(best, layout.inputs())
+                + "' gives the figures of the layout, and a scene for each route.");
+        return words;
+    }
+
+    private static String of(String whom, String line) {
+        return line.startsWith("The weakest route") ? whom + ", the" + line.substring(3) : line;
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronewatch.report.placement;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronewatch.report.html.Figure;
+
+/**
+ * The part of a report that depends on the objective.
+ *
+ * @param verdict sentences that follow what is said on every objective, in plain text; may be empty
+ * @param pictures by the names of their files
+ * @param sections in their order
+ * @param scope what limits these results, in sentences
+ */
+public record PlaceChapter(String verdict, Map<String, Figure> pictures, List<Section> sections, List<String> scope) {
+    /**
+     * A section.
+     *
+     * @param title plain text
+     * @param html mark-up
+     */
+    public record Section(String title, String html) {}
+
+    /** Copies the collections. */
+    public PlaceChapter {
+        pictures = Collections.unmodifiableMap(new LinkedHashMap<>(pictures));
+        sections = List.copyOf(sections);
+        scope = List.copyOf(scope);
+    }
+}

@@ -1,0 +1,108 @@
+package org.dronewatch.report.placement;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.report.route.RouteInputs;
+import org.dronewatch.report.route.RoutePictures;
+import org.dronewatch.run.Stage;
+
+/** What the report says about the layout against the weakest route: the routes past it as they are flown. */
+final class RouteChapter {
+    private final RoutePlaceResults results;
+    private final RoutePlacement best;
+    private final PlacePlan plan;
+    private final Stage stage;
+
+    RouteChapter(RoutePlaceResults results, Stage stage) {
+        this.results = results;
+        this.best = results.best();
+        this.plan = best.plan();
+        this.stage = stage;
+    }
+
+    PlaceChapter chapter() throws IOException {
+        Map<String, Figure> pictures = new LinkedHashMap<>();
+        List<PlaceChapter.Section> sections = new ArrayList<>();
+        if (results.layout().isPresent()) {
+            FlownLayout layout = results.layout().get();
+            int[] ground = MapSheet.ground(stage.world(), best.grid());
+            pictures.put("routes.png", map(layout, "best layout", ground));
+            if (results.present().isPresent()) {
+                pictures.put("routes-today.png", map(results.present().get(), "today's layout", ground));
+            }
+            sections.add(new PlaceChapter.Section(
+                    "The weakest routes", routes(layout) + PlaceReport.figures(pictures, name -> true)));
+        }
+        return new PlaceChapter(new RouteSentences(best).lower(), pictures, sections, scope());
+    }
+
+    private String routes(FlownLayout layout) {
+        List<List<String>> rows = new ArrayList<>();
+        for (FlownTable.Pair pair : FlownTable.pairs(results.layout(), results.present())) {
+            List<String> row = new ArrayList<>(List.of(pair.from()));
+            row.addAll(FlownTable.figures(pair));
+            rows.add(row);
+        }
+        List<String> head = new ArrayList<>(List.of("from"));
+        head.addAll(FlownTable.heads());
+        return Html.plain(
+                        "p",
+                        "For each direction, the probability that the drone is detected on the route on which that is"
+                                + " least likely, past today's sensors and past the layout: by the search, which knows only"
+                                + " the middle of each cell, and from every look along the route as it is flown. 'Time left'"
+                                + " is the time between the typical (median) first detection and the drone's arrival.")
+                + Html.table(head, rows)
+                + new FlownTable(layout, results.present(), best)
+                        .words().stream().map(line -> Html.plain("p", line)).collect(Collectors.joining());
+    }
+
+    private Figure map(FlownLayout flown, String title, int[] ground) throws IOException {
+        RouteInputs its = flown.inputs();
+        RouteInputs named = new RouteInputs(
+                its.scene() + ", " + title,
+                its.drone(),
+                its.settings(),
+                its.protection(),
+                its.grid(),
+                its.pointing(),
+                Optional.empty(),
+                Optional.empty());
+        return new RoutePictures(stage, named)
+                .plan(flown.results().survey(), ground)
+                .figure();
+    }
+
+    private List<String> scope() {
+        FieldGrid grid = best.grid();
+        return List.of(
+                "Routes are searched for in a square of " + number(grid.side())
+                        + " m around the protected zone, in cells"
+                        + " of " + number(grid.cell()) + " m, at heights of "
+                        + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
+                        + " m above the ground: what hides a drone and is smaller than a cell may be missed.",
+                "Only the drone '" + plan.drone() + "' flies, within its limits of climb, descent and turns; sensors on"
+                        + " positioners "
+                        + (plan.settings()
+                                        .air()
+                                        .pointing()
+                                        .filter(FieldTerms.Turning.CUED::equals)
+                                        .isPresent()
+                                ? "have turned to it."
+                                : "search for it."),
+                "Sensors count as independent, which they are not where they look past the same obstacle.");
+    }
+}

@@ -1,0 +1,68 @@
+package org.dronewatch.report.placement;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.run.Stage;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * What a placement against the weakest route found.
+ *
+ * @param front best layouts for several budgets
+ * @param layout the routes past the layout as they are flown; empty if it has no sensor, its scene would be
+ *     inconsistent, or the search was interrupted before
+ * @param present the same past the scene's own sensors; empty if it has none, or as above
+ */
+public record RoutePlaceResults(
+        BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present)
+        implements PlaceResults {
+    @Override
+    public RoutePlacement best() {
+        return front.best();
+    }
+
+    @Override
+    public boolean complete() {
+        return best().complete()
+                && front.complete()
+                && layout.map(flown -> flown.results().isComplete()).orElse(true)
+                && present.map(flown -> flown.results().isComplete()).orElse(true);
+    }
+
+    @Override
+    public PlaceMeasure measure() {
+        return new DetectionMeasure();
+    }
+
+    @Override
+    public List<String> lines() {
+        PlaceTable table = new PlaceTable(best(), measure());
+        List<String> lines = new ArrayList<>(table.lines());
+        lines.add("");
+        lines.addAll(new RouteSentences(best()).lines());
+        table.present().ifPresent(lines::add);
+        table.worstLoss().ifPresent(lines::add);
+        lines.addAll(new FrontWords(measure()).lines(front.points()));
+        layout.ifPresent(flown -> lines.addAll(new FlownTable(flown, present, best()).lines()));
+        return lines;
+    }
+
+    @Override
+    public ObjectNode toJson() {
+        return PlaceFile.of(this, terms -> {}, values -> {}, more -> {
+            RoutePlaceFile.addRoute(more.putObject("route"), best());
+            more.put("rounds", best().rounds());
+            more.put("routes", best().routes());
+            RoutePlaceFile.addFlown(more.putArray("flown"), layout, present);
+        });
+    }
+
+    @Override
+    public PlaceChapter chapter(Stage stage) throws IOException {
+        return new RouteChapter(this, stage).chapter();
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronewatch.report.placement;
+
+import java.util.OptionalDouble;
+import org.dronewatch.placement.site.SectorGain;
+import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.Numbers;
+
+/**
+ * The fraction of the airspace that is covered, in words.
+ *
+ * @param fold number of sensors that must cover a cell
+ */
+record ShareMeasure(int fold) implements PlaceMeasure {
+    @Override
+    public String purpose() {
+        return "";
+    }
+
+    @Override
+    public String text(double value) {
+        return FrontWords.percent(value);
+    }
+
+    @Override
+    public String claim(boolean isOne, double value) {
+        return (isOne ? "covers " : "cover ") + text(value);
+    }
+
+    @Override
+    public String whole() {
+        return " of the airspace" + (fold > 1 ? " with " + fold + " sensors or more" : "");
+    }
+
+    @Override
+    public String heading() {
+        return "covered";
+    }
+
+    @Override
+    public String axis() {
+        return "airspace covered [%]";
+    }
+
+    @Override
+    public double plotted(double value) {
+        return FrontWords.PERCENT * value;
+    }
+
+    @Override
+    public OptionalDouble most() {
+        return OptionalDouble.of(FrontWords.PERCENT);
+    }
+
+    @Override
+    public String unbeaten() {
+        return "no layout covers more";
+    }
+
+    @Override
+    public String columns() {
+        return "'Alone' is the part of the airspace that a sensor covers by itself, 'together' what all sensors so far cover.";
+    }
+
+    @Override
+    public String gained(SectorGain gain) {
+        String heights = Numbers.text(gain.lowest())
+                + (gain.lowest() < gain.highest() ? " to " + Numbers.text(gain.highest()) : "");
+        return (gain.isClosed() ? "closes the gap in the " : "adds most in the ") + CompassPoint.of(gain.bearing())
+                + " at " + heights + " m (" + text(gain.before()) + " before, " + text(gain.after()) + " now)";
+    }
+}

@@ -1,0 +1,86 @@
+package org.dronewatch.report.placement;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.LayoutWarnings;
+import org.dronewatch.placement.site.WarningMeasure;
+import org.dronewatch.placement.site.WarningPlacement;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.report.coverage.WarningTable;
+import org.dronewatch.run.Stage;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * What a placement for the longest warning found.
+ *
+ * @param front best layouts for several budgets
+ * @param warnings of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search was
+ *     interrupted before
+ */
+public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<LayoutWarnings> warnings)
+        implements PlaceResults {
+    @Override
+    public WarningPlacement best() {
+        return front.best();
+    }
+
+    @Override
+    public boolean complete() {
+        return best().complete()
+                && front.complete()
+                && (warnings.isPresent() || best().chosen().isEmpty());
+    }
+
+    @Override
+    public PlaceMeasure measure() {
+        return new SecondsMeasure(best().measure() == WarningMeasure.WORST);
+    }
+
+    @Override
+    public List<String> lines() {
+        PlaceTable table = new PlaceTable(best(), measure());
+        List<String> lines = new ArrayList<>(table.lines());
+        lines.add("");
+        lines.add(new WarningSentences(best(), measure()).worth());
+        table.present().ifPresent(lines::add);
+        table.worstLoss().ifPresent(lines::add);
+        lines.addAll(new FrontWords(measure()).lines(front.points()));
+        warnings.ifPresent(its -> {
+            lines.add("");
+            its.present().ifPresent(own -> {
+                lines.add("today:");
+                lines.addAll(WarningTable.lines(own));
+                lines.add("");
+                lines.add("layout:");
+            });
+            lines.addAll(WarningTable.lines(its.layout()));
+            lines.add(
+                    "'coverage layout.yaml " + SameCoverage.options(best()) + "' gives these warnings of the layout.");
+        });
+        return lines;
+    }
+
+    @Override
+    public ObjectNode toJson() {
+        return PlaceFile.of(this, this::addMeasure, values -> {}, this::addFlights);
+    }
+
+    private void addMeasure(ObjectNode root) {
+        root.put("warning", best().measure().name().toLowerCase(Locale.ROOT));
+    }
+
+    private void addFlights(ObjectNode root) {
+        root.put("flights", best().flights());
+        root.put("detected", best().detected());
+        root.put("longest_s", Numbers.rounded(best().longest()));
+    }
+
+    @Override
+    public PlaceChapter chapter(Stage stage) throws IOException {
+        return new WarningChapter(this, stage).chapter();
+    }
+}

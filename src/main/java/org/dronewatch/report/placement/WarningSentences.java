@@ -1,0 +1,37 @@
+package org.dronewatch.report.placement;
+
+import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.placement.site.WarningPlacement;
+import org.dronewatch.report.Numbers;
+import org.dronewatch.setting.Counted;
+
+/** What the layout with the longest warning is worth, in sentences. */
+final class WarningSentences {
+    private final WarningPlacement best;
+    private final PlaceMeasure measure;
+
+    WarningSentences(WarningPlacement best, PlaceMeasure measure) {
+        this.best = best;
+        this.measure = measure;
+    }
+
+    /** The warning that the layout gives, compared with the best possible. */
+    String worth() {
+        int heights = best.grid().heights().size();
+        String given = "The layout " + measure.claim(true, best.value()) + " of straight flights from "
+                + InboundWarnings.BEARINGS + " bearings at " + Counted.of(heights, "height")
+                + ", for " + Numbers.text(best.result().cost());
+        return given
+                + (best.bound() <= best.value()
+                        ? "; no layout within the budget gives more."
+                        : "; no layout within the budget gives more than " + measure.text(best.bound()) + ".")
+                + " " + detected();
+    }
+
+    /** How many flights the layout detects at all, and the longest warning that can be found. */
+    String detected() {
+        return "It detects " + best.detected() + " of " + best.flights()
+                + " before they arrive; a flight that is detected where it begins gives "
+                + measure.text(best.longest()) + " at most.";
+    }
+}
