@@ -59,7 +59,7 @@ record TaskProgress(Amount amount, PrintWriter err) {
         }
     }
 
-    /** Does a task whose number of steps is not known before, and which reports how many it has done since the last time. */
+    /** Does a task of an unknown number of steps, which reports how many it has done since the last time. */
     <T> T during(String task, Function<IntConsumer, T> work) {
         return during(task, UNKNOWN, work);
     }

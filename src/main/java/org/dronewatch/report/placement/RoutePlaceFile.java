@@ -29,7 +29,7 @@ final class RoutePlaceFile {
         }
     }
 
-    /** Adds, by direction, the probability of a detection past the layout and past the scene's own sensors, in flight. */
+    /** Adds, by direction, the probabilities of a detection in flight, past the layout and past today's sensors. */
     static void addFlown(ArrayNode array, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
         for (FlownTable.Pair pair : FlownTable.pairs(layout, present)) {
             ObjectNode node = array.addObject();
