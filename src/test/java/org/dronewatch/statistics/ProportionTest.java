@@ -59,6 +59,16 @@ class ProportionTest {
     }
 
     @Test
+    void anIntervalContainsItsBounds() {
+        Interval interval = new Interval(0.25, 0.75);
+
+        assertThat(interval.contains(0.25)).isTrue();
+        assertThat(interval.contains(0.75)).isTrue();
+        assertThat(interval.contains(Math.nextDown(0.25))).isFalse();
+        assertThat(interval.contains(Math.nextUp(0.75))).isFalse();
+    }
+
+    @Test
     void withoutCasesNothingIsKnown() {
         assertThat(new Proportion(0, 0).wilson(0.95)).isEqualTo(new Interval(0.0, 1.0));
         assertThat(new Proportion(0, 0).share()).isNaN();
