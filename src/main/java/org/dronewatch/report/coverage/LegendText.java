@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.FontMetrics;
+import java.awt.Graphics2D;
 import java.util.List;
 import org.dronewatch.render.Credits;
 
@@ -19,6 +20,22 @@ final class LegendText {
         return Credits.lines(List.of(text), metrics, most).stream()
                 .map(line -> shortened(line, metrics, most))
                 .toList();
+    }
+
+    /**
+     * Draws a text in as many lines as it needs.
+     *
+     * @param top height of the first line
+     * @param most width of a line in pixels
+     * @return the height of the last line
+     */
+    static int draw(Graphics2D g, String text, int x, int top, int most) {
+        FontMetrics metrics = g.getFontMetrics();
+        List<String> lines = lines(text, metrics, most);
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), x, top + i * metrics.getHeight());
+        }
+        return top + Math.max(0, lines.size() - 1) * metrics.getHeight();
     }
 
     /** A text in one line, without its middle if it is too long. */

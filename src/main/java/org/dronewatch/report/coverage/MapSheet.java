@@ -3,7 +3,6 @@ package org.dronewatch.report.coverage;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.Rectangle;
@@ -240,14 +239,7 @@ public final class MapSheet {
     /** Writes a text in as many lines as it needs. */
     private void write(String text, int x) {
         g.setColor(Color.BLACK);
-        FontMetrics metrics = g.getFontMetrics();
-        int last = line;
-        for (String one : LegendText.lines(text, metrics, image.getWidth() - MARGIN / 2 - x)) {
-            last = line;
-            g.drawString(one, x, line);
-            line += metrics.getHeight();
-        }
-        line = last + LINE;
+        line = LegendText.draw(g, text, x, line, image.getWidth() - MARGIN / 2 - x) + LINE;
     }
 
     /** Leaves half a line blank. */

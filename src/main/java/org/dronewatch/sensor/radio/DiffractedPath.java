@@ -6,26 +6,12 @@ import java.util.List;
 
 /**
  * The path of a radio wave round the obstacles in a section, on one side of the line: over the tops, or past one side.
- * Its knife edges are the corners of the mesh that stick out on that side; their loss is that of Deygout's construction
- * for three edges (J. Deygout, "Multiple knife-edge diffraction of microwaves", IEEE Transactions on Antennas and
- * Propagation 14, 1966; without a correction): the edge that obstructs the line most, and on either side of it the one
- * that obstructs the line from its top most.
+ * Its knife edges are the corners of the mesh that stick out on that side; their loss is that of
+ * {@linkplain DeygoutEdges Deygout's construction}.
  */
 final class DiffractedPath {
     /** Corners that bend less than this are part of a smooth surface, rad. */
     private static final double LEAST_BEND = Math.toRadians(1.0);
-
-    /** Edges this near to each other, in wavelengths, are one; the construction would count it twice. */
-    private static final double ONE_EDGE = 5.0;
-
-    /** From this distance on, in wavelengths, the second edge counts in full. */
-    private static final double TWO_EDGES = 50.0;
-
-    /**
-     * From this loss on, which is that of an edge that the line just touches, dB, the other edges count in full; they
-     * fade in up to it.
-     */
-    private static final double GRAZING = KnifeEdge.loss(0.0);
 
     private static final double ON_CHAIN = 1e-9;
 
@@ -40,7 +26,7 @@ final class DiffractedPath {
 
     private List<double[]> chain = List.of();
     private double loss;
-    private int mainPoint = -1;
+    private final DeygoutEdges edges;
     private boolean isWhole = true;
     private double reach;
 
@@ -55,7 +41,8 @@ final class DiffractedPath {
         this.section = section;
         this.above = above;
         this.wavelength = wavelength;
-        loss = findChain(isAll) ? deygout() : Double.POSITIVE_INFINITY;
+        edges = new DeygoutEdges(section, above, wavelength, this::isEdge);
+        loss = findChain(isAll) ? constructed() : Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -75,9 +62,10 @@ final class DiffractedPath {
 
     /** A triangle at the edge that obstructs most, -1 for none. */
     int triangle() {
-        for (int i = 0; mainPoint >= 0 && i < section.pieces(); i++) {
-            if (section.start(i) == mainPoint || section.end(i) == mainPoint) {
-                return section.triangle(i);
+        int main = edges.mainPoint();
+        for (int i = 0; main >= 0 && i < section.pieces().count(); i++) {
+            if (section.pieces().start(i) == main || section.pieces().end(i) == main) {
+                return section.pieces().triangle(i);
             }
         }
         return -1;
@@ -108,9 +96,9 @@ final class DiffractedPath {
             chain = hull(isNew);
             Arrays.fill(isNew, false);
             grows = false;
-            for (int i = 0; i < section.pieces(); i++) {
-                int start = section.start(i);
-                int end = section.end(i);
+            for (int i = 0; i < section.pieces().count(); i++) {
+                int start = section.pieces().start(i);
+                int end = section.pieces().end(i);
                 int whole = section.body(height(start) > height(end) ? start : end);
                 if (!counted[whole] && mayCross(start, end) && crossesChain(start, end)) {
                     counted[whole] = true;
@@ -203,8 +191,9 @@ final class DiffractedPath {
         }
         double first = Double.POSITIVE_INFINITY;
         double last = 0.0;
-        for (int end = section.firstAt(point); end >= 0; end = section.nextAt(end)) {
-            double angle = angle(point, section.otherEnd(end));
+        SectionPieces pieces = section.pieces();
+        for (int end = pieces.firstAt(point); end >= 0; end = pieces.nextAt(end)) {
+            double angle = angle(point, pieces.otherEnd(end));
             first = Math.min(first, angle);
             last = Math.max(last, angle);
         }
@@ -228,52 +217,10 @@ final class DiffractedPath {
         return q[0] > p[0] ? p[1] + (at - p[0]) * (q[1] - p[1]) / (q[0] - p[0]) : Math.max(p[1], q[1]);
     }
 
-    private double deygout() {
-        double[] start = {0.0, 0.0};
-        double[] end = {section.length(), 0.0};
-        double most = findMain(start, end);
-        double[] main = mainPoint < 0 ? null : edge(mainPoint);
-        reach = reach(main);
-        if (main == null) {
-            return 0.0;
-        }
-        double beside = 0.0;
-        double beyond = 0.0;
-        for (int i = 0; i < section.points(); i++) {
-            double u = section.u(i);
-            double apart = Math.hypot(u - main[0], height(i) - main[1]) / wavelength;
-            double share = Math.max(0.0, Math.min(1.0, (apart - ONE_EDGE) / (TWO_EDGES - ONE_EDGE)));
-            if (share > 0.0 && u < main[0]) {
-                double here = share * edgeLoss(start, main, i);
-                beside = here > beside && isEdge(i) ? here : beside;
-            } else if (share > 0.0 && u > main[0]) {
-                double here = share * edgeLoss(main, end, i);
-                beyond = here > beyond && isEdge(i) ? here : beyond;
-            }
-        }
-        return most + Math.min(1.0, most / GRAZING) * (beside + beyond);
-    }
-
-    /** Finds the edge with the greatest loss, the first among equals; that loss, dB. */
-    private double findMain(double[] start, double[] end) {
-        double most = 0.0;
-        for (int i = 0; i < section.points(); i++) {
-            double here = edgeLoss(start, end, i);
-            boolean isMore = here > most || mainPoint >= 0 && here == most && isBefore(i, mainPoint);
-            if (isMore && isEdge(i)) {
-                most = here;
-                mainPoint = i;
-            }
-        }
-        return most;
-    }
-
-    private boolean isBefore(int one, int other) {
-        return Arrays.compare(edge(one), edge(other)) < 0;
-    }
-
-    private double[] edge(int point) {
-        return new double[] {section.u(point), height(point)};
+    private double constructed() {
+        double constructed = edges.loss();
+        reach = reach(edges.main());
+        return constructed;
     }
 
     /**
@@ -296,20 +243,5 @@ final class DiffractedPath {
 
     private double detour(double[] point) {
         return Math.hypot(point[0], point[1]) + Math.hypot(section.length() - point[0], point[1]);
-    }
-
-    /** The loss of a wave between two points by an edge, dB. */
-    private double edgeLoss(double[] from, double[] to, int point) {
-        double du = to[0] - from[0];
-        double dt = to[1] - from[1];
-        double distance = Math.hypot(du, dt);
-        if (!(distance > 0.0)) {
-            return 0.0;
-        }
-        double u = section.u(point) - from[0];
-        double t = height(point) - from[1];
-        double along = (u * du + t * dt) / distance;
-        double over = (t * du - u * dt) / distance;
-        return KnifeEdge.loss(KnifeEdge.parameter(over, along, distance - along, wavelength));
     }
 }

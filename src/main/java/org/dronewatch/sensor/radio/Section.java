@@ -23,6 +23,7 @@ final class Section {
 
     private final EllipsoidQuery query;
     private final SectionPoints points = new SectionPoints();
+    private final SectionPieces pieces = new SectionPieces();
     private final CutTriangle piece;
 
     private Position origin;
@@ -32,16 +33,6 @@ final class Section {
 
     /** Leads from each point to one of the same body, in the end to its representative. */
     private int[] body = new int[64];
-
-    /** The two points and the triangle of each piece. */
-    private int[] pieces = new int[192];
-
-    private int count;
-
-    /** By point: one of the ends of pieces that lie there, -1 for none; by end of a piece: another one, or -1. */
-    private int[] ends = new int[64];
-
-    private int[] nextEnd = new int[128];
 
     /** Whether the body that a point represents ends at the line. */
     private boolean[] blocks = new boolean[64];
@@ -81,7 +72,7 @@ final class Section {
         side = across;
         length = from.distance(to);
         points.clear();
-        count = 0;
+        pieces.clear();
         Position normal = direction.cross(across);
         query.findAtPlane(from, to, sum, normal, ON_PLANE);
         for (int i = 0; i < query.count(); i++) {
@@ -100,24 +91,10 @@ final class Section {
         if (first == second) {
             return;
         }
-        if (3 * count == pieces.length) {
-            pieces = Arrays.copyOf(pieces, 6 * count);
-            nextEnd = Arrays.copyOf(nextEnd, 4 * count);
-        }
-        pieces[3 * count] = first;
-        pieces[3 * count + 1] = second;
-        pieces[3 * count + 2] = query.triangle(number);
-        link(first, 2 * count);
-        link(second, 2 * count + 1);
-        count++;
+        pieces.add(first, second, query.triangle(number));
         if (isAbove(first) == isAbove(second)) {
             body[representative(first)] = representative(second);
         }
-    }
-
-    private void link(int point, int end) {
-        nextEnd[end] = ends[point];
-        ends[point] = end;
     }
 
     private boolean isAbove(int point) {
@@ -132,14 +109,13 @@ final class Section {
                 grow(2 * number);
             }
             body[number] = number;
-            ends[number] = -1;
+            pieces.addPoint(number);
         }
         return number;
     }
 
     private void grow(int size) {
         body = Arrays.copyOf(body, size);
-        ends = Arrays.copyOf(ends, size);
         blocks = new boolean[size];
         endsAbove = new boolean[size];
         endsBelow = new boolean[size];
@@ -173,8 +149,8 @@ final class Section {
         for (int i = 0; i < all; i++) {
             describePoint(i, sum);
         }
-        for (int i = 0; i < count; i++) {
-            describePiece(pieces[3 * i], pieces[3 * i + 1]);
+        for (int i = 0; i < pieces.count(); i++) {
+            describePiece(pieces.start(i), pieces.end(i));
         }
     }
 
@@ -274,34 +250,8 @@ final class Section {
         return isPartial[whole] && isAbove(whole) == above;
     }
 
-    int pieces() {
-        return count;
-    }
-
-    int start(int piece) {
-        return pieces[3 * piece];
-    }
-
-    int end(int piece) {
-        return pieces[3 * piece + 1];
-    }
-
-    /** One of the pieces that end at a point, as {@link #nextAt} numbers them; -1 if there is none. */
-    int firstAt(int point) {
-        return ends[point];
-    }
-
-    /** Another one; -1 after the last. */
-    int nextAt(int end) {
-        return nextEnd[end];
-    }
-
-    /** The other end of a piece that was found at a point. */
-    int otherEnd(int end) {
-        return (end & 1) == 0 ? end(end >> 1) : start(end >> 1);
-    }
-
-    int triangle(int piece) {
-        return pieces[3 * piece + 2];
+    /** The pieces in which the plane cuts triangles, by the numbers of their points. */
+    SectionPieces pieces() {
+        return pieces;
     }
 }
