@@ -33,7 +33,7 @@ final class RoutePlaceFile {
     static void addFlown(ArrayNode array, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
         for (FlownTable.Pair pair : FlownTable.pairs(layout, present)) {
             ObjectNode node = array.addObject();
-            node.put("from", pair.from());
+            node.put("sector", pair.from());
             put(node, "layout", pair.layout());
             put(node, "present", pair.present());
         }

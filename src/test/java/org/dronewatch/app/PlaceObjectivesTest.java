@@ -1,0 +1,126 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import javax.imageio.ImageIO;
+import org.dronewatch.LongForm;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.app.Program.Outcome;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** What placements for warnings and against routes print of the layout is what other commands find for its scene. */
+class PlaceObjectivesTest {
+    private static final String CANDIDATES =
+            """
+            scene: site.yaml
+            budget: 3
+            candidates:
+              radar:
+                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
+                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                price: 2
+                places: [[0, 90, 4], [0, -95, 4]]
+              small:
+                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
+                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                price: 1
+                places: [[0, 0, 4], [-50, -50, 4]]
+            """;
+
+    @TempDir
+    private Path directory;
+
+    private Outcome place(String more) throws IOException {
+        FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        Path file = Files.writeString(directory.resolve("ring.place.yaml"), CANDIDATES + more);
+        Outcome place = Program.run("place", file.toString(), "--out=" + directory.resolve("."));
+        assertThat(place.code()).as(place.err()).isZero();
+        return place;
+    }
+
+    /** Runs the command that is printed for the layout, with some options more. */
+    private Outcome again(String command, Outcome place, String... more) {
+        Matcher printed =
+                Pattern.compile("'" + command + " layout.yaml (.*)' gives").matcher(place.out());
+        assertThat(printed.find()).as(place.out()).isTrue();
+        List<String> words = new ArrayList<>(
+                List.of(command, directory.resolve("layout.yaml").toString()));
+        words.addAll(List.of(printed.group(1).split(" ")));
+        words.addAll(List.of(more));
+        Outcome again = Program.run(words.toArray(String[]::new));
+        assertThat(again.code()).as(again.err()).isZero();
+        return again;
+    }
+
+    private JsonNode json(String name) {
+        return JsonMapper.builder().build().readTree(directory.resolve(name).toFile());
+    }
+
+    private void assertFrontAndPictures(String... pictures) throws IOException {
+        JsonNode front = json("place.json").get("front");
+        assertThat(front.size()).isGreaterThan(1);
+        for (int step = 1; step < front.size(); step++) {
+            for (String key : List.of("cost", "value")) {
+                assertThat(front.get(step).get(key).asDouble())
+                        .isGreaterThan(front.get(step - 1).get(key).asDouble());
+            }
+        }
+        assertThat(front.get(front.size() - 1).get("value"))
+                .isEqualTo(json("place.json").get("value"));
+        String page = Files.readString(directory.resolve("report.html"));
+        assertThat(page).contains("<h2>What more money buys</h2>", "The best layout that was found has ");
+        assertThat(page.split("<figure>")).hasSize(2 + pictures.length);
+        for (String name : pictures) {
+            assertThat(ImageIO.read(directory.resolve(name).toFile())).isNotNull();
+        }
+        assertThat(ImageIO.read(directory.resolve("front.png").toFile())).isNotNull();
+    }
+
+    @Test
+    void theRoutesPastTheLayoutAreThoseOfRoute() throws IOException {
+        assumeTrue(LongForm.IS_ON, "flies eight routes from eight moments three times");
+        Outcome place = place("objective: weakest-route\nair: {side: 240 m, cell: 40 m, heights: [30 m]}\n");
+        assertFrontAndPictures("routes.png", "routes-today.png");
+        again("route", place, "--out=" + directory.resolve("routes"));
+
+        JsonNode flown = json("place.json").get("flown");
+        JsonNode routes = json("routes/route.json").get("routes");
+        assertThat(flown.size()).isEqualTo(8);
+        assertThat(routes.size()).isEqualTo(8);
+        for (int sector = 0; sector < 8; sector++) {
+            assertThat(flown.get(sector).get("sector"))
+                    .isEqualTo(routes.get(sector).get("sector"));
+            assertThat(flown.get(sector).get("layout").asDouble())
+                    .isCloseTo(routes.get(sector).get("p_detect").asDouble(), within(1e-9));
+        }
+        assertThat(place.out())
+                .contains("Past the layout, the weakest route comes from the ")
+                .contains("Past today's sensors, the weakest route comes from the ");
+    }
+
+    @Test
+    void theWarningsOfTheLayoutAreThoseOfCoverage() throws IOException {
+        Outcome place = place("objective: warning-time\nwarning: mean\n"
+                + "air: {side: 400 m, cell: 20 m, heights: [12 m, 40 m], covered: 0.1}\n");
+        assertFrontAndPictures("warnings.png", "warnings-today.png");
+        Outcome coverage = again("coverage", place);
+        String warnings = "warning of drones that fly straight in";
+
+        String ofLayout = place.out().substring(place.out().lastIndexOf(warnings));
+        assertThat(coverage.out()).contains(ofLayout.lines().limit(4).collect(Collectors.joining("\n")));
+        assertThat(place.out()).contains("today:", "layout:");
+    }
+}
