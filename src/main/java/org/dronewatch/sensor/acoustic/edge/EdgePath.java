@@ -1,7 +1,6 @@
 package org.dronewatch.sensor.acoustic.edge;
 
 import java.util.Arrays;
-import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
@@ -46,11 +45,7 @@ public final class EdgePath {
     private final RubberBand band = new RubberBand();
     private final double[] detours = new double[PLANES];
 
-    private Position from;
-    private Position to;
-    private Position ahead;
-    private Position across;
-    private Position up;
+    private StraightLine line;
     private double straight;
     private double curvature;
 
@@ -69,7 +64,6 @@ public final class EdgePath {
 
     private double firstRise;
     private double lastRise;
-    private boolean exchanged;
 
     /** Paths in a world. */
     public EdgePath(World world) {
@@ -98,20 +92,13 @@ public final class EdgePath {
      */
     public boolean find(Position source, Position sensor, double bending) {
         curvature = bending;
-        // The same numbers whichever is the source.
-        exchanged = isAfter(source, sensor);
-        from = exchanged ? sensor : source;
-        to = exchanged ? source : sensor;
-        Position vector = to.minus(from);
-        straight = vector.length();
+        line = StraightLine.between(source, sensor);
+        straight = line.length();
         pathDifference = Double.POSITIVE_INFINITY;
         if (!(straight > 0.0) || mesh.triangleCount() == 0) {
             return false;
         }
-        ahead = vector.times(1.0 / straight);
-        across = across(ahead);
-        up = across.cross(ahead);
-        double farthest = farthest();
+        double farthest = line.farthest(world.bounds());
         double detour = FIRST_DETOUR;
         double limit;
         do {
@@ -141,7 +128,7 @@ public final class EdgePath {
     public double halfWay() {
         int edges = shortest.count();
         double middle = edges == 0 ? 0.5 * straight : 0.5 * (shortest.along(0) + shortest.along(edges - 1));
-        return exchanged ? Math.max(0.0, straight - middle) : Math.min(middle, straight);
+        return line.isExchanged() ? Math.max(0.0, straight - middle) : Math.min(middle, straight);
     }
 
     /**
@@ -173,7 +160,7 @@ public final class EdgePath {
 
     /** Sine of the elevation at which the path leaves the source. */
     public double sinElevation() {
-        return exchanged ? lastRise : firstRise;
+        return line.isExchanged() ? lastRise : firstRise;
     }
 
     private boolean isFound() {
@@ -257,8 +244,8 @@ public final class EdgePath {
 
     /** The detour of the shortest path in a plane, m, kept if none was shorter; infinity if it is beyond the limit. */
     private double detour(double angle, double limit) {
-        Position side = up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
-        cut.cut(from, to, ahead, side, PathCurvature.reach(curvature, straight, limit), curvature);
+        Position side = line.side(angle);
+        cut.cut(line.from(), line.to(), line.ahead(), side, PathCurvature.reach(curvature, straight, limit), curvature);
         if (!band.find(cut.outline(), straight, limit)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -287,7 +274,7 @@ public final class EdgePath {
             double nextRaised = i < edges ? cut.bulgeAt(band.u(i)) : 0.0;
             arcDifference += PathCurvature.arc(curvature, Math.hypot(du, dv - nextRaised + raised));
             raised = nextRaised;
-            double rise = (du * ahead.z() + dv * side.z()) / Math.hypot(du, dv);
+            double rise = (du * line.ahead().z() + dv * side.z()) / Math.hypot(du, dv);
             if (i == 0) {
                 firstRise = rise;
             }
@@ -295,33 +282,5 @@ public final class EdgePath {
             u += du;
             v += dv;
         }
-    }
-
-    /** The sum of distances beyond which no part of the world is left out. */
-    private double farthest() {
-        AABB box = world.bounds();
-        double farthest = straight;
-        for (int i = 0; i < 8; i++) {
-            Position corner = new Position(
-                    (i & 1) == 0 ? box.minX() : box.maxX(),
-                    (i & 2) == 0 ? box.minY() : box.maxY(),
-                    (i & 4) == 0 ? box.minZ() : box.maxZ());
-            farthest = Math.max(farthest, from.distance(corner) + corner.distance(to));
-        }
-        return farthest;
-    }
-
-    private static boolean isAfter(Position one, Position other) {
-        if (one.x() != other.x()) {
-            return one.x() > other.x();
-        }
-        return one.y() != other.y() ? one.y() > other.y() : one.z() > other.z();
-    }
-
-    /** A horizontal direction across the line, so that the first plane is vertical; any for a vertical line. */
-    private static Position across(Position ahead) {
-        Position across = new Position(ahead.y(), -ahead.x(), 0.0);
-        double length = across.length();
-        return length < 1e-9 ? new Position(1.0, 0.0, 0.0) : across.times(1.0 / length);
     }
 }
