@@ -180,11 +180,6 @@ class DragTimesTest {
     }
 
     @Test
-    void aMicrophoneOverMonaco() throws Exception {
-        drag("monaco.yaml", "microphone");
-    }
-
-    @Test
     void aMicrophoneOverMultiSensor() throws Exception {
         drag("multi-sensor.yaml", "microphone");
     }
