@@ -7,6 +7,7 @@ import org.dronewatch.analysis.field.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.ExposureField;
+import org.dronewatch.route.search.GaussRule;
 import org.dronewatch.route.search.LegMotion;
 import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.scenario.SceneSettings;
@@ -20,6 +21,9 @@ import org.dronewatch.sensor.Cause;
 public final class FieldExposure implements ExposureField {
     /** The value at which the probability of a look is capped, so that all exposures are finite. */
     public static final double HIGHEST = 1.0 - 1e-6;
+
+    /** Into as many parts pieces are divided where a radar may be blind to a part of a cell. */
+    private static final int PARTS = 4;
 
     private final DetectionField field;
     private final FieldCells cells;
@@ -88,6 +92,63 @@ public final class FieldExposure implements ExposureField {
         double sum = 0.0;
         for (int i = 0; level >= 0 && i < sensors.size(); i++) {
             sum += sensors.get(i).rate(level, column, row, x, y, z, motion);
+        }
+        return sum;
+    }
+
+    /** {@inheritDoc} The leg is cut where it leaves a cell. */
+    @Override
+    public double mean(Position from, Position to, LegMotion motion, int number, double longest) {
+        double finest = longest / PARTS / from.distance(to);
+        double sum = 0.0;
+        double at = 0.0;
+        while (at < 1.0) {
+            double until = cells.leaves(from, to, at);
+            sum += (until - at) * meanInCell(from, to, at, until, motion, finest);
+            at = until;
+        }
+        return sum;
+    }
+
+    /**
+     * The mean rate on a part of a leg that lies in one cell.
+     *
+     * @param begin the fraction of the leg at which it begins
+     * @param end the fraction at which it ends
+     * @param finest the greatest fraction of the leg that is a piece where the rate depends on the position in the cell
+     */
+    private double meanInCell(Position from, Position to, double begin, double end, LegMotion motion, double finest) {
+        double middle = 0.5 * (begin + end);
+        double x = from.x() + middle * (to.x() - from.x());
+        double y = from.y() + middle * (to.y() - from.y());
+        double z = from.z() + middle * (to.z() - from.z());
+        int column = cells.column(x);
+        int row = cells.row(y);
+        int level = cells.level(column, row, z);
+        int pieces = (int) Math.ceil((end - begin) / finest);
+        double sum = 0.0;
+        for (int i = 0; level >= 0 && i < sensors.size(); i++) {
+            SensorRates sensor = sensors.get(i);
+            if (sensor.isConstant(level, column, row)) {
+                sum += sensor.rate(level, column, row, x, y, z, motion);
+                continue;
+            }
+            double parts = 0.0;
+            for (int piece = 0; piece < pieces; piece++) {
+                for (int point = 0; point < GaussRule.POINTS; point++) {
+                    double share = begin + (piece + GaussRule.at(point)) / pieces * (end - begin);
+                    parts += GaussRule.weight(point)
+                            * sensor.rate(
+                                    level,
+                                    column,
+                                    row,
+                                    from.x() + share * (to.x() - from.x()),
+                                    from.y() + share * (to.y() - from.y()),
+                                    from.z() + share * (to.z() - from.z()),
+                                    motion);
+                }
+            }
+            sum += parts / pieces;
         }
         return sum;
     }

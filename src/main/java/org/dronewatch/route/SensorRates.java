@@ -171,6 +171,11 @@ final class SensorRates {
         return rates[least];
     }
 
+    /** Whether the rate is the same at all positions in a cell, for the same motion. */
+    boolean isConstant(int level, int column, int row) {
+        return response.isEmpty() || isAlike(level, column, row);
+    }
+
     private boolean isAlike(int level, int column, int row) {
         int first = steps(level, column, row, 0);
         for (int course = 1; course < courses.length; course++) {

@@ -30,6 +30,11 @@ record SiteExposure(List<FieldExposure> modes) implements ExposureField {
     }
 
     @Override
+    public double mean(Position from, Position to, LegMotion motion, int mode, double longest) {
+        return modes.get(mode).mean(from, to, motion, mode, longest);
+    }
+
+    @Override
     public double least(Position low, Position high, int mode) {
         return modes.get(mode).least(low, high, mode);
     }

@@ -39,6 +39,20 @@ public interface ExposureField {
     }
 
     /**
+     * The mean rate on a straight leg, 1/s: by default by Gauss's rule with three points on pieces of equal length. A
+     * field whose rates jump states it exactly, so that no route is led through what lies between the points.
+     *
+     * @param from where the leg begins, m
+     * @param to where it ends, elsewhere, m
+     * @param motion of the drone
+     * @param mode number of the drone's {@link RouteMode}
+     * @param longest the greatest length of a piece, above 0, m
+     */
+    default double mean(Position from, Position to, LegMotion motion, int mode, double longest) {
+        return GaussRule.mean(this, from, to, motion, mode, longest);
+    }
+
+    /**
      * A lower bound of the rates at all positions in a box, on all headings, 1/s, 0 or more; the tighter it is, the
      * tighter is the lower bound of a weakest route.
      *

@@ -4,14 +4,11 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * The exposure along a path, {@code E = integral of the rate over the time}: Gauss's rule with three points on pieces
- * that are not longer than half the distance between neighbouring posts. Immutable and thread-safe.
+ * The exposure along a path, {@code E = integral of the rate over the time}: exact in fields that are constant in each
+ * cell, otherwise by Gauss's rule on pieces that are not longer than half the distance between neighbouring posts.
+ * Immutable and thread-safe.
  */
 public final class RouteExposure {
-    private static final double OFF_CENTRE = Math.sqrt(0.6);
-    private static final double AT_CENTRE = 4.0 / 9.0;
-    private static final double OUTSIDE = 5.0 / 18.0;
-
     private final ExposureField field;
     private final RouteMode[] modes;
     private final double step;
@@ -73,18 +70,6 @@ public final class RouteExposure {
             return time;
         }
         LegMotion motion = LegMotion.along(dx, dy, dz, time);
-        int pieces = Math.max(1, (int) Math.ceil(Math.sqrt(horizontal * horizontal + dz * dz) / step));
-        double sum = 0.0;
-        for (int i = 0; i < pieces; i++) {
-            double middle = (i + 0.5) / pieces;
-            double off = 0.5 * OFF_CENTRE / pieces;
-            double before = middle - off;
-            double after = middle + off;
-            sum += AT_CENTRE * field.rate(x + middle * dx, y + middle * dy, z + middle * dz, motion, mode)
-                    + OUTSIDE
-                            * (field.rate(x + before * dx, y + before * dy, z + before * dz, motion, mode)
-                                    + field.rate(x + after * dx, y + after * dy, z + after * dz, motion, mode));
-        }
-        return time * sum / pieces;
+        return time * field.mean(new Position(x, y, z), new Position(toX, toY, toZ), motion, mode, step);
     }
 }

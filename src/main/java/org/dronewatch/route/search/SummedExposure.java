@@ -31,6 +31,15 @@ record SummedExposure(List<ExposureField> parts, double constant) implements Exp
     }
 
     @Override
+    public double mean(Position from, Position to, LegMotion motion, int mode, double longest) {
+        double sum = constant;
+        for (int i = 0; i < parts.size(); i++) {
+            sum += parts.get(i).mean(from, to, motion, mode, longest);
+        }
+        return sum;
+    }
+
+    @Override
     public double least(Position low, Position high, int mode) {
         double sum = constant;
         for (int i = 0; i < parts.size(); i++) {

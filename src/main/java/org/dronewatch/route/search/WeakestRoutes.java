@@ -19,6 +19,9 @@ public final class WeakestRoutes {
     /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */
     private static final int CANDIDATES = 64;
 
+    /** As many of these paths, those with the least exposure, are smoothed, unless the first reaches the lower bound. */
+    private static final int SMOOTHED = 8;
+
     private final RouteProblem problem;
 
     /** The problem with the price of time. */
@@ -134,6 +137,11 @@ public final class WeakestRoutes {
         }
 
         @Override
+        public double mean(Position from, Position to, LegMotion motion, int mode, double longest) {
+            return 1.0;
+        }
+
+        @Override
         public double least(Position low, Position high, int mode) {
             return 1.0;
         }
@@ -142,21 +150,35 @@ public final class WeakestRoutes {
     /** The weakest of the routes from some posts; empty if none of them has a route. */
     public Optional<WeakestRoute> from(BitSet starts) {
         RouteExposure search = new RouteExposure(priced);
-        // What the search adds up from post to post is not quite the exposure of a path: the best of several is taken.
-        Optional<List<Integer>> weakest = tree.weakest(starts, CANDIDATES).stream()
+        // What the search adds up from post to post is not quite the exposure of a path, and smoothing gets further on
+        // some paths than on others: the best of several is taken.
+        List<List<Integer>> candidates = tree.weakest(starts, CANDIDATES).stream()
                 .map(tree::states)
-                .min(Comparator.comparingDouble(one -> search.along(tree.path(one))));
-        if (weakest.isEmpty()) {
-            return Optional.empty();
+                .sorted(Comparator.comparingDouble(one -> search.along(tree.path(one))))
+                .limit(SMOOTHED)
+                .toList();
+        double lower = bound.from(starts);
+        Optional<WeakestRoute> weakest = Optional.empty();
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0;
+                i < candidates.size() && !(weakest.isPresent() && weakest.get().exposure() <= lower);
+                i++) {
+            WeakestRoute route = smoothed(candidates.get(i), lower);
+            double counted = search.along(finish.counted(route.path()));
+            weakest = counted < least ? Optional.of(route) : weakest;
+            least = Math.min(least, counted);
         }
-        List<Integer> states = weakest.get();
-        RouteExposure exposure = new RouteExposure(problem);
+        return weakest;
+    }
+
+    /** The route through some states, smoothed, and then to its end. */
+    private WeakestRoute smoothed(List<Integer> states, double lower) {
         RoutePath smooth = RouteSmoothing.of(priced, tree.path(states));
         RoutePath whole =
                 finish.of(onwards.map(times -> smooth.then(times.path(times.from(states.get(states.size() - 1)))))
                         .orElse(smooth));
-        double counted = exposure.along(finish.counted(whole));
-        return Optional.of(new WeakestRoute(whole, counted, bound.from(starts), exposure.time(whole)));
+        RouteExposure exposure = new RouteExposure(problem);
+        return new WeakestRoute(whole, exposure.along(finish.counted(whole)), lower, exposure.time(whole));
     }
 
     /** The part of a route on which a detection counts. */

@@ -1,0 +1,45 @@
+package org.dronewatch.route.search;
+
+import org.dronewatch.geometry.Position;
+
+/** Gauss's rule for an integral over a straight piece: three points, exact for polynomials up to the fifth degree. */
+public final class GaussRule {
+    /** The number of points. */
+    public static final int POINTS = 3;
+
+    private static final double OFF_CENTRE = 0.5 * Math.sqrt(0.6);
+
+    private GaussRule() {}
+
+    /**
+     * Where a point lies on the piece.
+     *
+     * @param point its number, from 0
+     * @return 0 to 1
+     */
+    public static double at(int point) {
+        return 0.5 + (point - 1) * OFF_CENTRE;
+    }
+
+    /** The weight of a point; those of all points add up to 1. */
+    public static double weight(int point) {
+        return point == 1 ? 4.0 / 9.0 : 5.0 / 18.0;
+    }
+
+    /** The mean rate on a straight leg; see {@link ExposureField#mean}. */
+    static double mean(ExposureField field, Position from, Position to, LegMotion motion, int mode, double longest) {
+        int pieces = Math.max(1, (int) Math.ceil(from.distance(to) / longest));
+        double dx = to.x() - from.x();
+        double dy = to.y() - from.y();
+        double dz = to.z() - from.z();
+        double sum = 0.0;
+        for (int piece = 0; piece < pieces; piece++) {
+            for (int point = 0; point < POINTS; point++) {
+                double share = (piece + at(point)) / pieces;
+                sum += weight(point)
+                        * field.rate(from.x() + share * dx, from.y() + share * dy, from.z() + share * dz, motion, mode);
+            }
+        }
+        return sum / pieces;
+    }
+}
