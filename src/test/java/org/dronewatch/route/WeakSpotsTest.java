@@ -103,7 +103,7 @@ class WeakSpotsTest {
         assertThat(low.profile().exposure()).isLessThan(0.6 * high.profile().exposure());
     }
 
-    /** A radar far in the south, above all boxes, misses what flies round it; past one that does not, straight flight is best. */
+    /** A radar far in the south, above all boxes, misses what flies round it; otherwise, straight flight is best. */
     @Test
     void aRadarThatMissesCrossingFlightIsCrossed() throws IOException {
         String blind = FieldSite.ROUND.replace("maxRange: 150", "maxRange: 900").replace("[0, 0, 4]", "[0, -450, 60]");

@@ -19,7 +19,7 @@ public final class WeakestRoutes {
     /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */
     private static final int CANDIDATES = 64;
 
-    /** As many of these paths, those with the least exposure, are smoothed, unless the first reaches the lower bound. */
+    /** As many of them, the least exposed, are smoothed, until one of them reaches the lower bound. */
     private static final int SMOOTHED = 8;
 
     private final RouteProblem problem;
