@@ -19,6 +19,7 @@ import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.FlownExposure;
+import org.dronewatch.route.ResponseTime;
 import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.route.search.RoutePath;
 import org.dronewatch.run.ModelCache;
@@ -164,6 +165,29 @@ class RouteProofTest {
                 .isEqualTo(proof(fixed, 20).detections());
     }
 
+    /** The probability of an alert in time on a flight that begins at once. */
+    private double alertInTime(SceneSettings scene, double response) {
+        Stage stage = new Stage(scene, models, scene.run().seed());
+        return AlertChances.of(LookSchedule.of(scene, stage, 1), scene.alert())
+                .orElseThrow()
+                .inTime(scene.run().duration(), new ResponseTime(response, FlownRoute.SPREAD * response));
+    }
+
+    @Test
+    void theChanceOfAnAlertIsTheMeanOfAllMoments() {
+        SceneSettings scene =
+                RouteScene.withoutCues(randomFlight(new SplittableRandom(9))).withEnabled("ear", false);
+        List<Double> begins = RouteBegins.of(scene.enabledSensors().values());
+        double mean = begins.stream()
+                .mapToDouble(begin -> alertInTime(RouteScene.later(scene, begin), 6.0))
+                .average()
+                .orElseThrow();
+
+        assertThat(begins).hasSize(RouteBegins.MOST);
+        assertThat(mean).isPositive();
+        assertThat(FlownRoute.of(scene, models).interruption(6.0).orElseThrow()).isCloseTo(mean, within(1e-12));
+    }
+
     /** Two radars, of which each must detect the drone in two of three looks: alerts of plain runs, and their time. */
     @Test
     void alertsAreRaisedAndInTimeAsOftenAsPredicted() {
@@ -177,8 +201,7 @@ class RouteProofTest {
                 scene = scene.withEnabled(other, false);
             }
             scene = SettingsForm.with(scene, "alert", scene.alert().withConfirmation(2, 3));
-            double predicted =
-                    FlownRoute.of(scene, models).interruption(response).orElseThrow();
+            double predicted = alertInTime(scene, response);
             if (predicted < 0.1 || predicted > 0.9) {
                 continue;
             }
