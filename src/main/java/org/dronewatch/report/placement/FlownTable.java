@@ -25,8 +25,9 @@ final class FlownTable {
      * @param from the direction
      * @param layout route past the layout; empty if there is none
      * @param present route past the scene's own sensors; empty as above, or if it has no sensors
+     * @param response time that the response takes, 0 if none is required, s: only earlier detections count
      */
-    record Pair(String from, Optional<SectorRoute> layout, Optional<SectorRoute> present) {}
+    record Pair(String from, Optional<SectorRoute> layout, Optional<SectorRoute> present, double response) {}
 
     FlownTable(FlownLayout layout, Optional<FlownLayout> present, RoutePlacement best) {
         this.layout = layout;
@@ -37,11 +38,14 @@ final class FlownTable {
     /** The routes from all directions from which any leads. */
     static List<Pair> pairs(Optional<FlownLayout> layout, Optional<FlownLayout> present) {
         List<Pair> pairs = new ArrayList<>();
+        double response = layout.or(() -> present)
+                .map(flown -> flown.results().survey().response())
+                .orElse(0.0);
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             int from = sector;
             Function<FlownLayout, Optional<SectorRoute>> its = flown -> route(flown, from);
-            Pair pair =
-                    new Pair(CompassPoint.of(SectorRoute.bearing(sector)), layout.flatMap(its), present.flatMap(its));
+            Pair pair = new Pair(
+                    CompassPoint.of(SectorRoute.bearing(sector)), layout.flatMap(its), present.flatMap(its), response);
             if (pair.layout().isPresent() || pair.present().isPresent()) {
                 pairs.add(pair);
             }
@@ -63,10 +67,10 @@ final class FlownTable {
     /** The figures of a direction under these heads. */
     static List<String> figures(Pair pair) {
         return List.of(
-                text(pair.present(), route -> route.searched().detection()),
-                text(pair.present(), SectorRoute::detection),
-                text(pair.layout(), route -> route.searched().detection()),
-                text(pair.layout(), SectorRoute::detection),
+                text(pair.present(), route -> route.route().detection()),
+                text(pair.present(), route -> route.inTime(pair.response())),
+                text(pair.layout(), route -> route.route().detection()),
+                text(pair.layout(), route -> route.inTime(pair.response())),
                 pair.layout()
                         .filter(route -> route.left().isPresent())
                         .map(route -> PlaceTable.text("%.1f s", route.left().getAsDouble()))
@@ -81,7 +85,8 @@ final class FlownTable {
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add("");
-        lines.add("probability of a detection on the weakest route from each direction, by the search and as flown:");
+        lines.add(
+                "probability of a detection in time on the weakest route from each direction, by the search and as flown:");
         lines.add(PlaceTable.text(ROW, "", "today", "", "layout", "", ""));
         lines.add(PlaceTable.text(ROW, "from", "search", "flown", "search", "flown", "time left"));
         for (Pair pair : pairs(Optional.of(layout), present)) {

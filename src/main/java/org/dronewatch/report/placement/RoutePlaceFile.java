@@ -29,17 +29,17 @@ final class RoutePlaceFile {
         }
     }
 
-    /** Adds, by direction, the probabilities of a detection in flight, past the layout and past today's sensors. */
+    /** Adds, by direction, how likely a detection in time is in flight, past the layout and past today's sensors. */
     static void addFlown(ArrayNode array, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
         for (FlownTable.Pair pair : FlownTable.pairs(layout, present)) {
             ObjectNode node = array.addObject();
             node.put("sector", pair.from());
-            put(node, "layout", pair.layout());
-            put(node, "present", pair.present());
+            put(node, "layout", pair.layout(), pair.response());
+            put(node, "present", pair.present(), pair.response());
         }
     }
 
-    private static void put(ObjectNode node, String name, Optional<SectorRoute> route) {
-        route.ifPresentOrElse(its -> node.put(name, Numbers.rounded(its.detection())), () -> node.putNull(name));
+    private static void put(ObjectNode node, String name, Optional<SectorRoute> route, double response) {
+        route.ifPresentOrElse(its -> node.put(name, Numbers.rounded(its.inTime(response))), () -> node.putNull(name));
     }
 }
