@@ -85,7 +85,7 @@ public final class CandidateTable {
     }
 
     /**
-     * A copy whose rows form groups, such as the cells in each of several weathers.
+     * A copy whose rows form groups, such as the cells under each of several weather conditions.
      *
      * @param numbers by row, from 0 on without gaps
      * @throws IllegalArgumentException when there are not as many as rows, or a number is missing

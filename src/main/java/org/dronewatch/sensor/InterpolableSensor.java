@@ -6,7 +6,7 @@ import org.dronewatch.world.World;
 
 /**
  * A sensor whose signal takes long to assess, except for the part that arrives on paths that are found quickly. The
- * part that arrives on all other paths varies slowly with the drone's position, except at the borders of shadows: a
+ * part that arrives on all other paths varies slowly with the drone's position, except at shadow boundaries: a
  * field may assess it at some positions and interpolate it at the others. Quantities and thresholds are in dB.
  */
 public interface InterpolableSensor extends AssessableSensor {

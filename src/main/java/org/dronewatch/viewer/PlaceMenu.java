@@ -62,7 +62,7 @@ final class PlaceMenu {
                 "Undo", "Undoes the last move of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
         menu.add(ViewerMenus.item(
                 "Redo",
-                "Does the move again that was undone last",
+                "Redoes the move undone last",
                 ViewerActions.shiftedMenuKey(KeyEvent.VK_Z),
                 placing::redo));
         return menu;

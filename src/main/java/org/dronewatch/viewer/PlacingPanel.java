@@ -85,7 +85,7 @@ final class PlacingPanel extends JPanel {
 
     private void listen(Consumer<String> selection) {
         undo.setToolTipText("Undoes the last move");
-        redo.setToolTipText("Does the move again that was undone last");
+        redo.setToolTipText("Redoes the move undone last");
         reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
         undo.addActionListener(e -> undo());
@@ -219,9 +219,9 @@ final class PlacingPanel extends JPanel {
         tell(layout.undo() ? "The last move was undone" : "There is no move to undo");
     }
 
-    /** Does the move again that was undone last. */
+    /** Redoes the move undone last. */
     void redo() {
-        tell(layout.redo() ? "The move was done again" : "There is no move to do again");
+        tell(layout.redo() ? "The move was done again" : "There is no move to redo");
     }
 
     /** The settings of the displayed run, with its sensors as the user has put them; null before there is a run. */

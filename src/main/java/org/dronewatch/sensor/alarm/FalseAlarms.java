@@ -69,7 +69,7 @@ public record FalseAlarms(
         return SettingsForm.with(this, "weather", rates);
     }
 
-    /** These false alarms in a given weather: with the highest of the rates that apply then, and no other. */
+    /** These false alarms in given weather: with the highest of the rates that apply then, and no other. */
     public FalseAlarms in(Weather given) {
         double applies = weather.stream()
                 .filter(one -> one.appliesIn(given))
