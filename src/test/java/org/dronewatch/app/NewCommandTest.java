@@ -184,7 +184,7 @@ class NewCommandTest {
         assertThat(far.code()).isEqualTo(2);
         assertThat(far.err())
                 .contains("there is neither ground nor a building for the sensors within 250 m of the origin");
-        String place = far.err().strip().replaceFirst("(?s).* is --at ", "");
+        String place = far.err().strip().replaceFirst("(?s).* give --at ", "");
         assertThat(make("--at " + place + options).code()).isZero();
     }
 

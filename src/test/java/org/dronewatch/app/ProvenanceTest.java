@@ -219,6 +219,6 @@ class ProvenanceTest {
 
     @Test
     void theCommandLineNamesTheVersionOfTheBuild() {
-        assertThat(Program.run("--version").out().strip()).matches("dronewatch \\d+\\.\\d+\\.\\d+.*");
+        assertThat(Program.run("--version").out().strip()).matches("(?s)dronewatch \\d+\\.\\d+\\.\\d+.*");
     }
 }

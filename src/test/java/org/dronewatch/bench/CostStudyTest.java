@@ -34,7 +34,7 @@ class CostStudyTest {
                 assertThat(line.y()).as(line.name()).hasSameSizeAs(quantities).allMatch(y -> y > 0.0);
             }
         }
-        assertThat(told).contains("the tree of 968 triangles", "diffuse rays", "64 sensors", "64 drones", "1 threads");
+        assertThat(told).contains("the tree of 968 triangles", "diffuse rays", "64 sensors", "64 drones", "1 thread");
     }
 
     /** By a clock for which everything takes a second, rates are numbers of rays. */

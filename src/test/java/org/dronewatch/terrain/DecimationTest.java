@@ -173,7 +173,7 @@ class DecimationTest {
         Posts noise = posts(41, 33, hills(new Random(3), 41, 33));
         assertThatThrownBy(() -> thinned(noise, accuracy, 1000))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("an accuracy of " + accuracy + " m takes more than 1,000 triangles");
+                .hasMessageContaining("an accuracy of " + accuracy + " m needs more than 1,000 triangles");
         assertThat(thinned(noise, 10.0, 1000).count()).isLessThan(1000);
     }
 

@@ -323,8 +323,8 @@ class MissionTest {
             delimiter = '|',
             value = {
                 "\"Plan\" | \"Mission\" | a.plan: fileType is 'Mission', must be 'Plan'",
-                "\"command\": 16 | \"command\": \"up\" | mission.items.0.command: must be the number of a command",
-                "\"command\": 16 | \"command\": 1e300 | mission.items.0.command: must be the number of a command",
+                "\"command\": 16 | \"command\": \"up\" | mission.items.0.command: must be the number of a MAVLink command",
+                "\"command\": 16 | \"command\": 1e300 | mission.items.0.command: must be the number of a MAVLink command",
                 "[0, 0, 0, null, 1.0, 2.0, 50.0] | [0] | mission.items.0.params: must be a list of 7 numbers",
                 "1.0, 2.0, 50.0 | 91.0, 2.0, 50.0 | mission.items.0: latitude 91.0 must be -90.0 to 90.0",
                 "1.0, 2.0, 50.0 | null, 2.0, 50.0 | mission.items.0: latitude null must be -90.0 to 90.0",

@@ -5,7 +5,7 @@ import org.dronewatch.placement.PlacementProblem;
 
 /** The bound of the relaxation of a problem, in which candidates may be chosen in part. */
 public final class Relaxation {
-    private static final int STEPS = 500;
+    private static final int STEPS = 2000;
 
     private Relaxation() {}
 
