@@ -181,7 +181,7 @@ final class RouteCommand implements Callable<Integer> {
             spec.commandLine()
                     .getErr()
                     .println("interrupted: not all directions were "
-                            + (results.survey().isComplete() ? "proved by flights" : "searched"));
+                            + (results.survey().isComplete() ? "flown" : "searched"));
         }
     }
 }

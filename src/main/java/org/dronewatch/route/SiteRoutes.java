@@ -24,12 +24,11 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at
- * any of the field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the
- * sensors. A route has arrived when it is in the zone; if there is no zone, or it contains the middle of no cell, when
- * it is within one cell's length of the zone or, in plan view, of the middle of the sensors, at the height that is
- * nearest to theirs. It meets nothing solid.
- * One thread at a time.
+ * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at any of the
+ * field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the sensors. A
+ * route is complete when it reaches the zone; if there is no zone, or it contains the middle of no cell, when it is
+ * within one cell's length of the zone or, in plan view, of the middle of the sensors, at the height that is nearest to
+ * theirs. It meets nothing solid. One thread at a time.
  */
 public final class SiteRoutes {
     /** The number of sectors from which routes come: the first is centred on north, the others follow clockwise. */

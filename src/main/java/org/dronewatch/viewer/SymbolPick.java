@@ -55,7 +55,6 @@ record SymbolPick(Optional<String> chosen, int number, int together) {
     /** How to reach the others; empty if there is no other. */
     Optional<String> hint() {
         return chosen.filter(id -> together > 1)
-                .map(id ->
-                        "'" + id + "', " + number + " of " + together + " in this place: click again for the next one");
+                .map(id -> "'" + id + "', " + number + " of " + together + " here: click again for the next one");
     }
 }

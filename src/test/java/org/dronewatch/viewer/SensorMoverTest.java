@@ -207,7 +207,7 @@ class SensorMoverTest {
                     2.0);
             selected = pick.chosen();
             chosen.add(selected.orElseThrow());
-            assertThat(pick.hint()).hasValueSatisfying(hint -> assertThat(hint).contains(" of 2 in this place"));
+            assertThat(pick.hint()).hasValueSatisfying(hint -> assertThat(hint).contains(" of 2 here"));
         }
         assertThat(chosen).containsExactly("round", "ear", "round");
         mover.select("round");

@@ -63,7 +63,7 @@ record DetectionMeasure() implements PlaceMeasure {
     public String gained(SectorGain gain) {
         String from = CompassPoint.of(gain.bearing());
         return (gain.isClosed()
-                        ? "closes the way from the " + from
+                        ? "closes the gap in the " + from
                         : "the weakest route, from the " + from + ", improves")
                 + " (" + FrontWords.percent(gain.before()) + " before, " + FrontWords.percent(gain.after()) + " now)";
     }

@@ -47,7 +47,7 @@ final class RouteNotes {
                         + Numbers.text(inputs.grid().cell()) + " m misjudges the "
                         + (sectors.size() == 1 ? "route" : "routes") + " from the "
                         + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
-                        + ": in flight, the chance of a detection, or of one in time, differs by more than 20"
+                        + ": as flown, the chance of a detection, or of one in time, differs by more than 20"
                         + " percentage points"
                         + causes(survey));
     }

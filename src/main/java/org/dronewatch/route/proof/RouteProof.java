@@ -16,7 +16,7 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.statistics.Proportion;
 
 /**
- * The proof of a route: how often runs of its scene detect the drone, and how often they should. The prediction is
+ * A route proved by flight: how often runs of its scene detect the drone, and how often they should. The prediction is
  * {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance is drawn once
  * per encounter, the mean over all draws. Positioners only search in these runs, since what they follow depends on
  * chance. The looks of programs that find spots in the images of thermal cameras share frames, so that they are not

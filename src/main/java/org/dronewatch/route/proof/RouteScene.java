@@ -54,7 +54,7 @@ public final class RouteScene {
 
     /**
      * A scene in which such drones fly several routes at the same time, until the last arrives. It is for watching and
-     * proves none of the routes, since positioners turn to one drone at a time.
+     * does not check the routes, since positioners turn to one drone at a time.
      *
      * @param drone the name of the drone that flies each of them
      * @param flights at least one, by the names of the drones that fly them

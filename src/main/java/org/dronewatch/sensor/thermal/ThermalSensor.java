@@ -35,8 +35,8 @@ import org.dronewatch.world.World;
 /**
  * A thermal camera. Its signal is the drone's apparent temperature difference, attenuated by the air and scaled by the
  * fraction of a pixel that the drone fills, divided by the noise (NETD): {@code SNR = |dT| t^R f / NETD}, t per
- * kilometre, R in kilometres. The line pairs that it resolves are half the square root of the drone's pixels, and the
- * fewer, the weaker the signal: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}, and fewer still where lens and air
+ * kilometre, R in kilometres. The line pairs that it resolves are half the square root of the drone's pixels, and fewer
+ * still, the weaker the signal is: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}, and fewer still where lens and air
  * ({@link ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With {@link PointTargets}, the drone
  * need not be resolved. One thread at a time.
  */
