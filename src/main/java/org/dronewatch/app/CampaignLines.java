@@ -98,7 +98,7 @@ final class CampaignLines {
         Proportion proportion = stopping.proportion();
         Proportion.Interval interval = until.rule().interval(proportion);
         String asked = "'" + word(until.of()) + "' for " + plan.observed() + " to within "
-                + number(PERCENT * until.halfWidth()) + " percentage points at "
+                + CampaignWords.points(until.halfWidth()) + " at "
                 + number(PERCENT * until.confidence()) + " % confidence";
         out.println();
         out.println(

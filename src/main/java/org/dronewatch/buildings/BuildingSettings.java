@@ -16,7 +16,7 @@ import org.dronewatch.setting.file.PackagedSite;
  * city model in CityJSON. Buildings stand on the scene's terrain, around its geographic origin, {@code world.origin},
  * which such a scene must state.
  *
- * @param file the map, or {@code packaged:NAME} for one of the library
+ * @param file the map, or {@code packaged:NAME} for one in the library
  * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it if the
  *     coordinates are longitude and latitude, or if the file states its system
  * @param radius distance from the origin within which buildings are included, 10 m to 20 km

@@ -10,7 +10,10 @@ public enum PlacementObjective {
      * row. With values of 1, it is the covered weight.
      */
     COVERED_WEIGHT(true),
-    /** The same sum over each group of rows, such as the cells under one weather condition: the greatest of the least such sum. */
+    /**
+     * The same sum over each group of rows, such as the cells under one weather condition: the greatest of the least
+     * such sum.
+     */
     LEAST_COVERED_WEIGHT(true),
     /**
      * The greatest sum, over the rows, of weight times the probability that any chosen candidate detects: 1 - prod(1 -

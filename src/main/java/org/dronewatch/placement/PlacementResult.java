@@ -3,7 +3,7 @@ package org.dronewatch.placement;
 import java.util.List;
 
 /**
- * The best layout that was found, and how much better one may be at most.
+ * The best layout that was found, and by how much, at most, another could be better.
  *
  * @param chosen indices of the chosen candidates, ascending
  * @param value of the objective

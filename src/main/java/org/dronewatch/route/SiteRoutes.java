@@ -79,8 +79,8 @@ public final class SiteRoutes {
      * Searches for all routes.
      *
      * @param launch the area in plan view from which the routes come, at any height; from the edge if it is empty
-     * @throws IllegalArgumentException if the drone cannot be anywhere in the area from which the routes come, or not
-     *     anywhere in the zone
+     * @throws IllegalArgumentException if the drone cannot be anywhere in the area from which the routes come, or
+     *     cannot be anywhere in the zone
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static SiteRoutes of(

@@ -79,7 +79,7 @@ public final class ModelCache {
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 
-    /** Lets the worlds of all runs that are set up from now on share a memory. */
+    /** Lets the worlds of all runs that are set up from now on share a cache. */
     public synchronized void share(SiteMemory shared) {
         memory = Optional.of(shared);
     }

@@ -71,8 +71,8 @@ public final class Barrier {
     }
 
     /**
-     * Attenuation after CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6), {@code 10 lg(3 + 40 C'' delta / lambda)},
-     * in still air (homogeneous conditions): for one edge Maekawa's curve. C'' is 1 for a span of up to
+     * Attenuation according to CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6), {@code 10 lg(3 + 40 C'' delta /
+     * lambda)}, in still air (homogeneous conditions): for one edge Maekawa's curve. C'' is 1 for a span of up to
      * {@value #SINGLE_EDGE_SPAN} m. At most {@value #LIMIT} dB.
      *
      * @param pathDifference m

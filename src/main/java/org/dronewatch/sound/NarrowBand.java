@@ -38,7 +38,7 @@ public record NarrowBand(double frequency, double width, int octave) {
         return Optional.empty();
     }
 
-    /** The fraction of its octave band that it covers, above 0 to 1. */
+    /** The fraction of its octave band that it covers, above 0 and at most 1. */
     public double fraction() {
         return width / octaveWidth(octave);
     }

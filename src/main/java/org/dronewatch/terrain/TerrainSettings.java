@@ -18,7 +18,7 @@ import org.dronewatch.setting.file.PackagedSite;
  * The ground of a real place, from elevation files: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII grids
  * (.asc). Its centre is the scene's geographic origin, {@code world.origin}, which such a scene must state.
  *
- * @param file the elevation file, or {@code packaged:NAME} for one of the library
+ * @param file the elevation file, or {@code packaged:NAME} for one in the library
  * @param files several files instead, which are joined into one terrain; they must have the same grid of posts. Where
  *     they overlap, the first one that has a height there is used
  * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it to use the one that

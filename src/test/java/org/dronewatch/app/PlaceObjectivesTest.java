@@ -107,8 +107,8 @@ class PlaceObjectivesTest {
                     .isCloseTo(routes.get(sector).get("p_detect").asDouble(), within(1e-9));
         }
         assertThat(place.out())
-                .contains("Past the layout, the weakest route comes from the ")
-                .contains("Past today's sensors, the weakest route comes from the ");
+                .contains("Past the layout, on the weakest route, the drone comes from the ")
+                .contains("Past today's sensors, on the weakest route, the drone comes from the ");
     }
 
     @Test

@@ -133,7 +133,7 @@ class RouteCommandTest {
                 .containsExactly(
                         "north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west");
         assertThat(lines.get(11))
-                .startsWith("The weakest route comes from the ")
+                .startsWith("On the weakest route, the drone comes from the ")
                 .endsWith(".");
     }
 

@@ -18,7 +18,10 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     /** The best layout for a lower budget; empty if none complies with the conditions, or the search is stopped. */
     Optional<L> within(double budget, SolverLimits limits);
 
-    /** A layout with another bound, in the values of its result; none below its value. */
+    /**
+     * The same layout with another bound, in the values of its result. A bound worse than its value is replaced by that
+     * value.
+     */
     L bounded(L layout, double bound);
 
     /** Where a layout is better than the one for less money; empty if it is better nowhere. */

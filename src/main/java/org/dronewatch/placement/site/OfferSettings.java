@@ -22,8 +22,9 @@ import org.dronewatch.setting.file.Node;
  * @param area places within a polygon, such as a roof
  * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
  *     each place, 1 to 72; 1 by default
- * @param positioners positioners on which it may be mounted instead of being fixed, by the names that those in the
- *     layout end with: at each place, one candidate on each of them, in addition to one for each aim; none by default
+ * @param positioners positioners on which it may be mounted instead of being fixed, by name, with which the names of
+ *     such sensors in the layout end: at each place, one candidate on each of them, in addition to one for each aim;
+ *     none by default
  * @param exclusive whether at most one such sensor, of all candidates and of the sensors that are kept, may stand at a
  *     place; {@code false} by default
  * @param atLeast minimum number of them in the layout; 0 by default

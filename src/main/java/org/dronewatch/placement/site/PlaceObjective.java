@@ -2,7 +2,7 @@ package org.dronewatch.placement.site;
 
 /** The quantity that a placement maximises. */
 public enum PlaceObjective {
-    /** The fraction of the airspace in which at least one sensor covers the drone. */
+    /** The fraction of the airspace that at least one sensor covers. */
     COVERAGE,
     /** The time from the first detection of a drone that flies straight in until it reaches the protected zone. */
     WARNING_TIME,

@@ -23,7 +23,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param warning which warning counts for {@code warning-time}: the {@code worst} over all bearings and heights, or
  *     their {@code mean}; {@code worst} by default
  * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
- * @param candidates sensors that may be bought, by the names that those in the layout begin with
+ * @param candidates sensors that may be bought, by name, with which the names of such sensors in the layout begin
  * @param keep sensors of the scene that stay, at no cost
  * @param conditions what the layout must comply with
  * @param air airspace that is to be covered

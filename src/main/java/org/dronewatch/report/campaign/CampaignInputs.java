@@ -12,7 +12,6 @@ import org.dronewatch.campaign.EvenlySpaced;
 import org.dronewatch.campaign.Normal;
 import org.dronewatch.campaign.Variation;
 import org.dronewatch.report.html.Html;
-import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.setting.PlainText;
 
 /** What a campaign runs: its variants, and what varies. */
@@ -50,11 +49,11 @@ final class CampaignInputs {
                 + settings.until()
                         .map(until -> String.format(
                                 Locale.ROOT,
-                                "The outcomes decided how many cases were run: until the probability of '%s' for %s was known to within %s"
-                                        + " percentage points. The other intervals are approximate. ",
+                                "The outcomes decided how many cases were run: until the probability of '%s' for %s was known to within %s."
+                                        + " The other intervals are approximate. ",
                                 ShareWords.name(until.of()),
                                 plan.observed(),
-                                ReadableNumbers.number(ShareWords.PERCENT * until.halfWidth())))
+                                CampaignWords.points(until.halfWidth())))
                         .orElse("")
                 + (hasProvenance
                         ? "runs.csv contains all cases, campaign.json all figures, and provenance.json the origin of"

@@ -16,6 +16,7 @@ import org.dronewatch.campaign.FailedCases;
 import org.dronewatch.campaign.Sensitivity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
+import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.setting.Counted;
 
 /** Results of campaigns in sentences. */
@@ -198,5 +199,11 @@ public final class CampaignWords {
     static double percent(double part) {
         double percent = PERCENT * part;
         return Math.abs(percent) < 0.05 ? 0.0 : percent;
+    }
+
+    /** {@code 2 percentage points}, of a difference of probabilities. */
+    public static String points(double difference) {
+        String points = ReadableNumbers.number(ShareWords.PERCENT * difference);
+        return points + (points.equals("1") ? " percentage point" : " percentage points");
     }
 }

@@ -68,7 +68,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
         if (pictures > MOST_PICTURES || pixels > MOST_PIXELS) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: asks for %d pictures with %.0f megapixels in all, must be at most %d pictures and %.0f megapixels:"
+                    "%s: asks for %d pictures with %.0f megapixels in all; at most %d pictures and %.0f megapixels are possible:"
                             + " lower the cameras' rate or resolution, or the run's duration",
                     option,
                     pictures,

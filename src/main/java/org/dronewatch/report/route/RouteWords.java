@@ -24,7 +24,7 @@ final class RouteWords {
     String weakest(RouteResults results) {
         RouteSurvey survey = results.survey();
         return survey.weakest()
-                .map(route -> "The weakest route comes " + from(route, survey) + ": " + detected(route)
+                .map(route -> "On the weakest route, the drone comes " + from(route, survey) + ": " + detected(route)
                         + inTime(route, results) + ".")
                 .orElseGet(() -> survey.routes().isEmpty()
                         ? "No route leads to " + inputs.targetInWords() + "."

@@ -49,7 +49,7 @@ public final class DronePicture {
     }
 
     /**
-     * The pictures of a camera in the same pose as in other runs: if the worlds of several runs share a memory, the
+     * The pictures of a camera in the same pose as in other runs: if the worlds of several runs share a cache, the
      * site in its image is traced only once.
      */
     public static DronePicture atRest(CameraObject camera) {

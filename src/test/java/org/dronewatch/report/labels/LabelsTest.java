@@ -364,8 +364,7 @@ class LabelsTest {
                         "sensors.west.rate=10",
                         "--out",
                         out))
-                .contains(
-                        "--labels: asks for 360001 pictures with 331777 megapixels in all, must be at most 100000 pictures");
+                .contains("--labels: asks for 360001 pictures with 331777 megapixels in all; at most 100000 pictures");
         assertThat(run(2, "run", "scenes/daylight.yaml", "--samples", "3", "--out", out))
                 .contains("--samples 3: has no effect without --labels");
         assertThat(run(2, "run", "scenes/daylight.yaml", "--labels", "west", "--samples", "9", "--out", out))

@@ -20,6 +20,7 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
+import org.dronewatch.sensor.acoustic.propagation.Diffraction;
 import org.dronewatch.sensor.acoustic.propagation.Propagation;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
@@ -103,6 +104,15 @@ class NoiseSourceTest {
         assertThat(observe(world, FEW, 20, 1).figures().get("background_db"))
                 .isCloseTo(Levels.ofRatio(energy), within(1e-3));
         assertThat(observe(open(25), FEW, 20, 1).figures()).doesNotContainKey("background_db");
+    }
+
+    @Test
+    void aSourceThatCannotBeHeardLeavesTheNoiseAsItIs() {
+        NoiseSource plant = NoiseSource.at(new Position(100, 0, 0), 90);
+        World world = walled(25).withNoiseSources(Map.of("plant", plant));
+        Observation look = observe(world, FEW.withDiffraction(Diffraction.OFF), 5, 1);
+        assertThat(look.figures()).containsEntry("background_converged", 1.0);
+        assertThat(look.figures().get("background_db")).isCloseTo(25, within(1e-9));
     }
 
     /**

@@ -20,7 +20,8 @@ import org.dronewatch.sound.OctaveBands;
  * @param reverberant energy on all other paths; estimated
  * @param traced number of ray segments that were traced
  * @param standardError standard error of the level on which detection is based, from the scatter among rays, dB
- * @param isConverged whether a sufficient number of rays contributed to the reverberant part
+ * @param isConverged whether the level does not stand on a few rays; false for silence, since rays may have missed the
+ *     only path
  * @param audit energy balance of the rays
  * @param decay decay of the sound
  */

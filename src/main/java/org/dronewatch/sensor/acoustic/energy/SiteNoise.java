@@ -65,7 +65,8 @@ record SiteNoise(BandLevels levels, boolean isConverged) {
             }
             SoundSource piece = new SoundSource(pieces.get(i).position(), power, Directivity.OMNIDIRECTIONAL);
             EnergyReading heard = tracer.trace(piece, Draws.stream(0L, "", name, i, "noise"), RayRecorder.NONE);
-            isConverged &= heard.isConverged();
+            // Silence is never known from rays alone, but what no path and no ray carries adds nothing.
+            isConverged &= heard.isConverged() || heard.totalLevel() == Double.NEGATIVE_INFINITY;
             for (int band = 0; band < BANDS; band++) {
                 energy[band] += Levels.toRatio(heard.level(band));
             }
