@@ -163,7 +163,7 @@ public final class UsedWindow {
         table.doLayout();
     }
 
-    /** What the pointer says where the sensor gains a drone. */
+    /** What the pointer says where the sensor begins to detect a drone. */
     private static void tellTimeLine(ViewerPane pane, String sensor) {
         TimeLine line = pane.timeLine();
         int row = pane.viewed().orElseThrow().settings().sensors().keySet().stream()
@@ -173,7 +173,7 @@ public final class UsedWindow {
         for (int x = line.left(); x < line.getWidth(); x++) {
             String text = line.getToolTipText(
                     new MouseEvent(line, MouseEvent.MOUSE_MOVED, 0L, 0, x, y, 0, false, MouseEvent.NOBUTTON));
-            if (text.contains("gains")) {
+            if (text.contains(" detects ")) {
                 System.out.println("time line of " + sensor + ": " + text);
                 return;
             }
