@@ -79,7 +79,8 @@ class ForeignKindWindowTest {
                         "symbol of camera: " + COLOUR,
                         "other clicked: camera",
                         "exit 0");
-        assertThat(lines).anyMatch(line -> line.startsWith("time line of eyes: ") && line.contains("detects quadrotor"));
+        assertThat(lines)
+                .anyMatch(line -> line.startsWith("time line of eyes: ") && line.contains("detects quadrotor"));
         assertThat(lines).anyMatch(line -> line.startsWith("other row camera | spotter | quadrotor | detects |"));
         assertThat(lines).noneMatch(line -> line.startsWith("notice "));
     }
