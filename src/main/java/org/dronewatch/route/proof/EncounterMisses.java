@@ -67,7 +67,7 @@ final class EncounterMisses {
         sums[node] *= missed;
         while (node > 1) {
             int parent = node / 2;
-            if (node % 2 == 1) {
+            if (node % 2 != 0) {
                 multiply(node - 1, missed);
             }
             sums[parent] = factors[parent] * (sums[2 * parent] + sums[2 * parent + 1]);

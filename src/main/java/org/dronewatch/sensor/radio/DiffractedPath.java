@@ -124,10 +124,12 @@ final class DiffractedPath {
     private boolean isAnyOpen(boolean[] counted) {
         boolean isOpen = false;
         for (int i = 0; i < counted.length; i++) {
-            isOpen |= counted[i] && section.isOpen(i, above);
-            isWhole &= !counted[i] || !section.isPartial(i, above);
+            if (counted[i]) {
+                isOpen = isOpen || section.isOpen(i, above);
+                isWhole = isWhole && !section.isPartial(i, above);
+            }
         }
-        isWhole &= !isOpen;
+        isWhole = isWhole && !isOpen;
         return isOpen;
     }
 
