@@ -11,13 +11,13 @@ import org.dronewatch.world.World;
  * @param schedule the looks at the drone
  */
 record BegunFlight(SceneSettings settings, World world, LookSchedule schedule) {
-    /** The probability that a run detects the drone, 0 to 1. */
-    double detection() {
-        return 1.0 - schedule.missed(settings.run().duration());
+    /** The probability that the drone is detected, 0 to 1. */
+    double detection(MissedLooks.Wait wait) {
+        return 1.0 - schedule.missed(settings.run().duration(), wait);
     }
 
     /** The same by one sensor, given by its number, as if it were the only one. */
-    double detection(int sensor) {
-        return 1.0 - schedule.missed(sensor, settings.run().duration());
+    double detection(int sensor, MissedLooks.Wait wait) {
+        return 1.0 - schedule.missed(sensor, settings.run().duration(), wait);
     }
 }

@@ -25,6 +25,9 @@ final class EncounterMisses {
     /** By node, what its intervals have been multiplied by together; already in its own sum. */
     private final double[] factors;
 
+    /** The highest probability of a look at the route so far. */
+    private double highest;
+
     /**
      * An encounter before its first look.
      *
@@ -60,6 +63,36 @@ final class EncounterMisses {
      * @return the probability that neither it nor any before it has detected the drone
      */
     double after(ScheduledLook look) {
+        take(look);
+        highest = Math.max(highest, look.probability());
+        return 1.0 - highest + upTo(highest);
+    }
+
+    /**
+     * Takes a look at the drone before its route begins. An observer who finds it then detects it in the first look at
+     * the route in which that observer could.
+     */
+    void takeBefore(ScheduledLook look) {
+        take(look);
+    }
+
+    /** The sum over all u up to the probability of a look. */
+    private double upTo(double probability) {
+        int leaf = leaves + Arrays.binarySearch(probabilities, probability);
+        int levels = Integer.numberOfTrailingZeros(leaves);
+        double sum = 0.0;
+        double factor = 1.0;
+        for (int level = levels; level > 0; level--) {
+            int node = leaf >> level;
+            factor *= factors[node];
+            if ((leaf >> level - 1) % 2 == 1) {
+                sum += factor * sums[2 * node];
+            }
+        }
+        return sum + factor * sums[leaf];
+    }
+
+    private void take(ScheduledLook look) {
         // Nobody has searched before the run begins.
         double searched = Math.min(1.0 / rate, look.time());
         double missed = Math.exp(-look.probability() * searched / Encounter.SEARCH_TIME);
@@ -73,7 +106,6 @@ final class EncounterMisses {
             sums[parent] = factors[parent] * (sums[2 * parent] + sums[2 * parent + 1]);
             node = parent;
         }
-        return sums[1];
     }
 
     private void multiply(int node, double factor) {

@@ -71,15 +71,22 @@ public final class FlownRoute {
         return new FlownRoute(RouteScene.withoutCues(scene), models, estimates);
     }
 
-    /** The probability that a run detects the drone, 0 to 1. */
+    /** The probability that the drone is detected, 0 to 1. */
     public double detection() {
-        return flights.stream().mapToDouble(BegunFlight::detection).average().orElseThrow();
+        return flights.stream()
+                .mapToDouble(flight -> flight.detection(MissedLooks.Wait.UNSEEN))
+                .average()
+                .orElseThrow();
     }
 
     /** The same by sensor, as if each were the only one. */
     public Map<String, Double> bySensor() {
+        return bySensor(MissedLooks.Wait.UNSEEN);
+    }
+
+    private Map<String, Double> bySensor(MissedLooks.Wait wait) {
         return named(sensor -> flights.stream()
-                .mapToDouble(flight -> flight.detection(sensor))
+                .mapToDouble(flight -> flight.detection(sensor, wait))
                 .average()
                 .orElseThrow());
     }
@@ -133,7 +140,9 @@ public final class FlownRoute {
     /**
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the same for any number of them.
      * Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of {@link RouteBegins} in
-     * turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
+     * turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run, observers also search for
+     * the drone while it waits until its route begins: if they could see it there, this prediction is higher than
+     * {@link #detection}.
      *
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread
@@ -144,6 +153,6 @@ public final class FlownRoute {
         if (runs < 1) {
             throw new IllegalArgumentException(runs + " runs: must be 1 or more");
         }
-        return new ProofRuns(flights, models).of(runs, bySensor(), progress);
+        return new ProofRuns(flights, models).of(runs, bySensor(MissedLooks.Wait.SEEN), progress);
     }
 }

@@ -137,18 +137,19 @@ final class LookSchedule {
      * independent {@code prod(1 - p)}, and of each encounter with an observer the mean over all draws.
      *
      * @param until s since the start of the run, inclusive
+     * @param wait what observers make of the drone while it waits
      */
-    double missed(double until) {
+    double missed(double until, MissedLooks.Wait wait) {
         return IntStream.range(0, sensors.size())
-                .mapToDouble(sensor -> missed(sensor, until))
+                .mapToDouble(sensor -> missed(sensor, until, wait))
                 .reduce(1.0, (one, other) -> one * other);
     }
 
     /** The same of one sensor. */
-    double missed(int sensor, double until) {
+    double missed(int sensor, double until, MissedLooks.Wait wait) {
         List<ScheduledLook> own =
                 of(sensor).stream().filter(look -> look.time() <= until).toList();
-        return MissedLooks.probability(own, sensors.get(sensor));
+        return MissedLooks.probability(own, sensors.get(sensor), wait);
     }
 
     private List<ScheduledLook> of(int sensor) {
@@ -161,7 +162,8 @@ final class LookSchedule {
      */
     double[] missedAfterEach() {
         double[][] ofSensors = new double[sensors.size()][];
-        Arrays.setAll(ofSensors, sensor -> MissedLooks.afterEach(of(sensor), sensors.get(sensor)));
+        Arrays.setAll(
+                ofSensors, sensor -> MissedLooks.afterEach(of(sensor), sensors.get(sensor), MissedLooks.Wait.UNSEEN));
         int[] taken = new int[sensors.size()];
         return looks.stream()
                 .mapToDouble(look -> ofSensors[look.number()][taken[look.number()]++])

@@ -15,6 +15,14 @@ import org.dronewatch.sensor.SensorSettings;
 
 /** The probability that none of the looks of one sensor detects a drone on its route. */
 final class MissedLooks {
+    /** What an observer makes of a drone that waits until its route begins, as it does in a run. */
+    enum Wait {
+        /** Nothing: it would come from elsewhere. What is seen only decides to which encounter a look belongs. */
+        UNSEEN,
+        /** The observer searches for it, as in a run. */
+        SEEN
+    }
+
     private MissedLooks() {}
 
     /**
@@ -22,18 +30,18 @@ final class MissedLooks {
      *
      * @param looks in order of time
      */
-    static double probability(List<ScheduledLook> looks, SensorSettings<?> sensor) {
-        double[] after = afterEach(looks, sensor);
+    static double probability(List<ScheduledLook> looks, SensorSettings<?> sensor, Wait wait) {
+        double[] after = afterEach(looks, sensor, wait);
         return after.length == 0 ? 1.0 : after[after.length - 1];
     }
 
     /**
-     * For each look, the probability that neither it nor any before it does. What is seen before the route begins only
-     * decides to which encounter a look belongs.
+     * For each look, the probability that neither it nor any before it does.
      *
      * @param looks in order of time
+     * @param wait what an observer makes of the drone while it waits; no difference for other sensors
      */
-    static double[] afterEach(List<ScheduledLook> looks, SensorSettings<?> sensor) {
+    static double[] afterEach(List<ScheduledLook> looks, SensorSettings<?> sensor, Wait wait) {
         double[] after = new double[looks.size()];
         double missed = 1.0;
         int done = 0;
@@ -48,8 +56,10 @@ final class MissedLooks {
             EncounterMisses misses = new EncounterMisses(encounter, sensor.rate());
             double before = missed;
             for (ScheduledLook look : encounter) {
-                if (look.counts() && look.probability() > 0.0) {
+                if (look.probability() > 0.0 && look.counts()) {
                     missed = Math.min(missed, before * misses.after(look));
+                } else if (look.probability() > 0.0 && wait == Wait.SEEN) {
+                    misses.takeBefore(look);
                 }
                 after[done++] = missed;
             }

@@ -61,7 +61,9 @@ final class ProofRuns {
      * number of runs is not a multiple of that of the moments.
      */
     private double predicted(int runs) {
-        double[] each = flights.stream().mapToDouble(BegunFlight::detection).toArray();
+        double[] each = flights.stream()
+                .mapToDouble(flight -> flight.detection(MissedLooks.Wait.SEEN))
+                .toArray();
         return IntStream.range(0, Math.min(runs, each.length))
                 .mapToDouble(begin -> each[begin] * ((runs - 1 - begin) / each.length + 1) / runs)
                 .sum();

@@ -65,23 +65,23 @@ class MissedLooksTest {
     }
 
     /** By the definition: a new encounter begins once the drone was out of sight for more than 10 s. */
-    private static double direct(List<ScheduledLook> looks) {
+    private static double direct(List<ScheduledLook> looks, MissedLooks.Wait wait) {
         double missed = 1.0;
         List<ScheduledLook> encounter = new ArrayList<>();
         double visible = Double.POSITIVE_INFINITY;
         for (ScheduledLook look : looks) {
             if (look.probability() > 0.0) {
                 if (look.time() - visible > Encounter.GAP) {
-                    missed *= ofEncounter(encounter);
+                    missed *= wait == MissedLooks.Wait.SEEN ? ofWatched(encounter) : ofEncounter(encounter);
                     encounter.clear();
                 }
                 visible = look.time();
-                if (look.counts()) {
+                if (look.counts() || wait == MissedLooks.Wait.SEEN) {
                     encounter.add(look);
                 }
             }
         }
-        return missed * ofEncounter(encounter);
+        return missed * (wait == MissedLooks.Wait.SEEN ? ofWatched(encounter) : ofEncounter(encounter));
     }
 
     private static double ofEncounter(List<ScheduledLook> looks) {
@@ -98,6 +98,32 @@ class MissedLooksTest {
         return missed + above * Math.exp(-exponent);
     }
 
+    /** For each u between two probabilities: detected on the route if found, then or before, and seen on the route. */
+    private static double ofWatched(List<ScheduledLook> looks) {
+        double[] steps = looks.stream()
+                .mapToDouble(ScheduledLook::probability)
+                .sorted()
+                .distinct()
+                .toArray();
+        double highest = looks.stream()
+                .filter(ScheduledLook::counts)
+                .mapToDouble(ScheduledLook::probability)
+                .max()
+                .orElse(0.0);
+        double missed = 1.0 - highest;
+        double below = 0.0;
+        for (double step : steps) {
+            double exponent = 0.0;
+            for (ScheduledLook look : looks) {
+                double searched = Math.min(1.0 / RATE, look.time());
+                exponent += look.probability() >= step ? look.probability() * searched / Encounter.SEARCH_TIME : 0.0;
+            }
+            missed += step <= highest ? (step - below) * Math.exp(-exponent) : 0.0;
+            below = step;
+        }
+        return missed;
+    }
+
     @Test
     void afterEachLookAsComputedAnew() {
         long seed = 12;
@@ -105,10 +131,11 @@ class MissedLooksTest {
         int decided = 0;
         for (int i = 0; i < 40; i++) {
             List<ScheduledLook> looks = random(1 + random.nextInt(3000), random);
-            double[] after = MissedLooks.afterEach(looks, observer);
+            MissedLooks.Wait wait = i % 2 == 0 ? MissedLooks.Wait.UNSEEN : MissedLooks.Wait.SEEN;
+            double[] after = MissedLooks.afterEach(looks, observer, wait);
             for (int j = 0; j < 5; j++) {
                 int last = random.nextInt(looks.size());
-                double expected = direct(looks.subList(0, last + 1));
+                double expected = direct(looks.subList(0, last + 1), wait);
                 assertThat(after[last])
                         .as("seed %d, flight %d, look %d", seed, i, last)
                         .isCloseTo(expected, within(1e-12 * expected));
@@ -122,17 +149,19 @@ class MissedLooksTest {
     @Test
     void tenThousandLooks() {
         List<ScheduledLook> looks = random(10_000, new SplittableRandom(13));
-        double[] after = MissedLooks.afterEach(looks, observer);
+        double[] after = MissedLooks.afterEach(looks, observer, MissedLooks.Wait.UNSEEN);
 
         assertThat(after).isSortedAccordingTo(Comparator.reverseOrder());
-        assertThat(MissedLooks.probability(looks, observer)).isEqualTo(after[9999]);
-        assertThat(after[9999]).isCloseTo(direct(looks), within(1e-12 * after[9999]));
+        assertThat(MissedLooks.probability(looks, observer, MissedLooks.Wait.UNSEEN))
+                .isEqualTo(after[9999]);
+        assertThat(after[9999]).isCloseTo(direct(looks, MissedLooks.Wait.UNSEEN), within(1e-12 * after[9999]));
     }
 
     @Test
     void withoutALookNothingIsDetected() {
-        assertThat(MissedLooks.probability(List.of(), observer)).isEqualTo(1.0);
-        assertThat(MissedLooks.afterEach(List.of(look(0, 0.0, 0.0, 0.0)), observer))
+        assertThat(MissedLooks.probability(List.of(), observer, MissedLooks.Wait.UNSEEN))
+                .isEqualTo(1.0);
+        assertThat(MissedLooks.afterEach(List.of(look(0, 0.0, 0.0, 0.0)), observer, MissedLooks.Wait.UNSEEN))
                 .containsExactly(1.0);
     }
 }

@@ -83,6 +83,26 @@ class RouteBeginsTest {
         assertThat(flown.detection()).isCloseTo(1.0 / SPEED * 20 / 5, within(1.0 / RouteBegins.MOST));
     }
 
+    /** A camera sees the drone wait: in a run, its observer has longer to search than one whom the route surprises. */
+    @Test
+    void observersSearchForTheDroneWhileItWaits() throws IOException {
+        String observer =
+                """
+                  slow: {kind: radar, position: [400, 400, 4], rate: 0.1, minRange: 1, maxRange: 5, elevationWidth: 90 deg,
+                    minSpeed: 0 m/s, budget: {range: 5, crossSection: 0.01}}
+                  watched: {kind: camera, position: [0, 0, 4], fov: 60 deg, width: 640, height: 480, rate: 2,
+                    aim: {azimuth: 45 deg, elevation: 20 deg}, detection: {kind: target-task, task: detection, byChance: true}}
+                """;
+        FieldSite site = FieldSite.in(directory, observer);
+        RouteLeg leg = new RouteLeg(new Position(60, 90, 50), Optional.of(10.0), true);
+        FlownRoute flown = flown(RouteScene.of(
+                site.settings(), FieldSite.DRONE, RouteFlight.of(new Position(60, 60, 50), List.of(leg))));
+        RouteProof proof = flown.prove(400, done -> {});
+
+        assertThat(proof.predicted()).isGreaterThan(1.2 * flown.detection());
+        assertThat(proof.agrees()).as("%s", proof).isTrue();
+    }
+
     @Test
     void spreadsThemOverTheLongestPeriod() throws IOException {
         String fast = RADAR.replace("rate: 0.2", "rate: 4");

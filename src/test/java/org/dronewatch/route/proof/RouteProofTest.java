@@ -129,7 +129,7 @@ class RouteProofTest {
         assertThat(begins).hasSize(RouteBegins.MOST);
         for (double time : new double[] {3.0, 10.0, 17.5, 1000.0}) {
             double missed = looks.stream()
-                    .mapToDouble(one -> one.missed(one.begin() + time))
+                    .mapToDouble(one -> one.missed(one.begin() + time, MissedLooks.Wait.UNSEEN))
                     .average()
                     .orElseThrow();
             assertThat(exposure.detection(time)).isCloseTo(1.0 - missed, within(1e-5));
