@@ -85,7 +85,7 @@ final class EncounterMisses {
         for (int level = levels; level > 0; level--) {
             int node = leaf >> level;
             factor *= factors[node];
-            if ((leaf >> level - 1) % 2 == 1) {
+            if ((leaf >> level - 1) % 2 != 0) {
                 sum += factor * sums[2 * node];
             }
         }
