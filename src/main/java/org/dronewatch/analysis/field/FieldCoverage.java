@@ -30,12 +30,12 @@ public final class FieldCoverage {
     public static final double DEFAULT_COVERED = 0.5;
 
     /**
-     * The least probability that can be asked for: probabilities are kept in steps of 1/250, and below one and a half
-     * steps they cannot be told apart from 0.
+     * The least probability that can be requested. Probabilities are kept in steps of 1/250; those below one and a half
+     * steps are indistinguishable from 0.
      */
     public static final double LEAST_COVERED = 0.008;
 
-    /** The greatest that can be asked for, apart from 1: probabilities above it cannot be told apart from 1. */
+    /** The greatest below 1 that can be requested: probabilities above it are indistinguishable from 1. */
     public static final double MOST_COVERED = 0.996;
 
     private static final Cause[] CAUSES = Cause.values();
