@@ -17,9 +17,9 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Encodes images as a GIF that loops forever, for pages that show pictures but no videos. Each frame has its own palette
- * of up to 256 colours and stores only the pixels that changed since the previous frame, so a static background takes
- * almost no space.
+ * Encodes images as a GIF that loops forever, for pages that show pictures but no videos. Each frame has its own
+ * palette of up to 256 colours and stores only the pixels that changed since the previous frame, so a static background
+ * takes almost no space.
  */
 final class GifEncoder implements FilmEncoder {
     private static final String FORMAT = "gif";
