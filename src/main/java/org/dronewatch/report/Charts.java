@@ -48,7 +48,7 @@ public final class Charts {
 
     private Charts() {}
 
-    /** An empty plot. */
+    /** An empty plot in the common style. */
     public static XYChart chart(String title, String xTitle, String yTitle) {
         XYChart chart = new XYChartBuilder()
                 .width(WIDTH)

@@ -9,8 +9,8 @@ import org.dronewatch.bench.CostCurves;
 import org.knowm.xchart.XYChart;
 
 /**
- * Writes cost curves: a table and a plot each, with logarithmic axes except for threads and for costs within a factor
- * of two.
+ * Writes cost curves: a table and a plot each, with logarithmic axes, except for numbers of threads and for costs
+ * within a factor of two of each other.
  */
 public final class CostReport {
     /** Format of the numbers at logarithmic axes, which would otherwise be shown as 1E4. */
@@ -21,7 +21,7 @@ public final class CostReport {
     /**
      * Writes a CSV file and a PNG image for each curve.
      *
-     * @param directory target; created if missing; it receives all files or none
+     * @param directory the target, which is created if missing and receives either all files or none
      * @param study runs once the directory is known to be writable
      */
     public static void write(Path directory, Supplier<List<CostCurves>> study) {

@@ -17,7 +17,7 @@ public final class JsonFile {
 
     private JsonFile() {}
 
-    /** Adds the geographic position of a scene's origin, to a millimetre on the ground. */
+    /** Adds the geographic position of a scene's origin, rounded to a millimetre on the ground. */
     public static void add(ObjectNode node, Origin origin) {
         List<BigDecimal> point =
                 new GeoPoint(Math.toDegrees(origin.longitude()), Math.toDegrees(origin.latitude()), 0.0).onPlan();

@@ -3,18 +3,18 @@ package org.dronewatch.report;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 
-/** Numbers as files show them: six decimals at most, no exponent, no trailing zeros. */
+/** Numbers as files show them: at most six decimal places, no exponent, no trailing zeros. */
 public final class Numbers {
     private static final int DECIMALS = 6;
 
     private Numbers() {}
 
-    /** The number rounded, as text. */
+    /** The rounded number as text. */
     public static String text(double value) {
         return Double.isFinite(value) ? rounded(value).toPlainString() : Double.toString(value);
     }
 
-    /** The number rounded. */
+    /** The rounded number. */
     public static BigDecimal rounded(double value) {
         BigDecimal rounded = BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_EVEN);
         BigDecimal shortest = rounded.stripTrailingZeros();

@@ -14,9 +14,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * A directory of results that appears whole: files are written into a directory beside it and moved into it at the
- * end, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write into a
- * target.
+ * A directory of results whose files appear all at once: they are written into a directory beside it and, at the end,
+ * moved into it, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write
+ * into a target.
  */
 public final class OutputDirectory implements AutoCloseable {
     private static final Pattern LABEL = Pattern.compile("labels[/\\\\](run-\\d+[/\\\\])?[\\w-]+[/\\\\]\\d{6}\\.png");
@@ -35,7 +35,7 @@ public final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * Makes the directory to write into, so that a target that cannot be written is detected before the work begins.
+     * Creates the directory to write into, so that a target that cannot be written is detected before the work begins.
      * Anything that a killed run left there is removed.
      *
      * @throws InputException when the target is a file, cannot be written, or another run is writing into it
@@ -96,7 +96,7 @@ public final class OutputDirectory implements AutoCloseable {
         return Refusal.of(asked, problem);
     }
 
-    /** Where to write a file, given by its path inside the directory; its folders are made. */
+    /** Where to write a file, given by its path inside the directory; missing folders on that path are created. */
     public Path file(String relative) throws IOException {
         Path file = fresh.resolve(relative);
         Files.createDirectories(Objects.requireNonNull(file.getParent()));
@@ -129,10 +129,10 @@ public final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * The files with certain names that earlier results left in the target.
+     * The files of earlier results in the target whose names match a pattern.
      *
-     * @param sign a file that shows that they are there; without it, no file is taken for an earlier result
-     * @param names of the files
+     * @param sign a file that marks the target as holding such results; without it, the list is empty
+     * @param names the pattern of their names
      */
     public List<String> former(String sign, Pattern names) throws IOException {
         if (!Files.isRegularFile(target.resolve(sign))) {

@@ -30,7 +30,7 @@ public final class RayPaths {
     private final Map<String, List<Piece>> groups = new LinkedHashMap<>();
     private int pieces;
 
-    /** The recorder for the rays of a sensor and a drone of these names. */
+    /** The recorder for the rays of the sensor and the drone with these names. */
     public RayRecorder recorder(String sensor, String drone) {
         return (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {
             String group = sensor + "_" + drone + "_order_" + order + (received ? "_received" : "");

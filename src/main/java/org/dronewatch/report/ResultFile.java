@@ -16,12 +16,12 @@ import tools.jackson.databind.node.ObjectNode;
 public final class ResultFile {
     private final SceneResult result;
 
-    /** Of a run that has ended. */
+    /** The contents for a run that has ended. */
     public ResultFile(SceneResult result) {
         this.result = result;
     }
 
-    /** All keys. */
+    /** The contents, with all keys. */
     public ObjectNode toJson() {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("scene", result.scene());

@@ -36,8 +36,8 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, on request, {@code observations.csv}
- * during the run, {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end, and
- * if it was not cut short, {@code report.html} and, for a scene with a geographic origin, {@code map.geojson} and
+ * during the run; {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end;
+ * and, if it was not cut short, {@code report.html} and, for a scene with a geographic origin, {@code map.geojson} and
  * {@code map.kml}. They appear in the directory together, once all are complete.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
@@ -175,12 +175,15 @@ public final class RunReport implements SceneListener, AutoCloseable {
         Charts.write(chart, plotFile(curve.name() + "-" + sensor, sensor + ": " + curve.title()));
     }
 
-    /** Records the command line in {@code provenance.json} and in the report; a run by a program has none. */
+    /** Records the command line in {@code provenance.json} and in the report; a run started from Java code has none. */
     public void command(List<String> arguments) {
         command = List.copyOf(arguments);
     }
 
-    /** Records the inputs of the run, with the hashes of its files: {@code SceneRunner.inputs()} after the run. */
+    /**
+     * Records the inputs of the run, with the hashes of their files, as {@code SceneRunner.inputs()} returns them after
+     * the run.
+     */
     public void inputs(InputFiles files) {
         inputs = Optional.of(files);
     }
@@ -265,7 +268,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Ends the report; an unfinished one leaves no files behind. */
+    /** Closes the report; an unfinished one leaves no files behind. */
     @Override
     public void close() {
         try {

@@ -79,7 +79,7 @@ public final class WholeFile {
 
     /**
      * This file, provided that it does not contain the work of a person or of another command. Links are resolved, so
-     * that two names of a file are one target, as with a directory of results.
+     * that two names of the same file are one target, as with a directory of results.
      *
      * @param firstLine first line of a file that may be replaced
      * @param writer name, in messages, of the command that writes such files, such as {@code 'save'}

@@ -31,13 +31,13 @@ public final class CampaignFile {
     private final CampaignPlan plan;
     private final CampaignResult result;
 
-    /** Of all cases that were run. */
+    /** The contents for all cases that were run. */
     public CampaignFile(CampaignPlan plan, CampaignResult result) {
         this.plan = plan;
         this.result = result;
     }
 
-    /** All keys. */
+    /** The contents, with all keys. */
     public ObjectNode toJson() {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("format", FORMAT);

@@ -29,8 +29,8 @@ import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The directory of a campaign. Each chunk of cases is written whole when it is done; only the same campaign
- * can be resumed from them. One process at a time may write into it. For one thread.
+ * The directory of a campaign. Each chunk of cases is written whole when it is done; only the same campaign can be
+ * resumed from these chunks. One process at a time may write into the directory. For use by one thread.
  */
 public final class CampaignFiles implements AutoCloseable {
     /** The directory of the chunks of the campaign's cases. */
@@ -51,8 +51,8 @@ public final class CampaignFiles implements AutoCloseable {
     /**
      * Opens the directory, and writes the plan into a new one.
      *
-     * @param resume whether results of the same campaign may be there, and are to be completed
-     * @throws InputException when it cannot be written, is in use, or holds anything but what may be resumed
+     * @param resume whether the directory may hold results of the same campaign, which are then completed
+     * @throws InputException when it cannot be written, is in use, or holds anything but results that may be resumed
      */
     public CampaignFiles(CampaignPlan plan, Path directory, boolean resume) {
         this.plan = plan;
@@ -176,10 +176,11 @@ public final class CampaignFiles implements AutoCloseable {
     }
 
     /**
-     * Writes {@code runs.csv}, {@code sensitivity.csv} and {@code campaign.json} from the chunks that are there and,
-     * if all are, {@code report.html}.
+     * Writes {@code runs.csv}, {@code sensitivity.csv} and {@code campaign.json} from the chunks that have been written
+     * and, if none is missing, {@code report.html}.
      *
-     * @param caseCommand what runs a case again, without {@code --case} and its number; empty if nothing does
+     * @param caseCommand the command that runs a case again, without {@code --case} and its number; empty if there is
+     *     none
      * @return the results of the campaign so far
      */
     public CampaignResult finish(Optional<String> caseCommand) {
@@ -228,7 +229,7 @@ public final class CampaignFiles implements AutoCloseable {
     }
 
     /**
-     * Writes where the results come from.
+     * Writes a file that states where the results come from.
      *
      * @param provenance the contents of the file
      */

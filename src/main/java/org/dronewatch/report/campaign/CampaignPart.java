@@ -19,7 +19,7 @@ public final class CampaignPart {
     /**
      * A part of a campaign.
      *
-     * @throws InputException in one line when the directory does not hold this campaign
+     * @throws InputException with a one-line message when the directory does not hold this campaign
      */
     public CampaignPart(CampaignPlan plan, Path directory) {
         this.plan = plan;
@@ -38,7 +38,7 @@ public final class CampaignPart {
     }
 
     /**
-     * The results of a chunk; empty if they are not there.
+     * The results of a chunk; empty if the directory does not hold them.
      *
      * @param cases the campaign's, or those that show which settings matter
      */

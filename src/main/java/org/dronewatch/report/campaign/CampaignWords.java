@@ -19,7 +19,7 @@ import org.dronewatch.campaign.sensitivity.SobolIndex;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.setting.Counted;
 
-/** Results of campaigns in sentences. */
+/** States the results of campaigns in sentences. */
 public final class CampaignWords {
     private static final double PERCENT = 100.0;
 
@@ -120,7 +120,10 @@ public final class CampaignWords {
         return lines;
     }
 
-    /** The reason for which most cases failed; of several, the first. Empty if none did. */
+    /**
+     * The most frequent reason for the failure of a case, or the first of several such reasons; empty if no case
+     * failed.
+     */
     public static String mostFrequentFailure(CampaignSummary summary) {
         return summary.variants().values().stream()
                 .flatMap(variant -> variant.failures().stream())
@@ -129,7 +132,7 @@ public final class CampaignWords {
                 .orElse("");
     }
 
-    /** A line that says that runs end too early, if some do. */
+    /** A line that says that runs end too early; empty if none do. */
     public static Optional<String> cutShort(CampaignSummary summary) {
         String counts = summary.variants().entrySet().stream()
                 .filter(one -> one.getValue().cutShort() > 0)
@@ -151,7 +154,7 @@ public final class CampaignWords {
         return value.isPresent() ? String.format(Locale.ROOT, "%.1f", value.getAsDouble()) : "-";
     }
 
-    /** Why a campaign does not show what is expected of it. */
+    /** Why a campaign does not meet an expectation. */
     public static String missed(CampaignPlan plan, Expectation expected, CampaignSummary summary) {
         String what = "'" + expected.of().name().toLowerCase(Locale.ROOT).replace('_', ' ') + "' for "
                 + expected.variantIn(plan);
@@ -201,7 +204,7 @@ public final class CampaignWords {
         return Math.abs(percent) < 0.05 ? 0.0 : percent;
     }
 
-    /** {@code 2 percentage points}, of a difference of probabilities. */
+    /** A difference of probabilities in words: {@code 2 percentage points}. */
     public static String points(double difference) {
         String points = ReadableNumbers.number(ShareWords.PERCENT * difference);
         return points + (points.equals("1") ? " percentage point" : " percentage points");

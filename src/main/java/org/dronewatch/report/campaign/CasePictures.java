@@ -45,9 +45,9 @@ public final class CasePictures {
     }
 
     /**
-     * Writes the picture of a case, which is flown for it, as PNG.
+     * Runs a case and writes its picture as PNG.
      *
-     * @throws org.dronewatch.setting.InputException when the values of the case are not valid together
+     * @throws org.dronewatch.setting.InputException when the values of the case are not valid in combination
      */
     public void write(int number, String variant, OutputStream stream) throws IOException {
         stream.write(figure(FlownCase.of(plan, number, variant)).png());

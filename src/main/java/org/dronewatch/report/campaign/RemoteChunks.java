@@ -21,8 +21,8 @@ public final class RemoteChunks {
     }
 
     /**
-     * SHA-256 of the campaign, of the settings of all variants, of their model files, and of the program's version:
-     * processes with the same hash run the same campaign.
+     * SHA-256 of the campaign, the settings of all variants, their model files and the program's version: processes
+     * with the same hash run the same campaign.
      */
     public String hash() {
         return new CampaignPlanFile(plan).hash();
@@ -40,11 +40,11 @@ public final class RemoteChunks {
     }
 
     /**
-     * Reads such bytes.
+     * Reads the bytes of a chunk.
      *
      * @param cases the campaign's, or those that show which settings matter
-     * @return by case, then variant
-     * @throws IllegalStateException when they are not those of this chunk
+     * @return the results, by case, then variant
+     * @throws IllegalStateException when the bytes are not those of this chunk
      */
     public List<CaseResult> read(Cases cases, int chunk, byte[] bytes) {
         try {

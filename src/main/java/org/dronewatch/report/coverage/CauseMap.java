@@ -13,9 +13,9 @@ public final class CauseMap {
     private final CauseLegend legend;
 
     /**
-     * The map of a height, given by its number.
+     * The map of the height with the given index.
      *
-     * @param inputs what the coverage was asked for
+     * @param inputs the inputs of the coverage
      */
     public CauseMap(FieldSummary summary, int height, CoverageInputs inputs) {
         this.grid = summary.coverage().field().grid();

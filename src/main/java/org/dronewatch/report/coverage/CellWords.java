@@ -31,7 +31,7 @@ public final class CellWords {
      * The words for a cell.
      *
      * @param settings of the scene
-     * @param height number of the height in the grid
+     * @param height index of the height in the grid
      * @param column from the west
      * @param row from the north
      */
@@ -43,7 +43,7 @@ public final class CellWords {
         this.row = row;
     }
 
-    /** What is there, from the field alone: {@code 30 m above the ground: hidden by terrain}. */
+    /** The state of the cell, from the field alone: {@code 30 m above the ground: hidden by terrain}. */
     public String summary() {
         return above() + state();
     }
@@ -75,7 +75,7 @@ public final class CellWords {
         return cause == Cause.DETECTED && !isCovered ? CoverageTable.TOO_RARELY : CoverageTable.name(cause);
     }
 
-    /** The probability that a sensor, given by its number, detects the drone; a dash where the drone cannot be. */
+    /** The probability that a sensor, given by its index, detects the drone; a dash where no drone can be. */
     public String probability(int sensor) {
         if (!coverage.field().isOpen(height, column, row)) {
             return "-";
@@ -94,7 +94,7 @@ public final class CellWords {
         return String.format(Locale.ROOT, "%.2f", value);
     }
 
-    /** Why a sensor, given by its number, does not detect the drone, or that it does; from the field alone. */
+    /** Why a sensor, given by its index, does not detect the drone, or that it does; from the field alone. */
     public String cause(int sensor) {
         if (!coverage.field().isOpen(height, column, row)) {
             return "";
@@ -104,7 +104,7 @@ public final class CellWords {
     }
 
     /**
-     * The margin by which the signal of a sensor, given by its number, exceeds its threshold, as far as the field keeps
+     * The margin by which the signal of a sensor, given by its index, exceeds its threshold, as far as the field keeps
      * it: {@code +3.2 dB}, {@code <= -12 dB} or {@code no signal}; empty if only the sign is kept.
      */
     public String margin(int sensor) {
@@ -127,8 +127,8 @@ public final class CellWords {
     }
 
     /**
-     * What is there, from the field alone, and which sensor decides, if the margins that the field keeps are enough to
-     * tell.
+     * The state of the cell, from the field alone, and the deciding sensor, if the margins that the field keeps suffice
+     * to determine it.
      */
     public String deciding() {
         OptionalInt sensor = coverage.field().isOpen(height, column, row)
@@ -162,7 +162,10 @@ public final class CellWords {
         return (margin >= 0.0 ? "+" : "-") + measured(Math.abs(margin), assessment.unit());
     }
 
-    /** Why a sensor, given by its number, does not detect the drone, with what hides it or with the limit. */
+    /**
+     * Why a sensor, given by its index, does not detect the drone, with the object that hides it or the limit that
+     * applies.
+     */
     public String reason(int sensor, GapEvidence.Examined examined) {
         String name = coverage.field().sensors().get(sensor);
         Assessment assessment = examined.assessment();
@@ -177,8 +180,8 @@ public final class CellWords {
     }
 
     /**
-     * What is there and which sensor decides, with its probability and its margin: {@code 30 m above the ground: hidden
-     * by a building ('Town hall'). 'radar' decides: probability 0, no signal.}
+     * The state of the cell and the deciding sensor, with its probability and its margin: {@code 30 m above the ground:
+     * hidden by a building ('Town hall'). 'radar' decides: probability 0, no signal.}
      */
     public String deciding(CellEvidence evidence) {
         int sensor = evidence.deciding();

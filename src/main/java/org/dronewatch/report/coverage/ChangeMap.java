@@ -10,8 +10,8 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.sensor.Cause;
 
 /**
- * What one layout of sensors covers at a height, and another does not. In the colours of the map of causes, with
- * patterns that tell them apart in black and white; what is covered by both is plain.
+ * Shows what one layout of sensors covers at a height and another does not, in the colours of the map of causes and
+ * with patterns that distinguish them in black and white; what both cover is plain.
  */
 public final class ChangeMap {
     private static final Color GREEN = new Color(0x009e73);
@@ -51,7 +51,7 @@ public final class ChangeMap {
     private final int height;
 
     /**
-     * A map of a height, given by its number.
+     * The map of the height with the given index.
      *
      * @param before coverage of one layout
      * @param after coverage of the other in the same cells
@@ -77,7 +77,7 @@ public final class ChangeMap {
         return isKnown ? Change.NEITHER : Change.NOTHING;
     }
 
-    /** Writes a line of the legend for each kind of cell that occurs, with its fraction of the known cells. */
+    /** Writes a legend entry for each kind of cell that occurs, with its fraction of the known cells. */
     public void writeLegend(MapSheet sheet) {
         Map<Change, Integer> counts = counts();
         int known = counts.entrySet().stream()
@@ -91,7 +91,7 @@ public final class ChangeMap {
                         : String.format(Locale.ROOT, "%s: %.1f %%", change.words, 100.0 * cells / known)));
     }
 
-    /** {@code gained in 12.3 % of the known cells, lost in 0.4 %}. */
+    /** The change in words: {@code gained in 12.3 % of the known cells, lost in 0.4 %}. */
     public String inWords() {
         Map<Change, Integer> counts = counts();
         int known = 0;

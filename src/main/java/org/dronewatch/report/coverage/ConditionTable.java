@@ -13,7 +13,7 @@ public final class ConditionTable {
 
     private ConditionTable() {}
 
-    /** What is covered, what is lost, and which sensor covers most. */
+    /** The fractions that are covered and lost, and the sensor that covers most. */
     public static List<String> lines(List<ConditionCoverage> conditions) {
         List<String> lines = new ArrayList<>();
         lines.add("covered under each condition, in % of the known cells:");

@@ -13,7 +13,7 @@ import org.dronewatch.report.Numbers;
  * @param drone name of the drone
  * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
  * @param covered the probability with which a sensor must detect the drone to cover a cell
- * @param terms on which the drone counts as detected
+ * @param terms the terms on which the drone counts as detected
  * @param area name of the protected area to which the cells that count are limited; empty if all do
  * @param origin geographic position of the scene's origin, if it is known
  */
@@ -31,7 +31,7 @@ public record CoverageInputs(
         return terms.within();
     }
 
-    /** {@code on the worst heading}, or {@code inbound}; and that sensors search, if they do. */
+    /** The heading in words, {@code on the worst heading} or {@code inbound}; if sensors search, it says so, too. */
     public String headingInWords() {
         return (heading.equals("inbound") ? heading : "on the " + heading + " heading")
                 + (terms.pointing() == FieldTerms.Turning.SEARCH ? ", sensors searching" : "");

@@ -72,7 +72,7 @@ public final class CoveragePicture {
         return picture;
     }
 
-    /** The colour of a pixel, from the top left. */
+    /** The colour of a pixel; columns and rows are counted from the top left. */
     public Color colour(int column, int row) {
         return new Color(image.getRGB(column, row));
     }

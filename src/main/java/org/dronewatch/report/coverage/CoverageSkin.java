@@ -10,8 +10,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteSkin;
 
 /**
- * The coverage at one height, laid over ground and roofs in the colours and patterns of the map of causes. What is lost
- * without the sensors that are switched off is crossed out. Immutable.
+ * The coverage at one height, laid over ground and roofs in the colours and patterns of the map of causes. Cells that
+ * are lost without the sensors that are switched off are crossed out. Immutable.
  */
 public final class CoverageSkin implements SiteSkin {
     private static final int SWATCH_WIDTH = 24;
@@ -38,7 +38,7 @@ public final class CoverageSkin implements SiteSkin {
     /** A cell of the skin, by its column from the west and its row from the north. */
     public record SkinCell(int column, int row) {}
 
-    /** The skin of a height. */
+    /** The skin for one height. */
     public CoverageSkin(RemainingCoverage remaining) {
         this.grid = remaining.rest().field().grid();
         this.shown = new CauseLegend(

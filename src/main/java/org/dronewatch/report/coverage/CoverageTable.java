@@ -9,7 +9,10 @@ import java.util.Set;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.sensor.Cause;
 
-/** Tables of a {@link Coverage}: areas, and the causes for which each sensor misses the drone elsewhere. */
+/**
+ * Tables of a {@link Coverage}: the areas in which sensors detect the drone, and the reasons why each misses it
+ * elsewhere.
+ */
 public final class CoverageTable {
     /** The words for a sensor that may detect the drone, but less often than is asked for. */
     static final String TOO_RARELY = "detected, but with too low a probability";
@@ -34,8 +37,8 @@ public final class CoverageTable {
     }
 
     /**
-     * The fraction of the cells with ground in which each sensor detects the drone, and that in which it misses it, by
-     * cause; a line for each sensor, a column for each cause that occurs.
+     * The fractions of the cells with ground in which each sensor detects the drone and, by cause, misses it; a line
+     * for each sensor, a column for each cause that occurs.
      *
      * @param causes number of cells for each, by sensor: {@link Coverage#causes}
      */

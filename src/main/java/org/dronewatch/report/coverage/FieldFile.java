@@ -26,7 +26,7 @@ public final class FieldFile {
 
     private FieldFile() {}
 
-    /** All keys. */
+    /** The contents, with all keys. */
     public static ObjectNode toJson(FieldSurvey survey, CoverageInputs inputs) {
         FieldSummary summary = survey.summary();
         FieldGrid grid = survey.grid();

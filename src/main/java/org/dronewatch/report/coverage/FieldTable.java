@@ -56,8 +56,8 @@ public final class FieldTable {
     }
 
     /**
-     * What is no longer covered without each sensor, less what is covered only without it, in percent of the known
-     * cells at each height; a dash where no cell changes.
+     * The cells that are no longer covered without each sensor, minus those that are covered only without it, in
+     * percent of the known cells at each height; a dash where no cell changes.
      */
     public static List<String> losses(FieldSummary summary, CoverageInputs inputs) {
         List<String> lines = new ArrayList<>();
@@ -143,8 +143,8 @@ public final class FieldTable {
     }
 
     /**
-     * How accurate the interpolated levels of sensors are, with a warning where they are not
-     * accurate; nothing if none are interpolated.
+     * How accurate the interpolated levels of sensors are, with a warning where they are not accurate; empty if none
+     * are interpolated.
      */
     public static List<String> interpolated(FieldSummary summary) {
         List<String> lines = new ArrayList<>();

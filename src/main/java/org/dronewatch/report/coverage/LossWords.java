@@ -12,7 +12,7 @@ public final class LossWords {
     /**
      * The loss in a sentence: {@code At 30 m, 31.0 % of the known area instead of 43.3 % is covered without 'radar'.}
      *
-     * @param off the sensors that are left out, perhaps none
+     * @param off the sensors that are left out; may be empty
      */
     public static String sentence(RemainingCoverage remaining, Collection<String> off) {
         double above = remaining.all().field().grid().heights().get(remaining.height());

@@ -26,7 +26,7 @@ public final class Losses {
         this.sensors = summary.coverage().field().sensors();
     }
 
-    /** The section: a table, and the heights at which most depends on one sensor. */
+    /** The section of a report: a table, and the heights at which the most coverage depends on one sensor. */
     public String html() {
         StringBuilder html = new StringBuilder();
         html.append(Html.plain(

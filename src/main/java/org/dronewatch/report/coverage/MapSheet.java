@@ -21,7 +21,7 @@ import org.dronewatch.render.Credits;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.world.World;
 
-/** A map of a grid's area, north up: cells in colours over shaded ground, a scale bar, and a legend beside it. */
+/** A map of a grid's area, north up: coloured cells over shaded ground, with a scale bar, and a legend beside it. */
 public final class MapSheet {
     /** Width and height of the map itself, pixels. */
     public static final int MAP = 1000;
@@ -45,7 +45,10 @@ public final class MapSheet {
     private String caption = "";
     private int line = MARGIN + 16;
 
-    /** What fills a cell or a swatch of the legend: by the position of a pixel, so that it may be a pattern. */
+    /**
+     * What fills a cell or a swatch of the legend. The colour depends on the position of the pixel, so a fill may be a
+     * pattern.
+     */
     @FunctionalInterface
     public interface Fill {
         /** The colour of a pixel over that of the ground. */
@@ -59,7 +62,7 @@ public final class MapSheet {
         Fill at(int column, int row);
     }
 
-    /** An empty sheet of the area of a grid. */
+    /** An empty sheet for the area of a grid. */
     public MapSheet(FieldGrid grid) {
         this.grid = grid;
         this.side = grid.columns() * grid.cell();
@@ -69,15 +72,15 @@ public final class MapSheet {
         g.fillRect(MAP, 0, SIDE, MAP);
     }
 
-    /** The ground of a grid, which is the same on all maps of it. */
+    /** The shaded ground of a grid's area, which is the same on all maps of it. */
     public static int[] ground(World world, FieldGrid grid) {
         return ReliefShade.of(world, grid.east(), grid.north(), grid.columns() * grid.cell(), MAP);
     }
 
     /**
-     * Draws the cells, the sensors and the scale.
+     * Draws the cells, the sensors, the scale bar and the north arrow.
      *
-     * @param ground as {@link #ground} gives it
+     * @param ground as {@link #ground} returns it
      */
     public void drawMap(int[] ground, Cells cells, List<Position> sensors) {
         for (int v = 0; v < MAP; v++) {
@@ -90,7 +93,7 @@ public final class MapSheet {
         frame();
     }
 
-    /** Draws the scale bar and the north arrow again, over what was drawn across them. */
+    /** Draws the scale bar and the north arrow again, on top of anything drawn over them. */
     public void frame() {
         MapFrame.draw(g, MAP, side);
     }
@@ -106,7 +109,7 @@ public final class MapSheet {
     /**
      * Draws a closed line on the map.
      *
-     * @param style a number that makes lines differ even in black and white: 0 is solid, others are dashed
+     * @param style a number by which lines differ even in black and white: 0 is solid, other numbers are dashed
      */
     public void outline(List<Position> corners, Color colour, int style) {
         Polygon line = new Polygon();
@@ -214,7 +217,7 @@ public final class MapSheet {
         }
     }
 
-    /** Writes the credits that the data of the site require, at the bottom of the legend. */
+    /** Writes the credits required by the site's data at the bottom of the legend. */
     public void credits(List<String> credits) {
         g.setFont(SMALL);
         g.setColor(Color.DARK_GRAY);
@@ -285,7 +288,7 @@ public final class MapSheet {
         }
     }
 
-    /** A colour over another. */
+    /** A colour mixed with another that lies over it. */
     public static Color mixed(Color below, Color above, double share) {
         return new Color(
                 (int) Math.round((1 - share) * below.getRed() + share * above.getRed()),

@@ -24,7 +24,7 @@ public final class MoveWords {
             this.words = words;
         }
 
-        /** In a word. */
+        /** Its name in one word. */
         public String word() {
             return word;
         }
@@ -33,14 +33,14 @@ public final class MoveWords {
     private MoveWords() {}
 
     /**
-     * What is covered now, and what was covered before:
-     * {@code At 30 m, 45.1 % of the known area is covered; before 'radar' was moved, it was 43.3 % (+1.8).}
+     * States what is covered now and what was covered before: {@code At 30 m, 45.1 % of the known area is covered;
+     * before 'radar' was moved, it was 43.3 % (+1.8).}
      *
      * @param before the coverage before the move, at the same height
      * @param now the coverage after it
-     * @param off the sensors that are left out of both, perhaps none
+     * @param off the sensors that are left out both before and now; may be empty
      * @param moved the sensors that were moved
-     * @param reduced those of them of which only signals along exact paths count
+     * @param reduced those of the moved sensors for which only signals along exact paths count
      */
     public static String sentence(
             RemainingCoverage before,

@@ -29,7 +29,7 @@ public final class SurveyTables {
                 + (missing.isEmpty() ? "" : "; missing: " + String.join(", ", missing));
     }
 
-    /** The tables of what was completed, with an empty line between two of them. */
+    /** The tables of what was completed, separated by empty lines. */
     public static List<String> lines(FieldSurvey survey, CoverageInputs inputs) {
         List<List<String>> tables = new ArrayList<>();
         tables.add(FieldTable.causes(survey.summary(), inputs));

@@ -10,7 +10,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.In;
 
-/** The map of the warning of straight inbound flights: where they begin, and a line for each height. */
+/** The map of the warning times of straight inbound flights: where the flights begin, and a line for each height. */
 public final class WarningMap {
     private static final Color START = Color.GRAY;
 
@@ -20,18 +20,18 @@ public final class WarningMap {
     private final CoverageSite site;
     private final CoverageInputs inputs;
 
-    /** A map of a site. */
+    /** A map for a site. */
     public WarningMap(CoverageSite site, CoverageInputs inputs) {
         this.site = site;
         this.inputs = inputs;
     }
 
     /**
-     * Where straight inbound flights are first detected, a line for each height, and where they must be detected for
-     * the response to be in time.
+     * The sheet with a line for each height that shows where straight inbound flights are first detected, and where
+     * they must be detected for the response to be in time.
      *
      * @param grid of the other maps
-     * @param ground of that grid, as {@link MapSheet#ground} gives it
+     * @param ground of that grid, as {@link MapSheet#ground} returns it
      */
     public MapSheet sheet(FieldGrid grid, int[] ground, InboundWarnings warnings) {
         FieldGrid shown = showsAll(grid, warnings) ? grid : around(warnings);

@@ -9,13 +9,16 @@ import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.Numbers;
 
-/** A table of the warning of inbound flights. */
+/** A table of the warning times of inbound flights. */
 public final class WarningTable {
     private static final String AT_LEAST = ">= ";
 
     private WarningTable() {}
 
-    /** For each height the least warning and its bearing, the median, and how many bearings give none or too little. */
+    /**
+     * For each height, the shortest warning and its bearing, the median, and how many bearings give no warning or too
+     * little.
+     */
     public static List<String> lines(InboundWarnings warnings) {
         boolean isRequired = warnings.response() > 0.0;
         List<String> lines = new ArrayList<>();

@@ -10,7 +10,7 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.html.Html;
 
-/** The warning of straight inbound flights in words and in a table. */
+/** States the warning times of straight inbound flights in words and in a table. */
 public final class WarningWords {
     private final InboundWarnings warnings;
 

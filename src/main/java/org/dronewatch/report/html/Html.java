@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Pieces of a page as well-formed text; what comes from outside is escaped. */
+/** Builds pieces of a page in well-formed mark-up; plain text is escaped. */
 public final class Html {
     private static final int LONGEST_NAME = 16;
 
@@ -16,7 +16,7 @@ public final class Html {
 
     private Html() {}
 
-    /** Text in which nothing is mark-up. */
+    /** Plain text, escaped so that nothing in it is read as mark-up. */
     public static String text(String plain) {
         return plain.replace("&", "&amp;")
                 .replace("<", "&lt;")
@@ -24,7 +24,7 @@ public final class Html {
                 .replace("\"", "&quot;");
     }
 
-    /** An element with mark-up in it. */
+    /** An element that contains mark-up. */
     public static String element(String name, String inside) {
         return "<" + name + ">" + inside + "</" + name + ">\n";
     }
@@ -71,7 +71,7 @@ public final class Html {
         return text.contains("-") && !text.contains(" ") && text.length() <= LONGEST_NAME;
     }
 
-    /** A picture that is part of the page, with what it shows. */
+    /** A picture embedded in the page, with its caption. */
     public static String figure(byte[] png, String caption) {
         String data = Base64.getEncoder().encodeToString(png);
         return "<figure><img alt=\"" + text(caption) + "\" src=\"data:image/png;base64," + data + "\"/>"

@@ -23,7 +23,7 @@ public final class Page {
     /**
      * Begins a page.
      *
-     * @param target of its bytes, in UTF-8; it is not closed
+     * @param target receives the bytes of the page, in UTF-8; it is not closed
      * @param title of the window
      * @param heading the first line of the page
      */
@@ -47,12 +47,12 @@ public final class Page {
         }
     }
 
-    /** The result in a few sentences of plain text, which stand out. */
+    /** Adds the result: a few sentences of plain text, set off from the rest. */
     public void verdict(String sentences) throws IOException {
         writer.append("<p class=\"verdict\">").append(Html.text(sentences)).append("</p>\n");
     }
 
-    /** A warning in a line of plain text. */
+    /** Adds a warning: a line of plain text. */
     public void warning(String line) throws IOException {
         writer.append("<p class=\"warning\">")
                 .append(Html.text("Warning: " + line + "."))

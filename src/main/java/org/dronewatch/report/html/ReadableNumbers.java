@@ -12,12 +12,12 @@ public final class ReadableNumbers {
 
     private ReadableNumbers() {}
 
-    /** A number with one decimal at most; with none if it is whole, or 100 or above. */
+    /** A number with one decimal place; with none if it is whole, or if its magnitude is 100 or more. */
     public static String number(double value) {
         return Math.abs(value) >= 100.0 || value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
     }
 
-    /** A number with its unit; one without a unit is a probability. */
+    /** A number with its unit; one without a unit is a probability, shown in percent. */
     public static String measured(double value, String unit) {
         if (!unit.isEmpty()) {
             return number(value) + " " + unit;
@@ -26,12 +26,15 @@ public final class ReadableNumbers {
         return percent < 0.1 ? "less than 0.1 %" : format(percent < 10.0 ? "%.1f %%" : "%.0f %%", percent);
     }
 
-    /** A value with one decimal, or a word where there is no value. */
+    /** A value with one decimal place, or a word where there is no value. */
     static String orElse(OptionalDouble value, String none) {
         return value.isPresent() ? format("%.1f", value.getAsDouble()) : none;
     }
 
-    /** The smallest and the largest of some values with one decimal, {@code 3.0 to 7.5}; a dash where there is none. */
+    /**
+     * The smallest and the largest of some values, with one decimal place: {@code 3.0 to 7.5}; a dash if there are no
+     * values.
+     */
     static String range(DoubleStream values) {
         DoubleSummaryStatistics all = values.summaryStatistics();
         if (all.getCount() == 0) {

@@ -7,7 +7,7 @@ import java.util.List;
 
 /** A drawing of values versus bearing, north up: rings at round values, a closed line for each series, a legend. */
 public final class Rose {
-    /** The number of lines of the legend for which there is room. */
+    /** The number of legend entries for which there is room. */
     public static final int ENTRIES = 18;
 
     private static final int WIDTH = 860;
@@ -54,7 +54,7 @@ public final class Rose {
     }
 
     /**
-     * A circle at a value.
+     * Draws a circle at a value.
      *
      * @param style attributes of the element
      */
@@ -66,7 +66,7 @@ public final class Rose {
         return RADIUS * value / most;
     }
 
-    /** Rings at round values, and the bearings. */
+    /** Draws rings at round values, and lines and labels for the compass points. */
     public void scale() {
         double wanted = most / 4.0;
         double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
@@ -87,7 +87,7 @@ public final class Rose {
     }
 
     /**
-     * A closed line.
+     * Draws a closed line.
      *
      * @param points in the order of their bearings
      * @param stroke attributes of the line
@@ -102,7 +102,7 @@ public final class Rose {
                 corners.toString().strip(), stroke));
     }
 
-    /** A dot at a value. */
+    /** Draws a dot at a value. */
     public void dot(Point point, String fill) {
         svg.append(format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>%n", x(point), y(point), fill));
     }
@@ -116,9 +116,9 @@ public final class Rose {
     }
 
     /**
-     * Adds a line to the legend.
+     * Adds an entry to the legend.
      *
-     * @param stroke attributes of the line that it explains
+     * @param stroke attributes of the line that the entry explains
      */
     public void entry(String stroke, String words) {
         svg.append(format(

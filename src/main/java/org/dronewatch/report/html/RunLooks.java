@@ -10,7 +10,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
 /**
- * The looks of one run: for each sensor and drone the best look and the number of detections, and the pointings of
+ * The looks of one run: the best look and the number of detections for each sensor and drone, and the pointings of
  * positioners.
  */
 public final class RunLooks {

@@ -17,7 +17,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Choices;
 
-/** Tables of a scene's sensors for a report: their settings and costs, and where the settings come from. */
+/** Tables of a scene's sensors for a report: their settings and costs, and the sources of the settings. */
 public final class SensorTables {
     private final SceneSettings settings;
 

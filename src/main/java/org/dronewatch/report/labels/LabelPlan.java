@@ -10,7 +10,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * A plan for labelled pictures: the cameras, and the number of their pictures.
+ * A plan for labelled pictures: their cameras and their number.
  *
  * @param cameras ids, in the order of the scene
  * @param samples each pixel is the mean of samples x samples rays
@@ -40,9 +40,9 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
      * @param option name of the list of cameras in messages, such as {@code --labels}
      * @param chosen ids of cameras
      * @param runs the settings of all runs
-     * @throws InputException when one is not a camera of the scene that takes pictures in visible light, or is switched
-     *     off, or is named twice; or when there are more than {@link #MOST_PICTURES} pictures or {@link #MOST_PIXELS}
-     *     pixels
+     * @throws InputException when a chosen id is not that of a camera of the scene that takes pictures in visible
+     *     light, or that camera is switched off or named twice; or when there are more than {@link #MOST_PICTURES}
+     *     pictures or {@link #MOST_PIXELS} pixels
      */
     public static LabelPlan of(String option, List<String> chosen, int samples, List<SceneSettings> runs) {
         SceneSettings first = runs.get(0);

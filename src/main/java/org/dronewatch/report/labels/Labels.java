@@ -201,7 +201,7 @@ public final class Labels implements AutoCloseable {
     }
 
     /**
-     * Ends the labels; the target has to remove unfinished files.
+     * Closes the label files; the target has to remove unfinished ones.
      *
      * @throws UncheckedIOException when the last lines cannot be written
      */

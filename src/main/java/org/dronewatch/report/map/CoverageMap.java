@@ -31,8 +31,8 @@ public final class CoverageMap {
     /**
      * How a cause is shown.
      *
-     * @param name in words
-     * @param colour of its areas
+     * @param name of the cause, in words
+     * @param colour the colour of its areas
      */
     public record CauseStyle(String name, Color colour) {}
 

@@ -36,8 +36,8 @@ import org.dronewatch.geo.Origin;
 
 /**
  * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) of one band, compressed by deflate: classes with a palette, numbers
- * and counts. TIFF has no names for classes: they go into a file beside it, where GDAL and QGIS read them. Equal grids
- * give the same bytes.
+ * and counts. TIFF has no names for classes, so they go into a file beside the image, where GDAL and QGIS find them.
+ * Equal grids give the same bytes.
  */
 public final class GeoTiff {
     /** The class that marks cells without one. */
@@ -61,7 +61,6 @@ public final class GeoTiff {
 
     /**
      * A kind of cell.
-     *
      * @param name of it
      * @param colour of it
      */
@@ -84,10 +83,10 @@ public final class GeoTiff {
     }
 
     /**
-     * Writes classes, and their names into a file beside theirs.
+     * Writes classes, and their names to a second file beside the first.
      *
      * @param cells the numbers of their classes, row by row from the north-west; {@link #NO_CLASS} for none
-     * @param classes by their numbers
+     * @param classes in the order of their numbers
      */
     public void writeClasses(Path file, byte[] cells, List<CellClass> classes) throws IOException {
         byte[][] palette = new byte[3][CLASSES];
@@ -105,7 +104,7 @@ public final class GeoTiff {
     }
 
     /**
-     * Writes numbers of single precision.
+     * Writes single-precision numbers.
      *
      * @param cells row by row from the north-west; NaN for none
      */

@@ -21,9 +21,9 @@ public final class RouteMap {
     /**
      * A piece of a route.
      *
-     * @param route name of the route, which is that of its folder
-     * @param exposure on the piece, in words
-     * @param mode mode in which it is flown
+     * @param route name of the route and of its folder
+     * @param exposure the exposure on the piece, in words
+     * @param mode the mode in which it is flown
      * @param points two or more, m
      * @param colour of its line
      * @param begin when the drone is at its first point, s

@@ -9,8 +9,8 @@ import org.dronewatch.run.Stage;
 
 /**
  * A map of a run for map viewers: sensors, their fields of view, the flights, and the position of each drone when a
- * sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are metres above the sea,
- * or above the level of the scene's origin if the height of that is not known. The bytes depend only on the results.
+ * sensor detected or lost it. Longitude and latitude (WGS 84) are exact, in degrees; heights are in metres above sea
+ * level, or above the scene's origin if the height of the origin is not known. The bytes depend only on the results.
  */
 public final class SiteMap {
     /** The name of the GeoJSON file (RFC 7946). */
@@ -29,7 +29,7 @@ public final class SiteMap {
     }
 
     /**
-     * The map of a result's first run; none unless its scene states the geographic position of its origin.
+     * The map of a result's first run; empty unless its scene states the geographic position of its origin.
      *
      * @param stage the site of that run
      */

@@ -14,11 +14,11 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a placement for the most coverage found.
+ * What a search for the placement with the most coverage found.
  *
  * @param front best layouts for several budgets
  * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
- *     was interrupted before
+ *     was interrupted before they were computed
  */
 public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<LayoutFields> fields)
         implements PlaceResults {

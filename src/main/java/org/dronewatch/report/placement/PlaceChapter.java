@@ -9,7 +9,7 @@ import org.dronewatch.report.html.Figure;
 /**
  * The part of a report that depends on the objective.
  *
- * @param verdict sentences that follow what is said on every objective, in plain text; may be empty
+ * @param verdict sentences in plain text that follow those common to all objectives; may be empty
  * @param pictures by the names of their files
  * @param sections in their order
  * @param scope what limits these results, in sentences

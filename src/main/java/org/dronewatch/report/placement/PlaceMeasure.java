@@ -3,22 +3,22 @@ package org.dronewatch.report.placement;
 import java.util.OptionalDouble;
 import org.dronewatch.placement.site.SectorGain;
 
-/** What the values of an objective are, in words. */
+/** Describes the values of an objective in words. */
 public interface PlaceMeasure {
-    /** What the layout is best for, with a space before it: {@code  against the weakest route}; or empty. */
+    /** What the layout is best for, with a leading space: {@code  against the weakest route}; or an empty text. */
     String purpose();
 
-    /** A value: {@code 95.8 %}. */
+    /** A value as text: {@code 95.8 %}. */
     String text(double value);
 
     /**
      * What sensors achieve: {@code covers 95.8 %}.
      *
-     * @param isOne whether the verb is that of one subject
+     * @param isOne whether the subject of the verb is singular
      */
     String claim(boolean isOne, double value);
 
-    /** What the value is a part of, with a space before it: {@code  of the air}; or empty. */
+    /** What the value is a part of, with a leading space: {@code  of the air}; or an empty text. */
     String whole();
 
     /** The heading of a column of values. */
@@ -27,18 +27,18 @@ public interface PlaceMeasure {
     /** The title of the axis of values, with its unit. */
     String axis();
 
-    /** A value in the unit of the axis. */
+    /** A value converted to the unit of the axis. */
     double plotted(double value);
 
-    /** The greatest value that there can be, in the unit of the axis; empty without a limit. */
+    /** The greatest possible value, in the unit of the axis; empty if there is no limit. */
     OptionalDouble most();
 
     /** What the bound says: {@code no layout covers more}. */
     String unbeaten();
 
-    /** What the columns 'alone' and 'together' are, in a sentence. */
+    /** A sentence that explains the columns 'alone' and 'together'. */
     String columns();
 
-    /** Where a layout gains over another: {@code adds most in the west at 30 m (56.5 % before, 93.3 % now)}. */
+    /** Where a layout gains most over another: {@code adds most in the west at 30 m (56.5 % before, 93.3 % now)}. */
     String gained(SectorGain gain);
 }

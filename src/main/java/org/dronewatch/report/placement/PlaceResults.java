@@ -7,7 +7,7 @@ import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
-/** What a placement found on one objective, as it is printed and written. */
+/** What a search for placements found for one objective, as it is printed and written. */
 public interface PlaceResults {
     /** The best layouts for several budgets. */
     BudgetFront<? extends PlacedLayout> front();
@@ -17,13 +17,13 @@ public interface PlaceResults {
         return front().best();
     }
 
-    /** Whether nothing is missing. */
+    /** Whether the results are complete. */
     boolean complete();
 
-    /** What the values of the objective are, in words. */
+    /** Describes the values of the objective in words. */
     PlaceMeasure measure();
 
-    /** The results as tables and in words, in lines. */
+    /** The lines of the results: tables and sentences. */
     List<String> lines();
 
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */

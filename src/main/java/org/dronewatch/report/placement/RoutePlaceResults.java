@@ -10,12 +10,12 @@ import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a placement against the weakest route found.
+ * What a search for the best placement against the weakest route found.
  *
  * @param front best layouts for several budgets
- * @param layout the routes past the layout as they are flown; empty if it has no sensor, its scene would be
- *     inconsistent, or the search was interrupted before
- * @param present the same past the scene's own sensors; empty if it has none, or as above
+ * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
+ *     inconsistent, or the search was interrupted before they were computed
+ * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
  */
 public record RoutePlaceResults(
         BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present)

@@ -15,11 +15,11 @@ import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a placement for the longest warning found.
+ * What a search for the placement with the longest warning found.
  *
  * @param front best layouts for several budgets
  * @param warnings of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search was
- *     interrupted before
+ *     interrupted before they were computed
  */
 public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<LayoutWarnings> warnings)
         implements PlaceResults {

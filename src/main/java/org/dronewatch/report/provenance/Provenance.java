@@ -15,7 +15,7 @@ import org.dronewatch.setting.file.FileHash;
  * The provenance of results. It differs from run to run, unlike the results.
  *
  * @param date when the run was started, to the second
- * @param command the arguments of the command line; none if a program ran the scene
+ * @param command the arguments of the command line; none if the scene was run from Java code
  * @param inputs the settings, scene files and models
  */
 public record Provenance(Instant date, List<String> command, InputFiles inputs) {
@@ -51,7 +51,7 @@ public record Provenance(Instant date, List<String> command, InputFiles inputs) 
     }
 
     /**
-     * The same without a run.
+     * All entries for results without a run, in readable form, by label.
      *
      * @param seed of the scene
      * @param threads number of worker threads

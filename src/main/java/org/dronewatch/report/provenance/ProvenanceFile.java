@@ -19,7 +19,7 @@ public final class ProvenanceFile {
     /** The name of the file. */
     public static final String NAME = "provenance.json";
 
-    /** All keys, with {@code command} only if there was a command. */
+    /** The contents for a run; {@code command} is included only if there was a command. */
     public static ObjectNode of(Provenance provenance, SceneResult result) {
         ObjectNode root = program(provenance.date(), provenance.command(), result.threads());
         addTimes(root, result.timing());
@@ -48,7 +48,7 @@ public final class ProvenanceFile {
      *
      * @param command the arguments of the command line
      * @param files the campaign file, and the table of its cases if it has one
-     * @param variants what each variant was read from, by its name
+     * @param variants the files from which each variant was read, by its name
      */
     public static ObjectNode of(
             Instant date, List<String> command, int threads, List<FileHash> files, Map<String, InputFiles> variants) {

@@ -34,7 +34,7 @@ public record RecordedCommand(List<String> words, JsonNode content) {
     /**
      * Reads a file.
      *
-     * @throws InputException in one line when it is not such a file, or states no command
+     * @throws InputException with a one-line message when it is not such a file, or states no command
      */
     public static RecordedCommand read(Path file) {
         JsonNode root;
@@ -59,7 +59,7 @@ public record RecordedCommand(List<String> words, JsonNode content) {
         return new RecordedCommand(words, root);
     }
 
-    /** What is not the same in another provenance, by the names of its keys. */
+    /** The names of the keys whose values differ in another provenance. */
     public List<String> differences(RecordedCommand other) {
         return GROUNDS.stream()
                 .filter(key -> !content.path(key).equals(other.content.path(key)))

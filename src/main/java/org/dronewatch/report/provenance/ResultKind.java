@@ -7,19 +7,20 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Which command results come from, by the files that mark them in their directory. Commands write files of the same
- * names, such as {@code provenance.json}: results of two commands in one directory would replace each other in part.
+ * The kind of command that results come from, recognised by the files that mark them in their directory. Commands write
+ * files with the same names, such as {@code provenance.json}, so the results of two commands in one directory would
+ * partly replace each other.
  */
 public enum ResultKind {
-    /** Of {@code run}. */
+    /** Results of {@code run}. */
     RUN("a run", "result.json"),
-    /** Of {@code coverage}. */
+    /** Results of {@code coverage}. */
     COVERAGE("'coverage'", "coverage.json"),
-    /** Of {@code route}. */
+    /** Results of {@code route}. */
     ROUTE("'route'", "route.json"),
-    /** Of {@code place}. */
+    /** Results of {@code place}. */
     PLACE("'place'", "place.json"),
-    /** Of {@code campaign}, {@code compare} or {@code merge}. */
+    /** Results of {@code campaign}, {@code compare} or {@code merge}. */
     CAMPAIGN("a campaign", "plan.json", "campaign.json");
 
     private final String words;
@@ -30,7 +31,7 @@ public enum ResultKind {
         this.signs = List.of(signs);
     }
 
-    /** The file that all such results have, and no others. */
+    /** The file that all results of this kind have and no other results do. */
     public String sign() {
         return signs.get(0);
     }
@@ -39,7 +40,7 @@ public enum ResultKind {
      * Makes sure that a directory holds no results of another kind.
      *
      * @param target need not exist
-     * @throws InputException when it does
+     * @throws InputException when it holds such results
      */
     public void checkAlone(Path target) {
         for (ResultKind other : values()) {

@@ -47,7 +47,7 @@ public final class SameBytes {
      * Compares tables, results and pictures.
      *
      * @return the state of each file by its name, in the order of the names
-     * @throws InputException when one of them cannot be read
+     * @throws InputException when a file cannot be read
      */
     public static Map<String, State> compare(Path before, Path after) {
         try {

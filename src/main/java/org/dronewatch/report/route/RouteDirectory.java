@@ -51,8 +51,8 @@ public final class RouteDirectory implements AutoCloseable {
      * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param stage the site
-     * @param models of the scene
-     * @param provenance origin of the results
+     * @param models the models of the scene
+     * @param provenance the origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written
      * @throws InputException when writing fails

@@ -20,7 +20,7 @@ public final class RouteFile {
 
     private RouteFile() {}
 
-    /** All keys. */
+    /** The contents, with all keys. */
     public static ObjectNode toJson(RouteResults results, RouteInputs inputs) {
         RouteSurvey survey = results.survey();
         ObjectNode root = JsonNodeFactory.instance.objectNode();

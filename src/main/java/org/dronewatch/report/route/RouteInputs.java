@@ -19,7 +19,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param protection its protected zones
  * @param grid the cells of the search
  * @param pointing how sensors on positioners point
- * @param launch the area from which the routes come, as it was given; empty for the edge
+ * @param launch the area from which the routes come, as it was given; empty for the edge of the area searched
  * @param stopped probability that a response in time stops the drone, 0 to 1; empty if it was not given
  */
 public record RouteInputs(

@@ -14,11 +14,11 @@ import org.dronewatch.route.search.TimeToGo;
  * What {@code route} found.
  *
  * @param survey the weakest routes
- * @param times the least times to the end of a route
- * @param proofs by sector, how often flights of its route are detected; empty if none were asked for
- * @param timely by sector, the probability that an alert on its route is in time, by the scene's rule; only where it
- *     can be computed, which is nowhere if sensors on positioners count as cued
- * @param isComplete whether all that was asked for was completed
+ * @param times the shortest times to the end of a route
+ * @param proofs by sector, how often flights along its route are detected; empty if no proof was requested
+ * @param timely by sector, the probability that an alert on its route is in time by the scene's rule, where it can be
+ *     computed; it never can if sensors on positioners count as cued
+ * @param isComplete whether everything that was requested was completed
  */
 public record RouteResults(
         RouteSurvey survey,

@@ -16,7 +16,10 @@ import org.dronewatch.route.proof.RouteScene;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
-/** A scene file for each route, in which the drone alone flies it, at the speeds of the search, until it arrives. */
+/**
+ * A scene file for each route, in which only the drone of the search flies, along the route and at the speeds of the
+ * search, until it arrives.
+ */
 public final class RouteScenes {
     private final RouteInputs inputs;
     private final BiFunction<SceneSettings, Path, String> text;
@@ -58,7 +61,7 @@ public final class RouteScenes {
         return Optional.empty();
     }
 
-    /** The scene in which the drone flies a route; empty if it begins where it ends. */
+    /** The scene in which the drone flies a route; empty if the route begins where it ends. */
     public Optional<SceneSettings> settings(SectorRoute route, RouteSurvey survey) {
         return route.route()
                 .path()
@@ -66,7 +69,9 @@ public final class RouteScenes {
                 .map(flight -> RouteScene.of(inputs.settings(), inputs.drone(), flight));
     }
 
-    /** The scene in which a drone flies each of the routes, all at the same time; empty if there is none. */
+    /**
+     * The scene in which each route is flown by a drone, all of them at the same time; empty if there are no routes.
+     */
     public Optional<SceneSettings> together(RouteSurvey survey) {
         Map<String, RouteFlight> flights = new LinkedHashMap<>();
         for (SectorRoute route : survey.routes()) {
