@@ -14,7 +14,8 @@ public final class AdvisedLimit {
     private AdvisedLimit() {}
 
     /**
-     * A limit to three digits, rounded down: {@code 0.0333} for 1/30. It may exceed the limit by a fraction of 1e-12.
+     * A limit rounded down to three significant digits: {@code 0.0333} for 1/30. The result may exceed the limit by a
+     * relative 1e-12.
      *
      * @param limit finite
      */

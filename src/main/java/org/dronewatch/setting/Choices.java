@@ -14,7 +14,7 @@ public final class Choices {
      * {@code OnTheRun} is {@code on-the-run}; for any other, those on the class path. Kinds that are not records cannot
      * be written in files.
      *
-     * @throws InputException when a kind on the class path is wrong
+     * @throws InputException when a kind on the class path is invalid
      */
     public static Map<String, Class<?>> of(Class<?> type) {
         if (!type.isSealed()) {

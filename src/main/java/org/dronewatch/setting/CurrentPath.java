@@ -4,15 +4,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Converts a path to a setting, which may contain former names, to current names. */
+/** Replaces former names in the path of a setting with current ones. */
 public final class CurrentPath {
     private final Object tree;
     private final FormerNames used;
 
     /**
-     * Finds current names.
+     * Replaces names in the paths of some settings.
      *
-     * @param tree settings to which the paths lead
+     * @param tree the settings to which the paths apply
      * @param used receives the former names that are found
      */
     public CurrentPath(Object tree, FormerNames used) {

@@ -14,7 +14,7 @@ public final class FormerNames {
     private final Map<Renamed, Set<String>> places = new LinkedHashMap<>();
 
     /**
-     * A setting that had a different name in earlier versions.
+     * A setting that had another name in earlier versions.
      *
      * @param record the settings record that has it
      */

@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 
 /**
  * The quantity of a number in a settings record and the limits within which it must lie. It applies to every record
- * that is reached from a scene, including users' settings:
+ * reachable from a scene, including users' own settings:
  *
  * <pre>{@code
  * record GuardSettings(
@@ -24,15 +24,16 @@ import java.lang.annotation.Target;
  *
  * <ul>
  *   <li><b>Units.</b> The record keeps the number in {@link Quantity#unit()}, an SI unit: radians, hertz, metres. A
- *     bare number in an override is in that unit, too; any unit of the quantity may be written instead, as in
- *     {@code --set sensors.gate.acuity='0.1 deg'}. A unit of another quantity is rejected, with a list of valid ones.
- *       <li><b>Limits</b> are numbers in that unit. {@link #from} and {@link #to} are themselves allowed,
- *       {@link #above} and {@link #below} are not; a limit that is omitted does not apply. Every number must be finite.
- *       <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxes, and
- *         lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and is
- *         not checked. <li><b>When it is checked.</b> Scenes check all their records once they are described, before
- *         anything is loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} rejects a wrong
- *         number immediately, so that the stack trace names the line of code.
+ *       bare number in an override is in that unit, too; any unit of the quantity may be written instead, as in
+ *       {@code --set sensors.gate.acuity='0.1 deg'}. A unit of another quantity is rejected, with a list of valid ones.
+ *   <li><b>Limits</b> are numbers in that unit. {@link #from} and {@link #to} are themselves allowed, {@link #above}
+ *       and {@link #below} are not; a limit that is omitted does not apply. Every number must be finite.
+ *   <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxes, and
+ *       lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and is
+ *       not checked.
+ *   <li><b>When it is checked.</b> A scene checks all its records once it has been described, before anything is
+ *       loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} rejects an invalid number
+ *       immediately, so that the stack trace names the line of code.
  * </ul>
  *
  * <p>The messages name the component, the value and the limit:
@@ -43,7 +44,7 @@ import java.lang.annotation.Target;
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface In {
-    /** Two full turns, rad: the limit of directions, which exposes degrees mistaken for radians. */
+    /** Two full turns, rad: the limit for directions, which reveals degrees given as radians. */
     double TWO_TURNS = 4.0 * Math.PI;
 
     /** The maximum distance of any position from the world's origin, and the maximum length of a flight, m. */

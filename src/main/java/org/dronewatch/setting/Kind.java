@@ -6,11 +6,11 @@ package org.dronewatch.setting;
  * META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name kinds,
  * never classes, so the class path alone decides which code can run.
  *
- * @param <T> the interface of which it is a kind
+ * @param <T> the interface of which this is a kind
  */
 public interface Kind<T> {
 
-    /** The interface of which it is a kind, and which is the type of a setting. */
+    /** The interface of which this is a kind; it is the type of a setting. */
     Class<? super T> type();
 
     /**

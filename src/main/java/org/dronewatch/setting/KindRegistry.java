@@ -25,7 +25,7 @@ public final class KindRegistry {
     /**
      * A registry of the given kinds.
      *
-     * @throws InputException when two kinds of a type have the same name, in one line with both origins
+     * @throws InputException when two kinds of a type have the same name; the message, of one line, gives both origins
      */
     KindRegistry(List<FoundKind> found) {
         all = new ArrayList<>(found);

@@ -30,7 +30,7 @@ public final class Limits {
      *
      * @param record its class
      * @param values one for each component, in their order
-     * @throws IllegalArgumentException when one is missing or out of its limits; the message names it, its value and
+     * @throws IllegalArgumentException when one is missing or outside its limits; the message names it, its value and
      *     the limit
      */
     public static void check(Class<? extends Record> record, Object... values) {
@@ -47,18 +47,18 @@ public final class Limits {
     /**
      * Checks one component of a record.
      *
-     * @throws IllegalArgumentException when it is missing or out of its limits
+     * @throws IllegalArgumentException when it is missing or outside its limits
      */
     public static void check(RecordComponent part, Object value) {
         new Component(part.getName(), part.getAnnotation(In.class)).check(value);
     }
 
     /**
-     * Checks every number in a tree of settings: those of all records in it, in lists, maps and optional parts, too. So
-     * the limits of {@link In} hold even for records whose constructors do not check them.
+     * Checks every number in all records of a tree of settings, including those in lists, maps and optional parts, so
+     * that the limits of {@link In} hold even for records whose constructors do not check them.
      *
      * @param tree settings
-     * @throws IllegalArgumentException when one is missing or out of its limits; the message begins with its path, as
+     * @throws IllegalArgumentException when one is missing or outside its limits; the message begins with its path, as
      *     in {@code sensors.gate.position.x}
      */
     public static void checkAll(Object tree) {

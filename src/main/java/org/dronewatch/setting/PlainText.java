@@ -4,8 +4,8 @@ import java.util.Locale;
 
 /**
  * Makes text from files and users safe for messages. The result cannot control a terminal or reorder the line: control
- * characters, line separators and marks that change the direction of writing are escaped, as in {@code \u001b}. A value
- * longer than {@value #LONGEST} characters is shortened in its middle.
+ * characters, line separators and marks that change the direction of the text are escaped, as in {@code \u001b}. A
+ * value longer than {@value #LONGEST} characters is shortened in its middle.
  */
 public final class PlainText {
     /** Maximum number of characters of a value repeated in a message. */
@@ -18,12 +18,12 @@ public final class PlainText {
 
     private PlainText() {}
 
-    /** A value for a message: visible, and of at most {@value #LONGEST} characters. */
+    /** A value for a message: all characters are visible, and there are at most {@value #LONGEST} of them. */
     public static String value(Object value) {
         return shortened(visible(String.valueOf(value).strip(), false), LONGEST);
     }
 
-    /** The beginning of a text, with dots if it was cut; never splits a character. */
+    /** The beginning of a text, followed by an ellipsis if it was cut; never splits a character. */
     public static String beginning(String text, int longest) {
         if (text.length() <= longest) {
             return text;
@@ -33,20 +33,20 @@ public final class PlainText {
     }
 
     /**
-     * A message in one line: visible, with at most {@value #LONGEST} characters of every quoted value and every word.
-     * Line breaks and tabs become spaces.
+     * A message on one line: all characters are visible, with at most {@value #LONGEST} characters of every quoted
+     * value and every word. Line breaks and tabs become spaces.
      */
     public static String line(String message) {
         String visible = visible(message.strip(), false);
         return shortened(withShortWords(withShortQuotes(visible)), LONGEST_LINE);
     }
 
-    /** A text of several lines: visible, with its line breaks and tabs as they are. */
+    /** A text of several lines: all characters are visible; line breaks and tabs are unchanged. */
     public static String lines(String text) {
         return visible(text, true);
     }
 
-    /** Whether a character could steer a terminal, break a line or change the direction of writing. */
+    /** Whether a character could control a terminal, break a line or change the direction of the text. */
     private static boolean isHidden(int c) {
         return switch (Character.getType(c)) {
             case Character.CONTROL, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR, Character.SURROGATE ->

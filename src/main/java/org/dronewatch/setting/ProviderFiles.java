@@ -83,7 +83,7 @@ final class ProviderFiles {
      * Checks that no class of another project is on the class path twice. The library itself may be: its jar with all
      * dependencies beside the one without.
      *
-     * @throws InputException when one is, in one line with both locations
+     * @throws InputException when one is; the message, of one line, gives both locations
      */
     void checkDuplicates() {
         places.forEach((provider, where) -> {

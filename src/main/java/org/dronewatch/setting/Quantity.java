@@ -116,7 +116,10 @@ public enum Quantity {
         return new BigDecimal(Math.toDegrees(value)).round(DISPLAYED).doubleValue();
     }
 
-    /** A value as shown in tables and plots, without its unit: whole numbers whole, others to four digits. */
+    /**
+     * A value as shown in tables and plots, without its unit: whole numbers unchanged, others to four significant
+     * digits.
+     */
     public String inBrief(double value) {
         double shown = displayed(value);
         return shown == Math.rint(shown) || !Double.isFinite(shown)
@@ -130,8 +133,8 @@ public enum Quantity {
     }
 
     /**
-     * A value as displayed, with its unit: {@code 39.6 deg}. If degrees were probably given as radians, these are
-     * added: {@code 3437.747 deg (60 rad)}.
+     * A value as displayed, with its unit: {@code 39.6 deg}. If a number of degrees was probably taken as radians, that
+     * number is added: {@code 3437.747 deg (60 rad)}.
      */
     public String inWords(double value) {
         String shown = (number(value) + " " + displayUnit()).strip();
@@ -155,8 +158,8 @@ public enum Quantity {
     }
 
     /**
-     * A value for a file, with its unit: {@link #parse} returns exactly this value. Angles are in degrees if a number
-     * of degrees is exactly the value, otherwise in radians.
+     * A value for a file, with its unit: {@link #parse} returns exactly this value. Angles are in degrees if the value
+     * can be written exactly in degrees, otherwise in radians.
      *
      * @param value finite
      */
@@ -184,7 +187,7 @@ public enum Quantity {
         return Double.toString(value).replaceFirst("\\.0$", "");
     }
 
-    /** A number as a person writes it: {@code 0.5}, {@code 10000}, {@code 1e-12}, {@code 2.4e9}. */
+    /** A number as a person would write it: {@code 0.5}, {@code 10000}, {@code 1e-12}, {@code 2.4e9}. */
     static String plain(double value) {
         if (!Double.isFinite(value)) {
             return Double.toString(value);

@@ -13,12 +13,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** Reads the value of a setting from the text of one line, with its unit or without. */
+/** Reads the value of a setting from one line of text, with or without its unit. */
 public final class SettingText {
     private SettingText() {}
 
     /**
-     * The value of a component of a settings record.
+     * Reads the value of a component of a settings record.
      *
      * @throws IllegalArgumentException when the text is not a value of the component's type
      */
@@ -33,7 +33,7 @@ public final class SettingText {
     }
 
     /**
-     * The value of a type.
+     * Reads a value of a type.
      *
      * @param type of a settings component
      * @param quantity the quantity of a number
@@ -157,7 +157,7 @@ public final class SettingText {
     }
 
     /**
-     * A record of numbers only.
+     * Reads a record that consists of numbers only.
      *
      * @param texts one for each component, or a single one for all where that is allowed: {@link OneForAll}
      * @throws IllegalArgumentException when there are more or fewer, or one is not a number

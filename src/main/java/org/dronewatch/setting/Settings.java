@@ -1,10 +1,10 @@
 package org.dronewatch.setting;
 
 /**
- * Settings from which an object is created: an immutable record, changed by its {@code with...} methods. A real sensor
- * is replaced by another by replacing its settings.
+ * Settings from which an object is created: an immutable record, whose {@code with...} methods return changed copies.
+ * To simulate another real sensor, replace the settings.
  *
- * @param <T> the type of object that they create
+ * @param <T> the type of object that is created
  */
 public interface Settings<T> {
 

@@ -169,7 +169,7 @@ public final class SettingsForm {
         return required.isEmpty();
     }
 
-    /** Whether a component has the value that it has if a file omits it. */
+    /** Whether a component has the value that it gets when a file omits it. */
     public boolean isDefault(Record settings, RecordComponent part) {
         if (required.contains(part.getName())) {
             return false;
@@ -194,7 +194,7 @@ public final class SettingsForm {
      * Creates a record.
      *
      * @param values by name of the component; all required ones, and any others
-     * @throws IllegalArgumentException when a limit does not hold
+     * @throws IllegalArgumentException when a limit is violated
      */
     public Record create(Map<String, Object> values) {
         if (constant == null && factory == null) {
@@ -223,7 +223,7 @@ public final class SettingsForm {
      * A copy of a record with one component changed: the body of every {@code withX} of settings.
      *
      * @param part name of a component
-     * @throws IllegalArgumentException when a limit does not hold, or the record has no such component
+     * @throws IllegalArgumentException when a limit is violated, or the record has no such component
      */
     public static <R extends Record> R with(R settings, String part, Object value) {
         return with(settings, Collections.singletonMap(part, value));
@@ -234,7 +234,7 @@ public final class SettingsForm {
      * result.
      *
      * @param values by name of the component
-     * @throws IllegalArgumentException when a limit does not hold, or the record has no such component
+     * @throws IllegalArgumentException when a limit is violated, or the record has no such component
      */
     @SuppressWarnings("unchecked")
     public static <R extends Record> R with(R settings, Map<String, ?> values) {

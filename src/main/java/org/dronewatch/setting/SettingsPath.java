@@ -32,7 +32,7 @@ public final class SettingsPath {
      * The tree with another value at this path; every record along the path is created anew, so all limits are checked.
      *
      * @param tree settings
-     * @param text the value, with a unit or without
+     * @param text the value, with or without a unit
      * @throws InputException when the path is invalid or the value does not fit
      */
     public <T> T write(T tree, String text) {

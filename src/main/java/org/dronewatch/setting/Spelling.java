@@ -19,7 +19,7 @@ public final class Spelling {
 
     /**
      * The names nearest to a mistyped one, nearest first. The distance is the number of letters that must be changed,
-     * added or removed; capitals do not matter.
+     * added or removed; case does not matter.
      */
     public static List<String> nearest(String typed, Collection<String> names, int count) {
         return names.stream()

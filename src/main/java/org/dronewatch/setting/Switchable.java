@@ -8,9 +8,9 @@ import java.lang.annotation.Target;
 
 /**
  * Marks a component of a settings record that holds settings by name, each of which can be switched off: with
- * {@code enabled: false} among its settings, or by {@code NAME.enabled}, for any type of record. Disabled names are
- * kept in another component of the record (a set of strings) that does not appear in files. {@code enabled} is
- * reserved: an entry's record cannot have a component of that name.
+ * {@code enabled: false} among its settings, or by {@code NAME.enabled}, regardless of the type of its record. Disabled
+ * names are kept in another component of the record (a set of strings) that does not appear in files. {@code enabled}
+ * is reserved: an entry's record cannot have a component of that name.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

@@ -18,7 +18,7 @@ public final class BoundedFile {
      * All bytes of a file.
      *
      * @param most maximum number of bytes; no more are read
-     * @throws InputException when there is no such file, or it is a directory, a pipe or a device, or larger
+     * @throws InputException when there is no such file, or it is a directory, a pipe, a device or too large
      */
     public static byte[] read(Path file, int most) {
         String obstacle = RegularFile.obstacle(file);

@@ -6,27 +6,30 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiPredicate;
 
-/** The kind of a file that was named where another is expected, recognised by its first characters or its name. */
+/**
+ * The kind of a file that was named where a file of another kind is expected, recognised by its first characters or its
+ * name.
+ */
 public enum FileKind {
     /** TIFF, which includes GeoTIFF. */
     TIFF("a TIFF file", "world.terrain", (name, start) -> start.matches("(?s)(II[*+]\0|MM\0[*+]).*")),
-    /** ESRI's text format of elevations. */
+    /** An ESRI ASCII grid of elevations. */
     ASCII_GRID("an ESRI ASCII grid", "world.terrain", (name, start) -> start.matches("(?is)\\s*(ncols|nrows)\\s.*")),
-    /** A tile of SRTM has no signature at its beginning. */
+    /** An SRTM tile, which has no signature at its beginning. */
     SRTM("an SRTM tile", "world.terrain", (name, start) -> name.endsWith(".hgt")),
-    /** Models of buildings, in the exchange format of STEP. */
+    /** A building model in the STEP exchange format. */
     IFC("an IFC model", "world.models", (name, start) -> start.startsWith("ISO-10303-21")),
-    /** glTF in one file, or as JSON. */
+    /** glTF, as one binary file or as JSON. */
     GLTF("a glTF model", "world.models", (name, start) -> start.startsWith("glTF") || name.endsWith(".gltf")),
     /** Polygon file format. */
     PLY("a PLY model", "world.models", (name, start) -> start.matches("(?s)ply\\s.*")),
-    /** As text or as bytes, which have no fixed beginning. */
+    /** STL as text or in binary form, which has no fixed beginning. */
     STL("an STL model", "world.models", (name, start) -> start.matches("(?s)solid\\s.*") || name.endsWith(".stl")),
-    /** Wavefront's format has no fixed beginning. */
+    /** Wavefront OBJ, which has no fixed beginning. */
     OBJ("an OBJ model", "world.models", (name, start) -> name.endsWith(".obj")),
-    /** Text of OpenStreetMap. */
+    /** OpenStreetMap XML. */
     OSM("a map of OpenStreetMap", "world.buildings", (name, start) -> start.contains("<osm ")),
-    /** Binary format of OpenStreetMap. */
+    /** OpenStreetMap data in the binary PBF format. */
     PBF("a map of OpenStreetMap", "world.buildings", (name, start) -> start.contains("OSMHeader")),
     /** GeoJSON and CityJSON. */
     JSON("a JSON file", "world.buildings", (name, start) -> start.matches("(?s)\\s*\\{.*"));
@@ -47,9 +50,9 @@ public enum FileKind {
      * What is wrong with a file that its reader does not recognise, as the end of a message.
      *
      * @param name of the file
-     * @param start its first bytes, some 100 of them
+     * @param start its first bytes, about 100 of them
      * @param wanted where it was named: world.terrain, world.models or world.buildings
-     * @return empty if nothing is known about it, or if it belongs there
+     * @return empty if the file is not recognised, or if it belongs there
      */
     public static Optional<String> misplaced(String name, byte[] start, String wanted) {
         if (start.length == 0) {

@@ -3,8 +3,8 @@ package org.dronewatch.setting.file;
 import org.dronewatch.setting.InputException;
 
 /**
- * The memory that the content of one file may take: half of what Java may use, so that a file which unpacks to more is
- * refused in one line before memory runs out. The caller estimates what is taken. One thread at a time.
+ * The memory that the content of one file may take: half of what Java may use, so that a file that unpacks to more is
+ * refused with a one-line message before memory runs out. The caller estimates how much is taken. One thread at a time.
  */
 public final class HeapBudget {
     private static final int MEBIBYTE = 1 << 20;
@@ -24,7 +24,7 @@ public final class HeapBudget {
         this(file, advice, Runtime.getRuntime().maxMemory());
     }
 
-    /** The same for a heap of another size, bytes. */
+    /** A budget for a heap of another size, bytes. */
     public HeapBudget(String file, String advice, long heap) {
         this.file = file;
         this.advice = advice;
@@ -32,10 +32,10 @@ public final class HeapBudget {
     }
 
     /**
-     * Takes memory that stays in use while the file is read.
+     * Reserves memory that stays in use while the file is read.
      *
      * @param bytes 0 or more
-     * @throws InputException when this is more than there is left
+     * @throws InputException when this is more than is left
      */
     public void take(long bytes) {
         check(bytes);
@@ -46,7 +46,7 @@ public final class HeapBudget {
      * Checks whether there is memory for something that is needed only for a short time.
      *
      * @param bytes 0 or more
-     * @throws InputException when there is not
+     * @throws InputException when there is not enough
      */
     public void check(long bytes) {
         if (bytes > most - taken) {

@@ -21,11 +21,11 @@ public final class JsonText {
     private JsonText() {}
 
     /**
-     * The document, if it fits.
+     * Reads a document that must fit into a budget of memory.
      *
      * @param name its name in messages
      * @param budget memory for the document and its tree
-     * @throws InputException in one line when it is not JSON, or takes too much
+     * @throws InputException with a one-line message when it is not JSON, or exceeds the budget
      */
     public static JsonNode read(String name, byte[] bytes, HeapBudget budget) {
         budget.take(memory(bytes));
@@ -59,7 +59,7 @@ public final class JsonText {
      * The document.
      *
      * @param name its name in messages
-     * @throws InputException in one line when it is not JSON
+     * @throws InputException with a one-line message when it is not JSON
      */
     public static JsonNode read(String name, byte[] bytes) {
         try {

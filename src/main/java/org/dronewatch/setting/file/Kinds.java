@@ -19,7 +19,7 @@ public final class Kinds {
     private final Map<Class<?>, List<OtherForm>> others;
 
     /**
-     * An alternative form of values of a type in files.
+     * An alternative form in which files may give values of a type.
      *
      * @param parts the form as written
      * @param value converts it to the value; empty when that is unknown because of another mistake in the file. An
@@ -36,7 +36,7 @@ public final class Kinds {
         this.others = Map.copyOf(others);
     }
 
-    /** Named settings that a file may use, and change in part. */
+    /** Named settings that a file may use and partly override. */
     public interface NamedSettings {
         /**
          * The settings with this name, as if they were written in the file.
@@ -72,8 +72,8 @@ public final class Kinds {
     }
 
     /**
-     * These kinds, with an alternative form of values of a type: a record whose components have names different from
-     * those of the type.
+     * These kinds, with an alternative form in which files may give values of a type: a record whose components have
+     * names different from those of the type.
      *
      * @param value converts the form to the value; empty when that is unknown because of another mistake in the file
      */
@@ -85,7 +85,7 @@ public final class Kinds {
         return new Kinds(registered, named, more);
     }
 
-    /** The alternative forms of values of a type in files. */
+    /** The alternative forms in which files may give values of a type. */
     public List<OtherForm> otherForms(Class<?> type) {
         return others.getOrDefault(type, List.of());
     }

@@ -7,8 +7,8 @@ import org.dronewatch.setting.PlainText;
 
 /**
  * Rejects links that lead out of a scene's directory, so that a scene file from another author cannot read other files.
- * Names relative to the working directory, and names that visibly lead elsewhere, are the user's choice: scene files
- * may not contain such names.
+ * Names relative to the working directory and names that visibly lead elsewhere are accepted: scene files may not
+ * contain such names, so the user chose them.
  */
 public final class LinkOut {
     private LinkOut() {}
@@ -16,10 +16,10 @@ public final class LinkOut {
     /**
      * Rejects a file that is reached by such a link.
      *
-     * @param directory that of the scene file; empty for the working directory
-     * @param file that exists
+     * @param directory the directory of the scene file; empty for the working directory
+     * @param file an existing file
      * @param what first words of the message, such as {@code model file}
-     * @throws InputException when it lies elsewhere, or cannot be read
+     * @throws InputException when the file lies outside the directory, or cannot be read
      */
     public static void refuse(Path directory, Path file, String what) {
         if (directory.toString().isEmpty() || !file.normalize().startsWith(directory.normalize())) {

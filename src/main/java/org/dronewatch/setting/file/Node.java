@@ -36,7 +36,7 @@ public sealed interface Node {
     }
 
     /**
-     * A value that a program put into a document.
+     * A value that was put into a document by code.
      *
      * @param value of the type required at its location
      */
@@ -79,7 +79,7 @@ public sealed interface Node {
         }
 
         /**
-         * This mapping with the values of another one on top: mappings that both have are merged unless the other one
+         * This mapping overlaid with the values of another one: mappings that both have are merged unless the other one
          * names another kind; everything else is replaced.
          */
         public Mapping overlaidWith(Mapping over) {
@@ -99,7 +99,7 @@ public sealed interface Node {
             return of(all, places, over.mark);
         }
 
-        /** Values made by a program instead of being read. */
+        /** A mapping of values that come from code rather than from a file. */
         public static Mapping ofReady(String name, Map<String, ?> values) {
             Mark mark = new Mark(name, 1, 1);
             Map<String, Node> nodes = new LinkedHashMap<>();
@@ -111,7 +111,7 @@ public sealed interface Node {
             return of(nodes, places, mark);
         }
 
-        /** Nodes composed by a program. */
+        /** A mapping of nodes that come from code. */
         public static Mapping ofNodes(String name, Map<String, ? extends Node> nodes) {
             Mark mark = new Mark(name, 1, 1);
             Map<String, Mark> places = new LinkedHashMap<>();
@@ -132,7 +132,7 @@ public sealed interface Node {
 
         /**
          * The location of the value whose path is at the beginning of a text, as in {@code alert.rule.count 5 must be};
-         * for a value that is not written, the location of the mapping that should hold it.
+         * for a value that the file omits, the location of the mapping that should hold it.
          */
         @Override
         public Mark markOf(String text) {

@@ -9,7 +9,7 @@ import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 
-/** Reads a settings record from a YAML file written by hand, and writes one. */
+/** Reads settings records from YAML files written by hand, and writes such files. */
 public final class SettingsFile {
     private SettingsFile() {}
 
@@ -81,7 +81,7 @@ public final class SettingsFile {
      * @param file that is to hold the text; file names in it are relative to its directory
      * @return the text, which has been read back and is equal to the settings
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
-     *     new one or below it
+     *     new file or below that directory
      */
     public static <T extends Record> String text(T settings, Kinds kinds, Path from, Path file) {
         Path directory = file.toAbsolutePath().resolveSibling("");
@@ -109,7 +109,7 @@ public final class SettingsFile {
      * @param from directory of relative file names in the settings
      * @param file that is to hold the part; file names in it are relative to its directory
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
-     *     new one or below it
+     *     new file or below that directory
      */
     public static Node.Mapping part(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
         Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);
@@ -124,7 +124,7 @@ public final class SettingsFile {
      * @param from directory of relative file names in the settings
      * @param file that is to hold the part; file names in it are relative to its directory
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
-     *     new one or below it
+     *     new file or below that directory
      */
     public static Node.Mapping wholePart(Record settings, Class<?> type, Kinds kinds, Path from, Path file) {
         Record moved = new RelocatedFiles(from, file.toAbsolutePath().resolveSibling("")).of(settings);

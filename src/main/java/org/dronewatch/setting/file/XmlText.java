@@ -11,8 +11,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads XML files named by the user, always in UTF-8: nothing is expanded, no other file is read, and depth and length
- * of texts are bounded. For a single use.
+ * Reads XML files named by the user, always in UTF-8: nothing is expanded, no other file is read, and the nesting depth
+ * and the length of texts are bounded. Each instance reads one document.
  */
 public final class XmlText {
     private static final int MOST_DEPTH = 64;
@@ -26,7 +26,7 @@ public final class XmlText {
     /** Receives the elements. */
     @FunctionalInterface
     public interface Reading {
-        /** Reads to the end. */
+        /** Reads the document to its end. */
         void read(XmlText xml) throws XMLStreamException;
     }
 
@@ -40,8 +40,8 @@ public final class XmlText {
      *
      * @param name its name in messages
      * @param root name of its outermost element
-     * @param reading receives it inside that element
-     * @throws InputException in one line when it is not such a document
+     * @param reading receives the document, positioned inside that element
+     * @throws InputException with a one-line message when it is not such a document
      */
     public static void read(String name, byte[] bytes, String root, Reading reading) {
         XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
