@@ -7,14 +7,14 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The air of a site. Its absorption of sound is that at one temperature, humidity and pressure everywhere; wind and a
- * temperature that changes with height bend the paths of sound.
+ * The air of a site. Absorption of sound is computed for the same temperature, humidity and pressure everywhere; wind
+ * and a change of temperature with height bend the paths of sound.
  *
  * @param temperature air temperature, 213.15 to 333.15 K (-60 to 60 degrees Celsius)
  * @param humidity relative humidity, 0 to 1
  * @param pressure air pressure, 50,000 to 120,000 Pa
  * @param temperatureGradient change of temperature with height, -1 to 1 K/m: about -0.01 in a windy or cloudy
- *     atmosphere, 0.05 and more near the ground on a clear night, -0.1 and less in sunshine
+ *     atmosphere, 0.05 or more near the ground on a clear night, -0.1 or less in sunshine
  * @param wind the wind
  */
 public record Atmosphere(
@@ -24,7 +24,8 @@ public record Atmosphere(
         @In(value = Quantity.TEMPERATURE_GRADIENT, from = -1, to = 1) double temperatureGradient,
         Wind wind) {
     /**
-     * 20 degrees Celsius, 70 %, one standard atmosphere; without wind, and with the same temperature at all heights.
+     * 20 degrees Celsius, 70 % relative humidity, one standard atmosphere; no wind, and the same temperature at all
+     * heights.
      */
     @Defaults
     public static final Atmosphere STANDARD = new Atmosphere(293.15, 0.7, 101_325.0);
@@ -70,7 +71,7 @@ public record Atmosphere(
         return SettingsForm.with(this, "humidity", share);
     }
 
-    /** This air under another pressure, Pa. */
+    /** This air at another pressure, Pa. */
     public Atmosphere withPressure(double pascal) {
         return SettingsForm.with(this, "pressure", pascal);
     }
@@ -102,7 +103,7 @@ public record Atmosphere(
 
     /**
      * Characteristic impedance, Pa s/m: density times speed of sound, 413 at 20 degrees Celsius. The density is that of
-     * humid air as an ideal gas, with the partial pressure of vapour from ISO 9613-1, equations (B.1) to (B.3).
+     * humid air as an ideal gas, with the partial pressure of water vapour from ISO 9613-1, equations (B.1) to (B.3).
      */
     public double impedance() {
         double lighter = 1.0 - VAPOUR_IS_LIGHTER * 0.01 * vapour();

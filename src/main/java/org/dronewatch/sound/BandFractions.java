@@ -7,8 +7,8 @@ import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A fraction for each octave band, such as the fraction of sound that a surface absorbs. In a scene file it is written
- * as eight numbers, or one for all bands.
+ * A fraction for each octave band, such as the fraction of sound that a surface absorbs. In a scene file, the fractions
+ * are written as eight numbers, or as one number for all bands.
  *
  * @param hz63 fraction in the band at 63 Hz, 0 to 1
  * @param hz125 fraction in the band at 125 Hz, 0 to 1
@@ -33,7 +33,7 @@ public record BandFractions(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException if a fraction is not 0 to 1
+     * @throws IllegalArgumentException if a fraction is outside 0 to 1
      */
     public BandFractions {
         Limits.check(BandFractions.class, hz63, hz125, hz250, hz500, hz1000, hz2000, hz4000, hz8000);
@@ -47,7 +47,7 @@ public record BandFractions(
     /**
      * Eight fractions from 63 Hz to 8 kHz, 0 to 1.
      *
-     * @throws IllegalArgumentException when there are not eight, or one is not 0 to 1
+     * @throws IllegalArgumentException unless there are eight, each from 0 to 1
      */
     public static BandFractions of(double... fractions) {
         if (fractions.length != OctaveBands.COUNT) {

@@ -9,9 +9,9 @@ import org.dronewatch.setting.OneForAll;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A spectrum: one level for each octave band, dB, relative to a reference that depends on where it is used. Every level
- * is finite, and in a scene's settings -200 to 200 dB; silence is written as a very low level, such as -200 dB. In a
- * scene file it is written as eight numbers, or one for all bands.
+ * A spectrum: one level for each octave band, dB, relative to a reference that depends on where the spectrum is used.
+ * Every level is finite and, in a scene's settings, -200 to 200 dB; silence is written as a very low level, such as
+ * -200 dB. In a scene file, a spectrum is written as eight numbers, or as one number for all bands.
  *
  * @param hz63 level of the band at 63 Hz, dB; -200 to 200 in a scene file
  * @param hz125 level of the band at 125 Hz, dB; -200 to 200 in a scene file
@@ -34,7 +34,7 @@ public record BandLevels(
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz4000,
         @In(value = Quantity.LEVEL, from = -BandLevels.MOST, to = BandLevels.MOST) double hz8000) {
 
-    /** The largest level of a band in a scene's settings, dB, and, negated, the least one. */
+    /** The largest level of a band in a scene's settings, dB; its negative is the smallest. */
     public static final double MOST = 200.0;
 
     /**
@@ -103,7 +103,7 @@ public record BandLevels(
         return toArray()[band];
     }
 
-    /** The total level of all bands as incoherent sound, dB. */
+    /** The total level of all bands, summed as incoherent sound, dB. */
     public double total() {
         return Levels.sum(toArray());
     }

@@ -15,7 +15,9 @@ public final class Barrier {
      */
     public static final double LIMIT = 25.0;
 
-    /** Distance from the first edge to the last, m, up to which CNOSSOS-EU, section 2.5.6, counts several as one. */
+    /**
+     * Distance from the first edge to the last, m, up to which CNOSSOS-EU, section 2.5.6, treats several edges as one.
+     */
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
     /**
@@ -57,8 +59,8 @@ public final class Barrier {
 
     /**
      * Attenuation according to ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and
-     * Kmet = 1 (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. At most
-     * {@value #ISO_SINGLE_EDGE_LIMIT} dB by one edge, and {@value #LIMIT} dB by several.
+     * Kmet = 1 (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. The
+     * attenuation is at most {@value #ISO_SINGLE_EDGE_LIMIT} dB for one edge, and {@value #LIMIT} dB for several.
      *
      * @param pathDifference m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m
@@ -71,9 +73,9 @@ public final class Barrier {
     }
 
     /**
-     * Attenuation according to CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6), {@code 10 lg(3 + 40 C'' delta /
-     * lambda)}, in still air (homogeneous conditions): for one edge Maekawa's curve. C'' is 1 for a span of up to
-     * {@value #SINGLE_EDGE_SPAN} m. At most {@value #LIMIT} dB.
+     * Attenuation according to CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6),
+     * {@code 10 lg(3 + 40 C'' delta / lambda)}, in still air (homogeneous conditions); for one edge, this is Maekawa's
+     * curve. C'' is 1 for a span of up to {@value #SINGLE_EDGE_SPAN} m. The attenuation is at most {@value #LIMIT} dB.
      *
      * @param pathDifference m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m

@@ -18,7 +18,7 @@ import java.util.function.Function;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Spelling;
 
-/** A table of the library, by the names in its first column. */
+/** A table of the library, indexed by the names in its column {@code name}. */
 public final class CsvTable<T> {
 
     private final String what;

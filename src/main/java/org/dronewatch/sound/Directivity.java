@@ -10,10 +10,10 @@ public enum Directivity {
         }
     },
     /**
-     * Directivity of rotors: fainter near their plane, louder above and below, from 500 Hz on. A high shelf of
+     * Directivity of rotors: from 500 Hz on, fainter near their plane and louder above and below it. A high shelf of
      * {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); the
-     * division of a shelf at 500 Hz among octave bands is assumed: nothing up to 250 Hz, half the decibels at 500 Hz,
-     * all of them from 1 kHz on.
+     * division of a shelf at 500 Hz among octave bands is assumed: none of the decibels up to 250 Hz, half of them at
+     * 500 Hz, all of them from 1 kHz on.
      */
     ROTOR {
         @Override
@@ -24,9 +24,9 @@ public enum Directivity {
     },
     /**
      * Directivity of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical
-     * (Ramos-Romero and others, Aerospace Science and Technology 140, 108537, 2023). Nearer to the rotors' plane it is
-     * extrapolated; above the plane, the sound is assumed to be the same as below. The published gain is the level at 1
-     * m relative to that straight below.
+     * (Ramos-Romero and others, Aerospace Science and Technology 140, 108537, 2023). Nearer to the plane of the rotors
+     * it is extrapolated; above the plane, the sound is assumed to be the same as below. The published gain is the
+     * level at 1 m relative to the level straight below.
      */
     M300 {
         @Override

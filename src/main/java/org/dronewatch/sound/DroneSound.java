@@ -9,7 +9,7 @@ import java.util.List;
  *
  * @param name its name in the table, or any name for a sound that is not in it
  * @param level A-weighted sound power level, dB re 1 pW
- * @param shape A-weighted level of each octave band over that of the loudest, dB
+ * @param shape A-weighted level of each octave band relative to that of the loudest, dB
  * @param basis whether the spectrum was measured or is assumed
  * @param source source of the figures
  */
@@ -32,7 +32,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
     }
 
     /**
-     * Sound power levels by octave band without weighting, dB re 1 pW, of this spectrum at another level.
+     * Sound power levels by octave band without weighting, dB re 1 pW, of this spectrum at a given total level.
      *
      * @param aWeighted A-weighted sound power level of all bands together, dB re 1 pW
      */
@@ -56,7 +56,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
     }
 
     /**
-     * A sound from the sound power levels of its octave bands, as a measurement to ISO 3744 states them.
+     * A sound from the sound power levels of its octave bands, as reported by a measurement to ISO 3744.
      *
      * @param name any name
      * @param power levels without weighting, dB re 1 pW

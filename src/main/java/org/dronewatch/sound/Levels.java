@@ -9,12 +9,12 @@ public final class Levels {
         return 10.0 * Math.log10(ratio);
     }
 
-    /** The ratio of powers or energies of a level. */
+    /** The ratio of powers or energies that corresponds to a level. */
     public static double toRatio(double level) {
         return Math.pow(10.0, 0.1 * level);
     }
 
-    /** The total level of incoherent sounds, dB; minus infinity for none. */
+    /** The total level of incoherent sounds, dB; minus infinity if there are none. */
     public static double sum(double... levels) {
         double ratio = 0.0;
         for (double level : levels) {

@@ -2,7 +2,7 @@ package org.dronewatch.sound;
 
 import java.util.Set;
 
-/** The acoustic media of the library, each with its source. */
+/** The library's acoustic media, each with its source. */
 public final class Media {
     private static final CsvTable<Medium> TABLE = new CsvTable<>(
             "media.csv",

@@ -5,9 +5,9 @@ import java.util.Optional;
 /**
  * The band in which a tone is searched for: as wide as the tone, within one octave band.
  *
- * @param frequency frequency of its middle, Hz
+ * @param frequency its centre frequency, Hz
  * @param width Hz, above 0 and at most that of the octave band
- * @param octave the octave band in which its middle lies, 0 for 63 Hz to 7 for 8 kHz
+ * @param octave the octave band in which its centre lies, 0 for 63 Hz to 7 for 8 kHz
  */
 public record NarrowBand(double frequency, double width, int octave) {
     /** Standard deviation of a hovering drone's rotor speed in still air, relative (Heutschi and others 2020). */
@@ -21,8 +21,8 @@ public record NarrowBand(double frequency, double width, int octave) {
 
     /**
      * The band of a tone. The rotors of a drone do not turn quite steadily, least of all in wind: the relative jitter
-     * of their speed, 0.5 % and 0.52 % more for each m/s of wind, is the relative width of all their tones (Heutschi
-     * and others, Acta Acustica 4, 24, 2020, at a height of 10 m).
+     * of their speed, 0.5 % plus 0.52 % for each m/s of wind, is the relative width of all their tones (Heutschi and
+     * others, Acta Acustica 4, 24, 2020, at a height of 10 m).
      *
      * @param frequency at the listener, Hz
      * @param wind speed, m/s, 0 or more
@@ -38,7 +38,7 @@ public record NarrowBand(double frequency, double width, int octave) {
         return Optional.empty();
     }
 
-    /** The fraction of its octave band that it covers, above 0 and at most 1. */
+    /** The fraction of its octave band that this band covers, above 0 and at most 1. */
     public double fraction() {
         return width / octaveWidth(octave);
     }

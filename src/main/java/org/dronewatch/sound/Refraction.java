@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
  * Refraction of a plane wave at the flat interface between two fluids. Angles are measured from the normal, radians, 0
  * to pi/2.
  *
- * <p>From air the critical angle of solids is below 7 degrees, so this does not model a wall: a wall has a transmission
- * loss.
+ * <p>For sound from air, the critical angle of solids is below 7 degrees, so this does not model a wall: a wall has a
+ * transmission loss.
  */
 public final class Refraction {
     private Refraction() {}
@@ -30,7 +30,7 @@ public final class Refraction {
      *
      * @param speed speed of sound in front of the interface, above 0, m/s
      * @param speedBehind speed of sound behind it, above 0, m/s
-     * @return above 0 and below pi/2; empty where sound is not faster behind
+     * @return above 0 and below pi/2; empty unless sound is faster behind the interface
      */
     public static OptionalDouble criticalAngle(double speed, double speedBehind) {
         return speedBehind > speed ? OptionalDouble.of(Math.asin(speed / speedBehind)) : OptionalDouble.empty();

@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
  * A tone in a drone's spectrum.
  *
  * @param harmonic its number: 1 for the blade-passing frequency
- * @param frequency that the drone emits, Hz, above 0
- * @param share its fraction of the power of its octave band, 0 to 1
+ * @param frequency frequency emitted by the drone, Hz, above 0
+ * @param share its fraction of the power in its octave band, 0 to 1
  */
 public record Tone(int harmonic, double frequency, double share) {
 

@@ -12,8 +12,8 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param speed wind speed at a height of 10 m above the ground, 0 to 60 m/s
  * @param from direction from which it blows, clockwise from north, rad
- * @param roughness the roughness length z0 of the surroundings, 0.0001 to 2 m: 0.0002 water, 0.03 grass, 0.25 bushes, 1
- *     suburbs
+ * @param roughness the roughness length z0 of the surroundings, 0.0001 to 2 m: 0.0002 for water, 0.03 for grass, 0.25
+ *     for bushes, 1 for suburbs
  */
 public record Wind(
         @In(value = Quantity.SPEED, from = 0, to = 60) double speed,
@@ -45,13 +45,13 @@ public record Wind(
         return SettingsForm.with(this, "from", bearing);
     }
 
-    /** This wind over another roughness, m. */
+    /** This wind with another roughness length, m. */
     public Wind withRoughness(double metres) {
         return SettingsForm.with(this, "roughness", metres);
     }
 
     /**
-     * Its speed at a height over the ground, m/s; 0 on the ground and below.
+     * Its speed at a height above the ground, m/s; 0 at the ground and below.
      *
      * @param height m
      */
@@ -60,11 +60,11 @@ public record Wind(
     }
 
     /**
-     * The mean increase of its speed with height between two heights: that of the linear profile with the same speed at
-     * both, 1/s.
+     * The mean increase of its speed with height between two heights: the gradient of the linear profile with the same
+     * speeds at both, 1/s.
      *
-     * @param height over the ground, m
-     * @param other over the ground, m
+     * @param height above the ground, m
+     * @param other the other height above the ground, m
      */
     public double shear(double height, double other) {
         double low = Math.max(0.0, Math.min(height, other));

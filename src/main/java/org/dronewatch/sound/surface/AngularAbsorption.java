@@ -5,8 +5,8 @@ import java.util.List;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Absorption as a function of the angle of incidence, from a table: linear between its angles, constant below the first
- * and above the last.
+ * Absorption as a function of the angle of incidence, from a table: linear between the angles in the table, constant
+ * below the first and above the last.
  */
 public final class AngularAbsorption {
     private final List<AbsorptionAtAngle> table;
@@ -17,7 +17,7 @@ public final class AngularAbsorption {
      * A table.
      *
      * @param table in order of increasing angle
-     * @throws IllegalArgumentException when it is empty, or an angle is not above the one before
+     * @throws IllegalArgumentException when it is empty, or an angle is not greater than the one before it
      */
     public AngularAbsorption(List<AbsorptionAtAngle> table) {
         this.table = List.copyOf(table);

@@ -3,8 +3,8 @@ package org.dronewatch.sound.surface;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * The mean energy of direct and ground-reflected sound together in an octave band: over equal parts of lg f, of
- * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is that of the
+ * The mean energy of direct and ground-reflected sound together in an octave band: the average, uniform in lg f, of
+ * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is the coefficient of
  * {@link SphericalReflection} and C the coherence. The caller accounts for spreading, air and directivity.
  *
  * @param ground impedance of the ground

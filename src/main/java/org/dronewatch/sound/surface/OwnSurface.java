@@ -22,7 +22,7 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one
  *     number
  * @param absorptionByAngle the same as a function of the angle from the normal: a table in order of increasing angle,
- *     linear in between, constant outside
+ *     linear between its angles, constant outside them
  * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1: eight octave bands,
  *     or one number
  * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number;
@@ -44,7 +44,10 @@ public record OwnSurface(
         @In(value = Quantity.NUMBER, above = 0, to = 1_000_000) Optional<Double> flowResistivity) {
     private static final BandFractions ORDINARY_ABSORPTION = BandFractions.flat(0.1);
 
-    /** The table's ordinary hard surface: an opaque sheet that absorbs a tenth and scatters a fifth of the rest. */
+    /**
+     * The table's ordinary hard surface: an opaque sheet that absorbs a tenth of the sound and scatters a fifth of the
+     * rest.
+     */
     @Defaults
     public static final OwnSurface DEFAULT = new OwnSurface(
             Optional.empty(),
@@ -105,7 +108,7 @@ public record OwnSurface(
         return SettingsForm.with(this, Map.of("transmissionLoss", Optional.of(loss), "wall", kind));
     }
 
-    /** This surface as ground of another effective flow resistivity, kPa s/m2. */
+    /** This surface as ground with another effective flow resistivity, kPa s/m2. */
     public OwnSurface withFlowResistivity(double kilopascalSecondsPerSquareMetre) {
         return SettingsForm.with(this, "flowResistivity", Optional.of(kilopascalSecondsPerSquareMetre));
     }

@@ -20,7 +20,7 @@ import org.dronewatch.sound.OctaveBands;
  * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1, one for each band
  * @param transmissionLoss loss through the wall, 0 or more, one for each band, dB; none for an opaque wall
  * @param wall whether one surface is the whole wall
- * @param speed speed of sound inside, m/s; empty if unknown or opaque
+ * @param speed speed of sound inside the wall, m/s; empty if it is unknown or the wall is opaque
  * @param source source of the figures
  * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse
  *     field. Empty if it is the same at all angles
@@ -40,7 +40,7 @@ public record SurfaceMaterial(
 
     /** The model of a wall in a mesh. */
     public enum Wall {
-        /** One surface is the whole wall, however thick. */
+        /** One surface is the whole wall, however thick the wall is. */
         SHEET,
         /** A front and a back; the loss is applied once, on entry. */
         SOLID
@@ -49,7 +49,7 @@ public record SurfaceMaterial(
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more energy would be
+     * @throws IllegalArgumentException if a fraction is outside 0 to 1, a loss is negative, or more energy would be
      *     reflected and transmitted than arrives
      */
     public SurfaceMaterial {
@@ -72,7 +72,7 @@ public record SurfaceMaterial(
     /**
      * A material with the same absorption at all angles.
      *
-     * @throws IllegalArgumentException if a fraction is not 0 to 1, a loss is negative, or more energy would be
+     * @throws IllegalArgumentException if a fraction is outside 0 to 1, a loss is negative, or more energy would be
      *     reflected and transmitted than arrives
      */
     public SurfaceMaterial(
@@ -148,7 +148,7 @@ public record SurfaceMaterial(
                 this, Map.of("transmissionLoss", Collections.nCopies(OctaveBands.COUNT, loss), "wall", kind));
     }
 
-    /** A surface with the same absorption and scattering in all bands, opaque. */
+    /** An opaque surface with the same absorption and scattering in all bands. */
     public static SurfaceMaterial uniform(String name, double absorption, double scattering) {
         return new SurfaceMaterial(
                 name,

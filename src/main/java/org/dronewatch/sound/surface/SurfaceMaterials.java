@@ -13,8 +13,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /**
- * The acoustic surfaces of the library, each with its source. The published tables begin at 125 Hz and end at 4 kHz: 63
- * Hz has the value at 125 Hz, and 8 kHz that at 4 kHz; scattering is the same in all bands.
+ * The acoustic surfaces of the library, each with its source. The published tables begin at 125 Hz and end at 4 kHz;
+ * the band at 63 Hz takes the value at 125 Hz, and that at 8 kHz the value at 4 kHz. Scattering is the same in all
+ * bands.
  */
 public final class SurfaceMaterials {
     /** The default surface, for materials without a name. */
@@ -31,7 +32,7 @@ public final class SurfaceMaterials {
         return TABLE.names();
     }
 
-    /** The surface with this name, or empty. */
+    /** The surface with this name; empty if there is none. */
     public static Optional<SurfaceMaterial> find(String name) {
         return TABLE.find(name);
     }

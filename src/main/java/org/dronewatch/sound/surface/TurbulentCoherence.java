@@ -3,13 +3,13 @@ package org.dronewatch.sound.surface;
 /**
  * The coherence of direct and ground-reflected sound in turbulent air: the factor by which their interference is
  * reduced, averaged over time. The refractive index fluctuates with the variance {@code m2} and the correlation
- * {@code exp(-r^2 / L^2)}; then the coherence of two paths of length R whose distance from each other grows to h is
+ * {@code exp(-r^2 / L^2)}; the coherence of two paths of length R, whose distance from each other grows to h, is then
  * {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} with {@code rho = sqrt(pi) / 2 L / h erf(h / L)}.
  *
  * <p>This includes the fluctuations of phase and of amplitude, as in the mean of the product of two waves (S. F.
  * Clifford and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is in the phase; far from it,
  * beyond {@code k L^2}, half is in the phase and half in the logarithm of the amplitude, with the same sum. With the
- * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent is half as large beyond {@code k L^2}.
+ * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent would be half as large beyond {@code k L^2}.
  *
  * @param strength variance of the refractive index: 0 without turbulence, about 1e-8 in calm air, 1e-4 in very
  *     turbulent air
@@ -28,7 +28,7 @@ public record TurbulentCoherence(double strength, double scale) {
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when the strength is negative or the scale not above 0
+     * @throws IllegalArgumentException when the strength is negative or the scale is not above 0
      */
     public TurbulentCoherence {
         if (!(strength >= 0.0) || !(scale > 0.0)) {
@@ -51,7 +51,7 @@ public record TurbulentCoherence(double strength, double scale) {
     }
 
     /**
-     * The distance between direct and reflected path above the point of reflection, m.
+     * The distance between the direct and the reflected path above the point of reflection, m.
      *
      * @param sourceHeight height of the source above the ground, m, 0 or more
      * @param receiverHeight height of the receiver above the ground, m, 0 or more
