@@ -8,8 +8,9 @@ import org.dronewatch.geometry.Position;
  */
 public enum Airframe {
     /**
-     * Rotors with a thrust along the drone's vertical axis: it tilts until the thrust per mass is the acceleration
-     * minus gravity. In level flight the tilt is {@code tan(tilt) = a / g}, towards the acceleration.
+     * Rotors with a thrust along the drone's vertical axis: the drone tilts until the thrust per unit of mass is the
+     * acceleration minus gravity. In level flight the tilt is given by {@code tan(tilt) = a / g}, towards the
+     * acceleration.
      */
     MULTIROTOR {
         @Override
@@ -25,9 +26,9 @@ public enum Airframe {
         }
     },
     /**
-     * A wing: its nose follows the path up and down, and it banks so that the force on it other than gravity has no
-     * component along its wings, as in a coordinated turn. At the speed v and the rate of turn omega in level flight,
-     * the bank angle is {@code tan(bank) = v omega / g}.
+     * A fixed wing: the nose follows the path up and down, and the drone banks so that the force on it other than
+     * gravity has no component along its wings, as in a coordinated turn. At the speed v and the rate of turn omega in
+     * level flight, the bank angle is given by {@code tan(bank) = v omega / g}.
      */
     FIXED_WING {
         @Override
@@ -39,8 +40,8 @@ public enum Airframe {
         }
     },
     /**
-     * A wing with rotors for take-off, hover and landing: it tilts like a fixed-wing while its horizontal speed exceeds
-     * its vertical speed, and otherwise like a multirotor.
+     * A fixed wing with rotors for take-off, hover and landing: the drone tilts like a fixed-wing aircraft while its
+     * horizontal speed exceeds its vertical speed, and otherwise like a multirotor.
      */
     HYBRID {
         @Override
@@ -69,7 +70,7 @@ public enum Airframe {
     abstract Attitude lean(double yaw, Position velocity, Position force);
 
     /**
-     * A path with the tilt of such a drone: the same positions, velocities and headings, with pitch and roll that
+     * A path with the tilt of such a drone: the same positions, velocities and headings, with the pitch and roll that
      * follow from velocity and {@linkplain FlightPath#acceleration acceleration}. If the path itself states a pitch or
      * roll, that is kept. The tilt is not limited.
      */

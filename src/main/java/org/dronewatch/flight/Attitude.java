@@ -14,7 +14,7 @@ import org.dronewatch.geometry.Position;
  * @param roll angle of the right side below the horizontal in level flight, rad, any finite angle
  */
 public record Attitude(double yaw, double pitch, double roll) {
-    /** Level with the nose to the north. */
+    /** Level, with the nose to the north. */
     public static final Attitude NORTH = new Attitude(0.0, 0.0, 0.0);
 
     /**

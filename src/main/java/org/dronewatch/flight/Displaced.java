@@ -4,8 +4,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 
 /**
- * A leader's flight, displaced by a constant vector: that of a drone of a {@link Swarm}. It is not a record, because
- * scene files use a swarm instead.
+ * A leader's flight displaced by a constant vector: the flight of a drone in a {@link Swarm}. It is not a record,
+ * because scene files use a swarm instead.
  */
 public final class Displaced implements FlightPathSettings {
     private final FlightPathSettings leader;
@@ -15,7 +15,7 @@ public final class Displaced implements FlightPathSettings {
      * A flight displaced from another.
      *
      * @param leader the leader's flight
-     * @param offset to the right of the leader, ahead of it and above it, by its heading at time 0, m
+     * @param offset to the right of the leader, ahead of it and above it, relative to its heading at time 0, m
      */
     public Displaced(FlightPathSettings leader, Position offset) {
         this.leader = leader;
@@ -28,7 +28,7 @@ public final class Displaced implements FlightPathSettings {
     }
 
     /**
-     * The path displaced from a leader's path, for callers that already have the latter; {@link #create} returns the
+     * The path displaced from a leader's path, for callers that already have that path; {@link #create} returns the
      * same.
      */
     public FlightPath beside(FlightPath leading) {
@@ -47,7 +47,7 @@ public final class Displaced implements FlightPathSettings {
         return new Position(offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
     }
 
-    /** Its offset from the leader: to the right, ahead and above by the leader's heading at time 0, m. */
+    /** Its offset from the leader: to the right, ahead and above, relative to the leader's heading at time 0, m. */
     public Position offset() {
         return offset;
     }

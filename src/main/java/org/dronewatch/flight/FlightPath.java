@@ -20,7 +20,8 @@ public interface FlightPath {
     FlightState at(double time);
 
     /**
-     * The position of the state at a time, m: the same bits, but cheaper where the attitude takes long to compute.
+     * The drone's position at a time, m: bit for bit that of its state, but cheaper where the attitude takes long to
+     * compute.
      *
      * @param time seconds since the start of the run, 0 or more
      */
@@ -35,11 +36,11 @@ public interface FlightPath {
 
     /**
      * The drone's acceleration, which determines its tilt. By default, it is the mean over the half second around a
-     * time, from the velocities at its ends, independently of when it is queried: {@code (v(t + h) - v(t - h)) / 2h}, h
-     * being a quarter of a second; in the first quarter of a second, the interval begins at the start of the run. Where
-     * the velocity of a path jumps, that is a brief but finite acceleration. On a circle the mean points to its centre,
-     * and is smaller than {@code v omega} by the factor {@code sin(omega h) / (omega h)}. A path whose future is not
-     * known yet must override this method.
+     * time, computed from the velocities at the ends of that interval, independently of when it is queried:
+     * {@code (v(t + h) - v(t - h)) / 2h}, h being a quarter of a second; in the first quarter of a second, the interval
+     * begins at the start of the run. A jump in the velocity of a path gives a brief but finite acceleration. On a
+     * circle the mean points to its centre, and is smaller than {@code v omega} by the factor
+     * {@code sin(omega h) / (omega h)}. A path whose future is not known yet must override this method.
      *
      * @param time seconds since the start of the run, 0 or more
      * @return m/s2

@@ -13,7 +13,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * The flight of a drone; its speed is a setting of the drone itself. You can implement other flights;
+ * The flight of a drone; the speed is a setting of the drone itself. You can implement other flights;
  * {@link org.dronewatch.setting.Kind} explains how scene files can then choose them.
  */
 public interface FlightPathSettings {

@@ -113,7 +113,7 @@ public final class FlightsFile {
      * Reads a file.
      *
      * @param shown its name in messages and in the provenance of a run
-     * @throws InputException when it cannot be read, is too large or a row is wrong; the message gives its line
+     * @throws InputException when it cannot be read, is too large or has an invalid row; the message gives the line
      */
     public static FlightsFile read(Path file, String shown) {
         return new FlightsFile(shown, BoundedFile.read(file, LARGEST));
@@ -199,9 +199,9 @@ public final class FlightsFile {
     }
 
     /**
-     * A flight.
+     * The flight of a drone in a run.
      *
-     * @throws InputException when the file has none of that run and drone
+     * @throws InputException when the file has none for that run and drone
      */
     public FlownPath flight(int run, String drone) {
         List<Leg> legs = flights.get(new Flight(run, drone));

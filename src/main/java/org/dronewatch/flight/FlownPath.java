@@ -6,15 +6,19 @@ import org.dronewatch.geometry.Position;
 
 /** A flight that consists of legs. */
 public interface FlownPath extends FlightPath {
-    /** The shortest interval over which an acceleration is computed, s; over less, rounding errors would dominate. */
+    /**
+     * The shortest interval over which an acceleration is computed, s; over a shorter one, rounding errors would
+     * dominate.
+     */
     double SHORTEST_INTERVAL = 1e-9;
 
-    /** The legs that have begun so far, in order of time; at least one, of which the first begins at time 0. */
+    /** The legs that have begun so far, in order of time; there is at least one, and the first begins at time 0. */
     List<Leg> legs();
 
     /**
-     * The mean acceleration over the half second before a time, or since the start: the future of a steered drone is
-     * not known, and a recorded flight must tilt like the steered one. Zero within the first nanosecond.
+     * The mean acceleration over the half second before a time, or since the start of the run if that is later: the
+     * future of a steered drone is not known, and a recorded flight must tilt like the steered one. It is zero within
+     * the first nanosecond.
      */
     @Override
     default Position acceleration(double time) {

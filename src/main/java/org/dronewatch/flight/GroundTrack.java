@@ -7,7 +7,7 @@ import org.dronewatch.world.GroundPoint;
 public final class GroundTrack {
     /** Longest segment, m. */
     static final double STEP = 0.5;
-    /** Longest path, m: a hundred thousand segments. */
+    /** Maximum length of a path, m: a hundred thousand segments. */
     public static final double LONGEST = 100_000 * STEP;
 
     private final double[] x;
@@ -15,7 +15,7 @@ public final class GroundTrack {
     private final double[] along;
     private final int[] corners;
 
-    /** A track from point to point, 1 mm or more apart, m. */
+    /** A track through points that are 1 mm or more apart, m. */
     public GroundTrack(List<GroundPoint> points) {
         int pieces = 0;
         for (int i = 1; i < points.size(); i++) {
@@ -60,12 +60,12 @@ public final class GroundTrack {
         return corners[point];
     }
 
-    /** East, m. */
+    /** The east coordinate of a cut, m. */
     public double x(int cut) {
         return x[cut];
     }
 
-    /** North, m. */
+    /** The north coordinate of a cut, m. */
     public double y(int cut) {
         return y[cut];
     }

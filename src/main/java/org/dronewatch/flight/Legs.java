@@ -27,8 +27,8 @@ public final class Legs {
     private Legs() {}
 
     /**
-     * The legs of all flights of a run, as {@link #of} gives them: sampled ten times a second, or less often in a long
-     * run with many drones.
+     * The legs of all flights of a run, as {@link #of} returns them: sampled ten times a second, or less often in a
+     * long run with many drones.
      *
      * @param flights by id of the drone
      * @param until the end of the run, s
@@ -43,10 +43,10 @@ public final class Legs {
 
     /**
      * The legs of a flight. A flight that consists of legs returns these, without the drone's tilt. Any other flight is
-     * sampled at even steps: samples on a straight line at constant speed are joined into one leg, which is exact
+     * sampled at equal time steps: samples on a straight line at constant speed are joined into one leg, which is exact
      * except for rounding. In a bend, or with an acceleration a, the flight is divided at each step, and the position
-     * between two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end, so that the legs also
-     * state the end of the known flight.
+     * between two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end of the known flight,
+     * so that the legs also state that end.
      *
      * @param path the flight
      * @param until its end, s

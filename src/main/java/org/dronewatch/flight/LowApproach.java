@@ -10,9 +10,9 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * A straight flight towards a point, low over the ground, which uses the cover that the site offers; it stops there, or
- * at the standoff distance. The drone climbs and descends at no more than 45 degrees, and keeps its height as with
- * {@link TerrainFollowing}.
+ * A straight flight towards a point, low over the ground, which uses the cover that the site offers; the drone stops at
+ * the point, or at the standoff distance. It climbs and descends at no more than 45 degrees, and keeps its height as
+ * with {@link TerrainFollowing}.
  *
  * @param target the point in plan view, as a pair of east and north coordinates, m
  * @param bearing direction of the approach, from the target: clockwise from north, rad

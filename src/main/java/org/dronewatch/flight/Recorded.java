@@ -39,7 +39,7 @@ public record Recorded(
      * its files are relative to the scene's directory.
      *
      * @throws IllegalArgumentException when no drone is named
-     * @throws org.dronewatch.setting.InputException when the file cannot be read, is wrong or has no such flight
+     * @throws org.dronewatch.setting.InputException when the file cannot be read, is invalid or has no such flight
      */
     @Override
     public FlightPath create(double speed, double acceleration, Ground ground) {

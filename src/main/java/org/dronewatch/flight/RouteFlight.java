@@ -13,13 +13,13 @@ import org.dronewatch.world.Ground;
 
 /**
  * A flight along straight legs, each at its own constant speed, without stopping between them, as the search for the
- * weakest route assumes. The drone turns at once, with its nose ahead; on a vertical leg, the nose stays where it was.
- * It stays at the end of the last leg.
+ * weakest route assumes. The drone turns instantly and flies nose first; on a vertical leg, its heading does not
+ * change. It stays at the end of the last leg.
  *
  * @param from position at time 0, m
  * @param legs 1 to 10,000 legs, each 1 mm or longer
- * @param delay how long it waits at {@code from} before the first leg, with its nose towards that leg and its motors
- *     running, 0 to 3600 s
+ * @param delay how long the drone waits at {@code from} before the first leg, with its nose towards that leg and its
+ *     motors running, 0 to 3600 s
  */
 public record RouteFlight(
         Position from, List<RouteLeg> legs, @In(value = Quantity.DURATION, from = 0, to = 3600) double delay)
@@ -92,7 +92,7 @@ public record RouteFlight(
     }
 
     /**
-     * The time at which it arrives at the end, s since the start of the run.
+     * The time at which the drone arrives at the end, s since the start of the run.
      *
      * @param speed cruise speed, m/s
      */

@@ -13,11 +13,11 @@ import org.dronewatch.setting.Check;
  * its position is never set, but follows from its start and its velocities. The past of the flight is kept, because a
  * microphone hears the drone where it was; the future is not known, and querying it fails.
  *
- * <p>A command takes effect at its time, that time included. Of several at the same time, the last one takes effect. A
- * command at a time at which sensors have already looked, in response to their observations, takes effect at the next
- * instant that a double can represent, so that these observations remain valid. Only the thread that runs the scene may
- * steer, since a command from any other thread would take effect at whatever time the run happened to have reached; any
- * thread may query the flight.
+ * <p>A command takes effect from its time on, that time included. Of several commands at the same time, the last one
+ * takes effect. A command at a time at which sensors have already looked, in response to their observations, takes
+ * effect at the next instant that a double can represent, so that these observations remain valid. Only the thread that
+ * runs the scene may steer, since a command from any other thread would take effect at whatever time the run happened
+ * to have reached; any thread may query the flight.
  */
 public final class SteeredFlight implements FlownPath {
     /** By how much a commanded speed may be above the limit, as the length of a rounded vector may. */
@@ -45,13 +45,13 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Commands a velocity, level and with the nose in the direction of flight; straight up, straight down and at rest
-     * it keeps its heading.
+     * Commands a velocity, with a level attitude and the nose in the direction of flight; in vertical flight and at
+     * rest, the drone keeps its heading.
      *
      * @param time seconds since the start of the run
      * @param velocity m/s
-     * @throws IllegalArgumentException when the velocity is above the drone's speed or null, or a later time is already
-     *     known
+     * @throws IllegalArgumentException when the velocity exceeds the drone's speed or is null, or the flight is already
+     *     known beyond that time
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity) {
@@ -66,8 +66,8 @@ public final class SteeredFlight implements FlownPath {
      * @param time seconds since the start of the run
      * @param velocity m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity
-     * @throws IllegalArgumentException when the velocity is above the drone's speed, it or the attitude is null, or a
-     *     later time is already known
+     * @throws IllegalArgumentException when the velocity exceeds the drone's speed, the velocity or the attitude is
+     *     null, or the flight is already known beyond that time
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void fly(double time, Position velocity, Attitude attitude) {
@@ -77,14 +77,14 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Commands a flight in a straight line at constant speed to a point, its nose as for
+     * Commands a flight in a straight line at constant speed to a point, with its nose as for
      * {@link #fly(double, Position)}, and a hover there until the next command.
      *
      * @param time seconds since the start of the run
      * @param target the point, m
-     * @param arrival when it is to be there, after the command, seconds since the start of the run
+     * @param arrival when the drone is to be there, after the command, seconds since the start of the run
      * @throws IllegalArgumentException when that requires more than the drone's speed, the point is null, the arrival
-     *     is not after the command, or a later time is already known
+     *     is not after the command, or the flight is already known beyond that time
      * @throws IllegalStateException when the run is over, or another thread steers
      */
     public synchronized void flyTo(double time, Position target, double arrival) {

@@ -14,7 +14,7 @@ public final class SteeringClock {
         this.flights = flights;
     }
 
-    /** The clock of the steered ones among some flights. */
+    /** A clock for the steered flights among those given. */
     public static SteeringClock of(Collection<? extends FlightPath> flights) {
         return new SteeringClock(flights.stream()
                 .flatMap(path -> SteeredFlight.in(path).stream())
@@ -27,7 +27,8 @@ public final class SteeringClock {
     }
 
     /**
-     * Advances to a time, s: the flights are then known before it, and also at it unless a command still changes them.
+     * Advances to a time, s: the flights are then known before that time, and also at that time unless a command still
+     * changes them.
      */
     public void advance(double time) {
         flights.forEach(flight -> flight.advance(time));

@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * Several drones of one kind that fly in formation: each flies the leader's path, displaced by a constant vector. The
  * formation is oriented by the leader's heading at time 0 and does not turn with it. A leader that follows the terrain
- * follows the ground below itself, not below the others.
+ * follows the ground below itself, not that below the others.
  *
  * @param count number of drones, including the leader, 1 to 1000
  * @param spacing distance between neighbours, above 0 and at most 10 km, m
@@ -22,7 +22,7 @@ public record Swarm(
         @In(value = Quantity.LENGTH, above = 0, to = 10_000) double spacing,
         Formation formation) {
 
-    /** An arrangement of the drones of a swarm beside, behind or above each other. */
+    /** An arrangement of the drones of a swarm beside, behind or above one another. */
     public enum Formation {
         /** Side by side, the leader in the middle. */
         LINE {
@@ -31,7 +31,7 @@ public record Swarm(
                 return new Position(sideways(number), 0, 0);
             }
         },
-        /** One behind the other. */
+        /** In single file, the leader in front. */
         COLUMN {
             @Override
             Position offset(int number, int count) {
@@ -54,7 +54,7 @@ public record Swarm(
                 return new Position(sideways(number % columns), -(number / columns), 0);
             }
         },
-        /** One above the other, the leader lowest. */
+        /** Stacked vertically, the leader lowest. */
         STACK {
             @Override
             Position offset(int number, int count) {

@@ -14,7 +14,7 @@ public final class TerrainProfile {
      *
      * @param slope metres up or down for each metre along the track
      * @return its height at each cut of the track, m
-     * @throws IllegalArgumentException when there is no surface below any of the track
+     * @throws IllegalArgumentException when there is no surface anywhere below the track
      */
     public static double[] over(GroundTrack track, Ground ground, double slope) {
         double[] heights = covering(track, known(track, ground), slope);

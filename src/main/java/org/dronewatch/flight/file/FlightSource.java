@@ -11,7 +11,7 @@ public interface FlightSource {
     /** Its name and the hash of its bytes, as read. */
     FileHash hash();
 
-    /** A description of its content in one line. */
+    /** A one-line description of its content. */
     String description();
 
     /**

@@ -13,8 +13,9 @@ import org.dronewatch.setting.file.BoundedFile;
 
 /**
  * A mission planned with QGroundControl: take-off, waypoints, changes of speed, landing. The drone stops wherever its
- * path bends, as with {@code waypoints}. The speeds are those of the plan; where it states none, the drone's speed
- * applies. The drone climbs and descends as its {@code performance} allows, unless the rates are stated here.
+ * path bends, as with {@code waypoints}. The speeds are those of the plan; where the plan states none, the drone's
+ * speed applies. The drone climbs and descends as its {@code performance} allows, unless {@code climbRate} and
+ * {@code descentRate} are given.
  *
  * @param plan path of the {@code .plan} file
  * @param climbRate largest vertical speed upwards, 0.1 to 100 m/s; the drone's {@code performance.climb} if left out

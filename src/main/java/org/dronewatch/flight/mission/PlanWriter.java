@@ -16,8 +16,8 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes a flight as a plan of QGroundControl: take-off, waypoints and changes of speed, with heights above the launch,
- * which is the surface below the start.
+ * Writes a flight as a QGroundControl plan: take-off, waypoints and changes of speed, with heights above the launch
+ * position, which is on the surface below the start.
  */
 public final class PlanWriter {
     /** The first line of every file written by this class. */
@@ -67,7 +67,7 @@ public final class PlanWriter {
      *
      * @param text the file
      * @param items number of items of the mission
-     * @param tolerance the greatest distance of the flight from the lines of the mission, m
+     * @param tolerance the greatest distance of the flight from the straight lines of the mission, m
      */
     public record Written(String text, int items, double tolerance) {}
 
@@ -75,7 +75,7 @@ public final class PlanWriter {
      * A writer for flights of a scene.
      *
      * @param places places of its site
-     * @param isWinged whether the drone is a fixed-wing
+     * @param isWinged whether the drone is a fixed-wing aircraft
      */
     public PlanWriter(Origin origin, Places places, boolean isWinged) {
         this.geodesy = new Geodesy(origin);

@@ -1,2 +1,2 @@
-/** Missions of QGroundControl as flights, and flights as missions. */
+/** QGroundControl missions as flights, and flights as missions. */
 package org.dronewatch.flight.mission;
