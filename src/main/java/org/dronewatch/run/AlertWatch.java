@@ -23,7 +23,7 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 
 /**
- * Scores the alerts of one run: the time at which each drone could first have been seen, that of the alert, and the
+ * Scores the alerts of one run: the time at which each drone could first have been seen, the time of its alert, and the
  * warning time.
  */
 public final class AlertWatch {
@@ -62,7 +62,7 @@ public final class AlertWatch {
     /**
      * Adds the looks of one time.
      *
-     * @param stage the run's stage, which has just looked
+     * @param stage the run's stage, whose sensors have just looked
      */
     public void add(Frame frame, Stage stage) {
         addFirstSights(frame);
@@ -142,7 +142,7 @@ public final class AlertWatch {
     }
 
     /**
-     * The alerts of the run, one for each drone, without birds.
+     * The alerts of the run, one for each drone, excluding birds.
      *
      * @param simulated duration of the run, s
      */

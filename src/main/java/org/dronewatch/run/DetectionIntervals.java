@@ -61,7 +61,7 @@ public final class DetectionIntervals {
     /**
      * The intervals during which a sensor holds any drone.
      *
-     * @param end when an interval ends in which a drone is still held, seconds since the start of the run
+     * @param end the end of an interval in which a drone is still held, seconds since the start of the run
      */
     public List<Interval> ofSensor(String sensor, double end) {
         Held held = ofSensors.get(sensor);
@@ -69,8 +69,8 @@ public final class DetectionIntervals {
     }
 
     /**
-     * The observation at which a sensor last lost a drone and did not regain it; empty if it never held it or still
-     * holds it.
+     * The observation at which a sensor last lost a drone and did not regain it; empty if the sensor never held the
+     * drone or still holds it.
      */
     public Optional<Observation> lostForGood(String sensor, String drone) {
         List<DetectionEvent> events = ofPairs.getOrDefault(List.of(sensor, drone), List.of());

@@ -21,7 +21,7 @@ public final class DetectionLog {
     /**
      * A log of all pairs of a scene.
      *
-     * @param target receives each event at once, those of birds as well
+     * @param target receives each event at once, including those of birds
      */
     public DetectionLog(int run, SceneSettings settings, Consumer<DetectionEvent> target) {
         this.run = run;

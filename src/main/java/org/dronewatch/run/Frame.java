@@ -13,7 +13,7 @@ import org.dronewatch.sensor.Observation;
  *
  * @param run number of the run in a sweep, from 0
  * @param time seconds since the start of the run
- * @param drones the drones as they are now
+ * @param drones the drones as they are at that time
  * @param observations observations of the sensors that looked at this time
  * @param pointings where the positioners of the sensors that looked at this time pointed, by name of the sensor
  */

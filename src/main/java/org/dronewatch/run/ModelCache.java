@@ -108,19 +108,19 @@ public final class ModelCache {
     }
 
     /**
-     * The recorded flights of a file.
+     * Reads the recorded flights of a file, once.
      *
      * @param file its name in the settings
-     * @throws InputException when it cannot be read, or is wrong
+     * @throws InputException when it cannot be read, or is invalid
      */
     public synchronized FlightsFile flights(String file) {
         return flightFiles.recorded(file);
     }
 
     /**
-     * A flight from a file of another program.
+     * Reads a flight from a file of another program, once.
      *
-     * @throws InputException when it cannot be read, or is wrong
+     * @throws InputException when it cannot be read, or is invalid
      */
     public synchronized FlightSource flight(FlightFromFile settings) {
         return flightFiles.of(settings);
@@ -203,9 +203,9 @@ public final class ModelCache {
     }
 
     /**
-     * The heights of the highest surfaces of a world, for the use of one thread; loads what is not loaded yet.
+     * The heights of the highest surfaces of a world, for use by one thread; loads what is not loaded yet.
      *
-     * @throws InputException when a file cannot be read, or is wrong
+     * @throws InputException when a file cannot be read, or is invalid
      */
     public Ground ground(WorldSettings world) {
         return World.groundOf(index(world));
@@ -299,7 +299,7 @@ public final class ModelCache {
         return examined.add(site);
     }
 
-    /** Warns, once for each message; after ten thousand of them no more. */
+    /** Warns, once for each message; after ten thousand messages, further ones are dropped. */
     public synchronized void warn(String text) {
         if (noted.size() < MOST_WARNINGS && noted.add(text)) {
             notes.accept("warning: " + text);

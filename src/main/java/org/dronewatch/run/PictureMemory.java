@@ -14,7 +14,7 @@ public final class PictureMemory {
     private PictureMemory() {}
 
     /**
-     * Checks that they fit, before anything is created.
+     * Checks that the depth buffers fit, before anything is created.
      *
      * @param most maximum size of the heap, bytes
      * @throws InputException when there are too many pixels

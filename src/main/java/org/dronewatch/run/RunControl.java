@@ -9,7 +9,7 @@ import java.util.function.BooleanSupplier;
  * @param until the last time at which sensors may look, seconds since the start of the run; infinite if the caller ends
  *     the run
  * @param pace waits before each look
- * @param cancelled queried before each look: once it is true, there are no more
+ * @param cancelled queried before each look: once it is true, no more looks are taken
  * @param times records how long the sensors look
  */
 public record RunControl(double until, Pace pace, BooleanSupplier cancelled, LookTimes times) {

@@ -19,7 +19,7 @@ public record RunInfo(int run, int runs, SceneSettings settings) {
      *
      * @param all the settings of all runs, in order
      * @param only index of the single one, from 0
-     * @throws IllegalArgumentException when there is no run of that index
+     * @throws IllegalArgumentException when there is no run with that index
      */
     public static List<RunInfo> of(List<SceneSettings> all, OptionalInt only) {
         if (only.isPresent() && (only.getAsInt() < 0 || only.getAsInt() >= all.size())) {

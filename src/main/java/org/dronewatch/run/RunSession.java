@@ -10,9 +10,9 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
 /**
- * One run of a scene, look by look. The result only depends on settings, seed and models: not on the code that drives
- * the run, its pace, the number of threads, or listeners. For one thread; sensors look on the {@link Workers} of that
- * thread.
+ * One run of a scene, look by look. The result depends only on settings, seed and models, not on the code that drives
+ * the run, its pace, the number of threads, or listeners. For use by one thread; sensors look on the {@link Workers} of
+ * that thread.
  *
  * <pre>{@code
  * try (RunSession session = new RunSession(settings, seed, models)) {
@@ -43,7 +43,7 @@ public final class RunSession implements AutoCloseable {
      * @param settings settings of the run; their sweep is ignored
      * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
-     * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
+     * @throws org.dronewatch.setting.InputException when a model is invalid, or does not fit the rest of the settings
      */
     public RunSession(SceneSettings settings, long seed, ModelCache models) {
         this(
@@ -60,7 +60,7 @@ public final class RunSession implements AutoCloseable {
      * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
      * @param control when it ends, and how it is driven
-     * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
+     * @throws org.dronewatch.setting.InputException when a model is invalid, or does not fit the rest of the settings
      */
     public RunSession(RunInfo info, long seed, ModelCache models, RunControl control) {
         this.info = info;
@@ -81,7 +81,7 @@ public final class RunSession implements AutoCloseable {
      * @param settings settings of the run; their sweep is ignored
      * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
-     * @throws org.dronewatch.setting.InputException when a model is wrong, or does not fit the rest of the settings
+     * @throws org.dronewatch.setting.InputException when a model is invalid, or does not fit the rest of the settings
      */
     public static RunResult run(SceneSettings settings, long seed, ModelCache models) {
         try (RunSession session = new RunSession(settings, seed, models)) {
@@ -121,7 +121,7 @@ public final class RunSession implements AutoCloseable {
         return over ? OptionalDouble.empty() : OptionalDouble.of(next);
     }
 
-    /** The time at which sensors last looked, seconds since the start of the run; 0 before they have. */
+    /** The time at which sensors last looked, seconds since the start of the run; 0 before the first look. */
     public double reached() {
         return reached;
     }

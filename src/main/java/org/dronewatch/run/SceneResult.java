@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
  * @param scene name of the scene
  * @param seed seed of its random numbers
  * @param threads number of worker threads
- * @param complete false when the run was stopped early
+ * @param complete false when the runs were stopped early
  * @param runs the runs: one, or one for each value of a sweep
  * @param timing how the computing time was spent
  */
@@ -21,7 +21,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         runs = List.copyOf(runs);
     }
 
-    /** All sensors with all drones in all runs. */
+    /** The results of all sensors with all drones in all runs. */
     public List<PairResult> pairs() {
         return runs.stream().flatMap(run -> run.pairs().stream()).toList();
     }
@@ -74,7 +74,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
                 .range();
     }
 
-    /** The points of the sweep, sensor by sensor in each run; none for a scene without one. */
+    /** The points of the sweep, sensor by sensor in each run; none for a scene without a sweep. */
     public List<SweepPoint> sweep() {
         List<SweepPoint> points = new ArrayList<>();
         for (RunResult run : runs) {

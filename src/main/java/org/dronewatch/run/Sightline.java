@@ -26,7 +26,10 @@ public final class Sightline {
         return Outlined.fieldOfView(sensor, Optional.empty()).isPresent();
     }
 
-    /** Whether a position is in a sensor's field of view and range now; always for a sensor without a field of view. */
+    /**
+     * Whether a position is in a sensor's field of view and range now; always true for a sensor without a field of
+     * view.
+     */
     public static boolean isInField(SensorSettings<?> sensor, Optional<Pointing> pointing, Position position) {
         return Outlined.fieldOfView(sensor, pointing)
                 .map(shape -> shape.contains(position.minus(sensor.position())))

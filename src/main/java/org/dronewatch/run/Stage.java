@@ -39,8 +39,8 @@ import org.dronewatch.world.WorldSettings;
 
 /**
  * The stage of a run, created from its settings: the world, the drones with their paths, and the sensors with their
- * next looks. Only {@link #look} and {@link #steerHere} change it, and are for the thread that runs the scene;
- * everything else may be queried by any thread, during the run and after it.
+ * next looks. Only {@link #look} and {@link #steerHere} change it, and only the thread that runs the scene may call
+ * them; everything else may be queried by any thread, during the run and after it.
  */
 public final class Stage {
     private final World world;
@@ -217,7 +217,7 @@ public final class Stage {
     }
 
     /**
-     * The flight of a drone; {@link org.dronewatch.flight.SteeredFlight#in} gives the one that is steered.
+     * The flight of a drone; {@link org.dronewatch.flight.SteeredFlight#in} returns the steered flight in it.
      *
      * @throws IllegalArgumentException when there is no such drone
      */
@@ -257,7 +257,7 @@ public final class Stage {
      * Reports all rays traced by every ray-tracing sensor in its first look, without early termination.
      *
      * @param time where the drones are, seconds since the start of the run
-     * @param target returns the recorder for the rays of a sensor and a drone of these names
+     * @param target returns the recorder for the rays of the sensor and the drone with these names
      */
     public void traceRays(double time, BiFunction<String, String, RayRecorder> target) {
         for (String sensor : raySensors) {
@@ -304,7 +304,7 @@ public final class Stage {
      * Draws the curves of every sensor for each drone.
      *
      * @param time where the drones are, seconds since the start of the run
-     * @param target receives each sensor's name with a curve
+     * @param target receives the name of a sensor with each of its curves
      */
     public void draw(double time, BiConsumer<String, Curve> target) {
         sensors.forEach((id, settings) -> {

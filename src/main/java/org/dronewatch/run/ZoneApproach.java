@@ -6,7 +6,7 @@ import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 
 /**
- * When a flight reaches a protected zone, and how near it comes. The flight is approximated by straight segments of
+ * When a flight reaches a protected zone, and how close it comes. The flight is approximated by straight segments of
  * equal duration, so that no drone is too fast to be noticed. Where the path states a top speed, segments that begin
  * too far away to reach the zone are skipped, which does not change the result.
  */
@@ -27,7 +27,7 @@ public final class ZoneApproach {
      * An approach.
      *
      * @param path the flight
-     * @param zone what is protected: not empty
+     * @param zone the protected zones: not empty
      * @param simulated duration of the run, s
      */
     public ZoneApproach(FlightPath path, Protection zone, double simulated) {
@@ -37,7 +37,7 @@ public final class ZoneApproach {
         this.reach = path.topSpeed().orElse(Double.POSITIVE_INFINITY) * step;
     }
 
-    /** The time at which it first reaches the zone, seconds since the start of the run; empty if it does not. */
+    /** The time at which the drone first reaches the zone, seconds since the start of the run; empty if it does not. */
     public OptionalDouble entered() {
         Position from = path.position(0.0);
         int segment = 0;
@@ -59,7 +59,7 @@ public final class ZoneApproach {
         return OptionalDouble.empty();
     }
 
-    /** The least distance to the zone at the ends of the segments, m. */
+    /** The smallest distance to the zone at the ends of the segments, m. */
     public double closest() {
         double closest = Double.POSITIVE_INFINITY;
         int moment = 0;

@@ -25,9 +25,9 @@ import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.terrain.io.ElevationFiles;
 
 /**
- * Prepares the parts of a site, or takes them from the store of an earlier start, with the same result. Parts that took
- * at least {@value SiteStore#WORTH} s to prepare are kept. The tree over a mesh is looked up by the mesh itself, so it
- * does not matter from which files the mesh came. Not thread-safe.
+ * Prepares the parts of a site, or takes them from the store if an earlier run of the program kept them there, with the
+ * same result. Parts that took at least {@value SiteStore#WORTH} s to prepare are kept. The tree over a mesh is looked
+ * up by the mesh itself, so it does not matter from which files the mesh came. Not thread-safe.
  */
 public final class PreparedSites {
     private static final double NANO = 1e-9;
@@ -66,7 +66,7 @@ public final class PreparedSites {
     }
 
     /**
-     * A terrain.
+     * Prepares a terrain.
      *
      * @throws InputException as {@link TerrainLoader#load}
      */
@@ -99,7 +99,7 @@ public final class PreparedSites {
     }
 
     /**
-     * Buildings.
+     * Prepares buildings.
      *
      * @param terrain the ground on which they stand, which must be that of its settings; if empty, the level of the
      *     origin
@@ -151,7 +151,7 @@ public final class PreparedSites {
         return StoreKey.of("buildings", List.of(file), settings, origin, terrain, ground);
     }
 
-    /** The tree over a mesh. */
+    /** Prepares the tree over a mesh. */
     public KDTree tree(TriangleMesh mesh, SahCost costs) {
         if (mesh.triangleCount() < small || !store.isOn()) {
             return grown(mesh, costs);

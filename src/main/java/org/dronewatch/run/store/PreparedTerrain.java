@@ -4,7 +4,7 @@ import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
 
 /**
- * A terrain that was read, and where its ground is known.
+ * A terrain that was read, and the area in which its ground is known.
  *
  * @param terrain as read
  * @param ground where the ground is known, by its triangles

@@ -25,9 +25,9 @@ import java.util.stream.Stream;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Keeps what took a long time to prepare, in the files of one directory, each named by the hash of all that it depends
- * on. Files that cannot be read, or are damaged, are ignored; a failure to write one is reported only once. Several
- * processes may use the same directory: a file is written under another name, and then renamed.
+ * Keeps what took a long time to prepare in files of one directory, each named by the hash of everything that it
+ * depends on. Files that cannot be read, or are damaged, are ignored; a failure to write one is reported only once.
+ * Several processes may use the same directory: a file is written under another name, and then renamed.
  */
 public final class SiteStore {
     /** The end of the names of its files. */
@@ -104,7 +104,7 @@ public final class SiteStore {
         return directory.filter(Files::isDirectory).isPresent();
     }
 
-    /** What was kept under a key; empty if nothing was, or it is damaged. */
+    /** What was kept under a key; empty if nothing was kept, or the file is damaged. */
     public <T> Optional<T> find(StoreKey key, StoredForm<T> form) {
         if (!mayFind()) {
             return Optional.empty();
@@ -150,7 +150,7 @@ public final class SiteStore {
      * Keeps a value, if it took long enough to prepare.
      *
      * @param key only computed if the value is kept
-     * @param seconds that it took
+     * @param seconds the time that it took, s
      */
     public <T> void keep(Supplier<StoreKey> key, StoredForm<T> form, T value, double seconds) {
         if (directory.isEmpty() || seconds < worth || failed) {

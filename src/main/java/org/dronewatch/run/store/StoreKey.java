@@ -12,7 +12,7 @@ import org.dronewatch.kdtree.SahCost;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * The name of something prepared: the SHA-256 of all that it depends on, which are the bytes of files, settings, the
+ * The name of something prepared, with the SHA-256 of everything that it depends on: the bytes of files, settings, the
  * format of the store, this program's code and the machine that runs it.
  *
  * @param kind what it is, in lower-case letters
@@ -22,7 +22,7 @@ public record StoreKey(String kind, String sha256) {
     private static final int CHUNK = 1 << 15;
 
     /**
-     * The key of what is made from files.
+     * The key of something made from files.
      *
      * @param files as read
      * @param parts texts of everything else that it depends on

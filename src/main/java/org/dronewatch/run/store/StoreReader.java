@@ -12,7 +12,7 @@ import java.util.zip.CRC32C;
 
 /**
  * Reads what {@link StoreWriter} wrote. Lengths are compared with what is left of the file before anything is
- * allocated, so that a damaged file takes no more memory than it has bytes. What was read must not be used before
+ * allocated, so that a damaged file takes no more memory than its own size. What was read must not be used before
  * {@link #finish} has compared the checksum.
  */
 public final class StoreReader {
@@ -105,7 +105,7 @@ public final class StoreReader {
         return values;
     }
 
-    /** The number of parts that follow, each of which takes at least a number of bytes. */
+    /** The number of parts that follow, each of which takes at least the given number of bytes. */
     public int length(int bytesEach) throws IOException {
         int count = nextInt();
         if (count < 0 || (long) count * bytesEach > left) {

@@ -15,7 +15,7 @@ public interface StoredForm<T> {
      * Reads it; the checksum has not been compared yet.
      *
      * @throws IOException when the file ends too early
-     * @throws IllegalArgumentException when what it contains cannot be right
+     * @throws IllegalArgumentException when its contents cannot be valid
      */
     T read(StoreReader source) throws IOException;
 }
