@@ -67,7 +67,7 @@ public final class CameraView {
     }
 
     /**
-     * The time of a sensor's last look up to a time.
+     * The time of a sensor's last look at or before a time.
      *
      * @param time seconds since the start of the run, 0 or more
      */

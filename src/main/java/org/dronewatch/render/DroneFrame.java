@@ -15,7 +15,7 @@ public final class DroneFrame {
     private DroneFrame() {}
 
     /**
-     * A frame around the significant pixels, inside the picture even when the drone is at its edge.
+     * A frame around the significant pixels, inside the picture even when the drone is at the edge of the picture.
      *
      * @param width pixels in a row of the camera's image
      * @param height rows of the camera's image

@@ -14,7 +14,9 @@ public enum FilmFormat {
             return new Mp4Encoder(file, fps);
         }
     },
-    /** An endless animation of up to 256 colours per frame, for pages that show pictures but no videos. */
+    /**
+     * An endlessly repeating animation with up to 256 colours per frame, for pages that show pictures but not videos.
+     */
     GIF("gif") {
         @Override
         FilmEncoder encoder(FileChannel file, int fps) throws IOException {
@@ -28,7 +30,7 @@ public enum FilmFormat {
         this.ending = ending;
     }
 
-    /** The format of files with this ending, in lower case and without a dot; empty if they are no films. */
+    /** The format of files with this extension, in lower case and without a dot; empty if such files are not films. */
     public static Optional<FilmFormat> ofEnding(String ending) {
         return Arrays.stream(values())
                 .filter(format -> format.ending.equals(ending))

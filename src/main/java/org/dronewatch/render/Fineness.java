@@ -8,7 +8,7 @@ public enum Fineness {
     DRAFT(1, 2, false, 20_000),
     /** Every pixel. */
     PLAIN(1, 1, false, Integer.MAX_VALUE),
-    /** Four rays per pixel, with shadows of the sun. */
+    /** Four rays per pixel, with shadows cast in sunlight. */
     FINE(2, 1, true, Integer.MAX_VALUE);
 
     /** Rays along a side of a block of pixels. */
@@ -27,7 +27,7 @@ public enum Fineness {
         this.pieces = pieces;
     }
 
-    /** Rays along a line of a number of pixels. */
+    /** The number of rays along a line of a given number of pixels. */
     public int raysIn(int length) {
         return Math.max(1, length * rays / pixels);
     }

@@ -13,8 +13,8 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The colours of the kinds of sensors: those of kinds on the class path are the same in all scenes, those of others in
- * all pictures of a scene. Immutable.
+ * The colours of the kinds of sensors. For kinds on the class path, they are the same in all scenes; for other kinds,
+ * only within one scene. Immutable.
  */
 public final class KindColours {
     /** The colour of drones and their paths in all pictures. */

@@ -9,7 +9,7 @@ import org.dronewatch.sensor.optics.CameraObject;
  *
  * @param target the point in the middle of the picture, m
  * @param bearing of the eye from the target, clockwise from north, rad
- * @param elevation of the eye above the target's horizon, -pi/2 to pi/2, rad
+ * @param elevation of the eye above the horizontal, seen from the target, -pi/2 to pi/2, rad
  * @param distance from eye to target, above 0, m
  * @param fov vertical field of view, rad
  */

@@ -25,7 +25,7 @@ public final class RayCollector implements RayRecorder {
     private long leftOut;
 
     /**
-     * A collector for the rays of a sensor and a drone of these names.
+     * A collector for the rays of the sensor and the drone with these names.
      *
      * @param time for which they are traced, seconds since the start of the run
      */

@@ -5,9 +5,9 @@ import java.util.stream.IntStream;
 /**
  * A filter for the segments of rays to be drawn.
  *
- * @param fewest minimum reflection order: surfaces that their ray has met before
+ * @param fewest minimum reflection order: the number of surfaces that the ray of a segment has met before it
  * @param most maximum reflection order
- * @param heardOnly only paths that reached the sensor
+ * @param heardOnly whether to show only segments of paths that reached the sensor
  */
 public record RayFilter(int fewest, int most, boolean heardOnly) {
     /** A filter that passes all segments. */

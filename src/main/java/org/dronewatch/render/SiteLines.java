@@ -11,7 +11,7 @@ import org.dronewatch.geometry.Position;
  * Lines through a site, such as routes, which are drawn in place of the paths of drones.
  *
  * @param lines the lines
- * @param legend the colours by what they mean
+ * @param legend the colours, by their meanings
  */
 public record SiteLines(List<Line> lines, Map<String, Color> legend) {
     /** No lines. */

@@ -98,7 +98,7 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /** The box of interest: all sensors and all flights, with a margin; without a flight, the whole site, too, m. */
+    /** The box of interest: all sensors and all flights, with a margin; without a flight, also the whole site, m. */
     public AABB interest() {
         if (!drones.isEmpty()) {
             return flights.interest(settings);

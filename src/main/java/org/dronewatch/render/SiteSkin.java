@@ -11,7 +11,7 @@ public interface SiteSkin {
      *
      * @param east its coordinate, m
      * @param north its coordinate, m
-     * @param column of the pixel that shows it, in a picture of normal density, so that there may be patterns
+     * @param column of the pixel that shows it, in a picture of normal density, so that the colours may form patterns
      * @param row of that pixel
      * @param below the colour without the skin: red, green and blue in the lowest 24 bits
      * @return the colour with it; the colour without it where there is none

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * show the drone, independently of these pictures.
  *
  * <p>The site without drones is exposed once and kept, so further pictures of a camera that does not move are cheap.
- * Pixels are the same for any number of {@link Workers}. One thread at a time.
+ * The pixels are the same for any number of {@link Workers}. One thread at a time.
  */
 public final class ColourCamera {
     /** The largest number of parts into which a pixel is divided along each axis. */
@@ -58,7 +58,7 @@ public final class ColourCamera {
      * A camera in a world.
      *
      * @param colours of the world's materials on a screen, by name: red, green and blue in the lowest 24 bits
-     * @param droneColours such colours by id of the drone
+     * @param droneColours the colours of the drones' materials in the same form, by id of the drone
      * @param samples each pixel is the mean of samples x samples rays, 1 to {@value #MOST_SAMPLES}
      * @throws IllegalArgumentException for another number of samples
      */
