@@ -15,7 +15,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
     /**
      * A vector from a sensor in the direction in which it points, of any non-zero length.
      *
-     * @param sensor where the sensor is, m
+     * @param sensor position of the sensor, m
      * @throws IllegalArgumentException when the point at which it aims is less than a millimetre away
      */
     Position from(Position sensor);
@@ -53,7 +53,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
-        /** The direction in which a positioner points, which may have turned many times. */
+        /** The direction in which a positioner points, even after many full turns. */
         public static Direction of(org.dronewatch.positioner.Direction pointing) {
             double azimuth = Math.abs(pointing.azimuth()) > In.TWO_TURNS
                     ? Math.IEEEremainder(pointing.azimuth(), 2.0 * Math.PI)

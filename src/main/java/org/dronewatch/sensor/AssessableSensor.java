@@ -7,10 +7,10 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * A sensor that can compute the signal it receives from a drone, and why that is not sufficient, before any random
- * decision. Its looks draw from the same signal: a field of assessments and a run agree exactly, unless a kind of
- * sensor states otherwise. A drone is assessed alone: only looks take into account that other drones may hide it. All
- * kinds of the library are assessable; an {@link Assessor} assesses others.
+ * A sensor that can compute the signal it receives from a drone, and explain why that is insufficient, before any
+ * random decision. Its looks are drawn from the same signal: a field of assessments and a run agree exactly, unless a
+ * kind of sensor states otherwise. A drone is assessed alone: only looks take into account that other drones may hide
+ * it. All the library's own kinds of sensor are assessable; an {@link Assessor} also assesses others.
  */
 public interface AssessableSensor extends Sensor {
 
@@ -26,19 +26,19 @@ public interface AssessableSensor extends Sensor {
     Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom);
 
     /**
-     * The reason why a drone is missed: the first {@link Cause} that holds. For any kind of sensor, the cost is at most
-     * that of a few looks of a camera.
+     * The reason why a drone is missed: the first {@link Cause} that applies. For any kind of sensor, the cost is at
+     * most that of a few looks of a camera.
      *
      * @param world the site
-     * @param drone that the sensor does not detect, as it appears at the sensor
+     * @param drone the drone that is missed, as it appears at the sensor
      * @param pointing where a positioner points the sensor; empty for its own aim
      * @return never {@link Cause#DETECTED}
      */
     Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing);
 
     /**
-     * Whether signal and reason are certainly the same at every heading and speed of a level drone at its position, so
-     * that a field of assessments needs only one of them there. False unless overridden.
+     * Whether the signal and the reason for a miss are certain to be the same at every heading and speed of a level
+     * drone at its position, so that a field of assessments needs only one of them there. False unless overridden.
      *
      * @param world the site
      * @param drone at any heading and speed
@@ -49,19 +49,20 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * Whether signal and reason certainly do not depend on the speed of a level drone, except for the direction of its
-     * nose. False unless overridden.
+     * Whether the signal and the reason for a miss are certain not to depend on the speed of a level drone, except for
+     * the direction of its nose. False unless overridden.
      */
     default boolean isSameAtAllSpeeds() {
         return false;
     }
 
     /**
-     * As {@link #assess}, at less cost where possible, for a field that keeps probabilities in steps. For a drone that
-     * is detected, the quantity may be lower, and a probability between {@code high} and 1 may be replaced by any other
-     * between them. For one that is missed, the quantity of an estimate may be lower; cause and obstacle are the same.
-     * Probabilities of 1 and those below {@code high} are also the same, unless they are estimates: estimates may draw
-     * other random numbers, but are as accurate. The same as {@code assess} unless overridden.
+     * As {@link #assess}, but at less cost where possible, for a field that stores probabilities in steps. For a drone
+     * that is detected, the quantity may be lower, and a probability between {@code high} and 1 may be replaced by any
+     * other in that interval. For one that is missed, the quantity of an estimate may be lower; the cause and the
+     * obstacle are the same. Probabilities of 1 and those below {@code high} are also the same, unless they are
+     * estimates: estimates may draw other random numbers, but are just as accurate. The same as {@code assess} unless
+     * overridden.
      *
      * @param high probabilities from this one up to 1, exclusive, count as equal
      */
@@ -71,8 +72,7 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * The signal that the sensor receives from a drone, and why that is not sufficient; parameters as for
-     * {@link #signal}.
+     * The signal that the sensor receives from a drone, and why it is insufficient; parameters as for {@link #signal}.
      */
     default Assessment assess(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         Signal signal = signal(world, drone, pointing, rayRandom);

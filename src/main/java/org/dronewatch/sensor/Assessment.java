@@ -6,14 +6,14 @@ import org.dronewatch.world.Obstacle;
 
 /**
  * The deterministic part of a look: the probability that a sensor detects a drone in a given state of flight and, if
- * the drone is missed, the reason. The random part of the look draws from it.
+ * the drone is missed, the reason. The random part is drawn with that probability.
  *
  * @param signal the signal that the sensor receives from the drone
- * @param explanation why it is not sufficient; {@link Explanation#DETECTED} when it is
+ * @param explanation why the signal is insufficient; {@link Explanation#DETECTED} when it is sufficient
  */
 public record Assessment(Signal signal, Explanation explanation) {
     /**
-     * Checks that signal and explanation agree.
+     * Checks that the signal and the explanation agree.
      *
      * @throws IllegalArgumentException when a drone is detected with a cause other than {@link Cause#UNKNOWN}, or
      *     missed without one
@@ -45,12 +45,12 @@ public record Assessment(Signal signal, Explanation explanation) {
         return settings.chance().hazard(probability(), settings.rate(), draw);
     }
 
-    /** The measured quantity, in the unit. */
+    /** The measured quantity, in {@link #unit}. */
     public double quantity() {
         return signal.quantity();
     }
 
-    /** Unit of quantity, threshold, margin and standard error; empty for a ratio. */
+    /** Unit of the quantity, the threshold, the margin and the standard error; empty for a ratio. */
     public String unit() {
         return signal.unit();
     }
@@ -86,7 +86,7 @@ public record Assessment(Signal signal, Explanation explanation) {
         return signal.probabilityError();
     }
 
-    /** Whether quantity or probability is an estimate. */
+    /** Whether the quantity or the probability is an estimate. */
     public boolean isEstimated() {
         return standardError() > 0.0 || probabilityError() > 0.0;
     }
@@ -96,14 +96,12 @@ public record Assessment(Signal signal, Explanation explanation) {
         return explanation.cause();
     }
 
-    /** The obstacle that hides it, for a cause that is {@link Cause#isHidden() hidden}. */
+    /** The obstacle that hides the drone; empty unless the cause is {@link Cause#isHidden() that it is hidden}. */
     public Optional<Obstacle> obstacle() {
         return explanation.obstacle();
     }
 
-    /**
-     * The limit of range, m, or radial speed, m/s, that it exceeds or falls below, for causes that have such a limit.
-     */
+    /** The limit of range, m, or of radial speed, m/s, that the drone violates, for causes that have such a limit. */
     public OptionalDouble limit() {
         return explanation.limit();
     }

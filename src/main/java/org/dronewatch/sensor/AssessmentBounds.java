@@ -15,7 +15,7 @@ public record AssessmentBounds(
     /** A drone of which nothing is known, since its line of sight leaves the known ground; it does not count. */
     static final AssessmentBounds UNKNOWN = new AssessmentBounds(0.0, 0.0, Double.NaN, Double.NaN, Cause.UNKNOWN);
 
-    /** The bounds of a signal between two others. */
+    /** The bounds for a signal that lies between two others. */
     public static AssessmentBounds between(Signal weakest, Signal strongest, Cause cause) {
         return new AssessmentBounds(
                 weakest.probability(), strongest.probability(), weakest.marginDb(), strongest.marginDb(), cause);

@@ -43,7 +43,7 @@ public final class Assessor {
         this.cover = new Cover(world, settings.position());
     }
 
-    /** An equal assessor for another thread. Any thread may call this method. */
+    /** An equivalent assessor for another thread. Any thread may call this method. */
     public Assessor sibling() {
         Sensor other = sensor instanceof BoundingSensor bounding ? bounding.sibling() : settings.create();
         return new Assessor(id, settings, other, world);
@@ -58,7 +58,10 @@ public final class Assessor {
         return isKnown(drone) ? known : new Assessment(known.signal(), Explanation.of(Cause.UNKNOWN));
     }
 
-    /** As {@link AssessableSensor#assessCoarsely}, in this assessor's world; {@link Cause#UNKNOWN} likewise. */
+    /**
+     * As {@link AssessableSensor#assessCoarsely} in this assessor's world; {@link Cause#UNKNOWN} as in
+     * {@link #assess(Drone, Optional, RandomGenerator)}.
+     */
     public Assessment assessCoarsely(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
         if (!(sensor instanceof AssessableSensor assessable)) {
             return assess(drone, pointing, rayRandom);
@@ -133,7 +136,8 @@ public final class Assessor {
     }
 
     /**
-     * An assessment with a signal that was found elsewhere, such as by interpolation; {@link Cause#UNKNOWN} likewise.
+     * An assessment with a signal that was found by other means, such as interpolation; {@link Cause#UNKNOWN} as in
+     * {@link #assess(Drone, Optional, RandomGenerator)}.
      */
     public Assessment assess(Signal signal, Drone drone, Optional<Pointing> pointing) {
         if (!signal.isDetected()) {
@@ -157,7 +161,10 @@ public final class Assessor {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllSpeeds();
     }
 
-    /** As {@link AssessableSensor#explainMiss}, in this assessor's world; {@link Cause#UNKNOWN} likewise. */
+    /**
+     * As {@link AssessableSensor#explainMiss} in this assessor's world; {@link Cause#UNKNOWN} as in
+     * {@link #assess(Drone, Optional, RandomGenerator)}.
+     */
     public Explanation explainMiss(Drone drone, Optional<Pointing> pointing) {
         if (!isKnown(drone)) {
             return Explanation.of(Cause.UNKNOWN);

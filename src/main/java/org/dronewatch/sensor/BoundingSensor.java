@@ -9,8 +9,8 @@ import org.dronewatch.positioner.Pointing;
 import org.dronewatch.world.World;
 
 /**
- * A sensor that can bound the assessment of a level drone at little cost: for fields of assessments at many places.
- * Queries at one place should follow each other.
+ * A sensor that can bound the assessment of a level drone at little cost, for fields of assessments at many positions.
+ * Queries for the same position should follow one another.
  */
 public interface BoundingSensor extends AssessableSensor {
 
@@ -24,24 +24,25 @@ public interface BoundingSensor extends AssessableSensor {
      * @param drone the drone, wherever it is
      * @param at where its origin is assumed to be, m
      * @param pointing where a positioner points the sensor; empty for its own aim
-     * @return empty where headings differ, or no bounds are known
+     * @return empty where the assessment depends on the heading, or no bounds are known
      */
     Optional<AssessmentBounds> boundAtAllHeadings(World world, Drone drone, Position at, Optional<Pointing> pointing);
 
     /**
      * Bounds for a state of a drone; other parameters as for {@link #boundAtAllHeadings}.
      *
-     * @param state where and how it is assumed to fly: level
-     * @param steps gives the step of a probability, which never falls as the probability grows; those of one step
-     *     count as equal
+     * @param state the state of flight that is assumed, which is level
+     * @param steps maps a probability to a step, which never decreases as the probability increases; probabilities of
+     *     the same step count as equal
      * @return empty where it is faster to assess the drone
      */
     Optional<AssessmentBounds> bound(
             World world, Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps);
 
     /**
-     * An upper bound on the margin of a drone in a state, dB; other parameters as for {@link #bound}. The bounds given
-     * there depend on what has been prepared for earlier queries; this one is the same in any order of queries.
+     * An upper bound on the margin of a drone in a state, dB; other parameters as for {@link #bound}. The bounds
+     * returned by that method depend on what earlier queries have prepared; this one does not depend on the order of
+     * queries.
      */
     double greatestMarginDb(World world, Drone drone, FlightState state, Optional<Pointing> pointing);
 }

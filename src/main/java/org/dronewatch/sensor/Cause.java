@@ -6,7 +6,7 @@ import org.dronewatch.mesh.io.ModelRole;
 public enum Cause {
     /**
      * The line of sight leaves the known ground, at the edge of the terrain or over a hole in it: something may hide
-     * the drone there. It takes precedence over all others, and over a detection.
+     * the drone there. This cause takes precedence over all others, and over a detection.
      */
     UNKNOWN,
     /** Nearer than the sensor's minimum range, or beyond its maximum range. */
@@ -17,7 +17,7 @@ public enum Cause {
     SILENT,
     /** Its radial speed is too low for the sensor to separate it from stationary clutter. */
     TOO_SLOW,
-    /** Its radial speed is more than the sensor can follow. */
+    /** Its radial speed is higher than the sensor can follow. */
     TOO_FAST,
     /**
      * It is hidden, and terrain is the first obstacle on the line of sight. A drone counts as hidden if no part of it
@@ -30,7 +30,7 @@ public enum Cause {
     HIDDEN_BY_VEGETATION,
     /** It is hidden by any other model, in the same sense. */
     HIDDEN_BY_OTHER,
-    /** Its signal at the sensor is insufficient: too small, too faint, too quiet. */
+    /** Its signal at the sensor is insufficient: too small, too faint or too quiet. */
     TOO_WEAK,
     /** It is detected: there is nothing to explain. */
     DETECTED;

@@ -7,7 +7,7 @@ package org.dronewatch.sensor;
 public enum Chance {
     /**
      * In each look independently, as echoes and noise fluctuate. A sensor that compares an exact value with a threshold
-     * belongs here, too: its looks detect with a probability of 0 or 1.
+     * belongs here, too: the probability is 0 or 1.
      */
     PER_LOOK {
         @Override
@@ -16,8 +16,8 @@ public enum Chance {
         }
     },
     /**
-     * Once per {@link Encounter}: the probability is the fraction of observers who can find the drone at all, and one
-     * who can needs time.
+     * Once per {@link Encounter}: the probability is the fraction of observers who can find the drone at all, and an
+     * observer who can find it needs time to do so.
      */
     PER_ENCOUNTER {
         @Override
@@ -34,8 +34,8 @@ public enum Chance {
      * @param probability probability of the sensor's {@link Signal}, 0 to 1
      * @param rate looks per second, Hz
      * @param draw the observer's number in this encounter, above 0 and at most 1, uniformly distributed; it has no
-     *     effect where each look decides
-     * @return 0 or more; infinite where each look decides and detects for certain
+     *     effect where chance decides in each look
+     * @return 0 or more; infinite where chance decides in each look and the probability is 1
      */
     public abstract double hazard(double probability, double rate, double draw);
 }

@@ -3,8 +3,8 @@ package org.dronewatch.sensor;
 import java.util.Optional;
 
 /**
- * A condition that the model of a sensor may or may not take into account: weather and light of the site, or the sound
- * of its drones.
+ * A condition that the model of a sensor may or may not take into account: the weather and the light at the site, or
+ * the sound of the drones.
  */
 public enum Condition {
     /** Visibility: {@code world.light.visibility} and {@code world.light.contrastAtVisibility}. */
@@ -23,19 +23,22 @@ public enum Condition {
     AIR,
     /** Wind, and the change of temperature with height: {@code world.atmosphere.wind}, {@code temperatureGradient}. */
     WIND,
-    /** The sources of noise on the site: {@code world.noiseSources} that state no level for the level model. */
+    /** The noise sources of the site: those of {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,
-    /** The loudness of a drone by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
+    /** The loudness of a drone, given by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
     SOUND_LEVEL("soundLevel"),
-    /** The loudness of a drone by its sound power: {@code drones.ID.soundPowerLevel}, where only that is set. */
+    /**
+     * The loudness of a drone, given by its sound power level: {@code drones.ID.soundPowerLevel}, where only that is
+     * set.
+     */
     SOUND_POWER_LEVEL("soundPowerLevel"),
-    /** The spectrum of a drone by its name in the library's table: {@code drones.ID.sound}. */
+    /** The spectrum of a drone, chosen by name from the library's table: {@code drones.ID.sound}. */
     SOUND("sound"),
     /** The dependence of a drone's sound on direction: {@code drones.ID.directivity}. */
     DIRECTIVITY("directivity"),
-    /** A drone's own spectrum: {@code drones.ID.spectrum}. */
+    /** A spectrum given for a drone: {@code drones.ID.spectrum}. */
     SPECTRUM("spectrum"),
-    /** The lines in a drone's spectrum: {@code drones.ID.tones}. */
+    /** The tones in a drone's spectrum: {@code drones.ID.tones}. */
     TONES("tones");
 
     private final String droneSetting;

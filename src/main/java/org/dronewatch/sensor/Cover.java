@@ -15,9 +15,9 @@ public final class Cover {
     private final Position sensor;
 
     /**
-     * The cover in front of a sensor in a world.
+     * Finds what hides drones from a sensor in a world.
      *
-     * @param sensor where it is, m
+     * @param sensor position of the sensor, m
      */
     public Cover(World world, Position sensor) {
         this.visibility = new Visibility(world);

@@ -6,8 +6,8 @@ package org.dronewatch.sensor;
  */
 public interface CrossingBlind {
     /**
-     * The fraction of a drone's signal that is left after rejection by radial speed, 0 to 1. All else being equal, a
-     * drone is the more likely to be detected the greater this is.
+     * The fraction of a drone's signal that is left after rejection by radial speed, 0 to 1. All else being equal, the
+     * greater this fraction, the more likely a drone is to be detected.
      *
      * @param radialSpeed the rate at which its distance changes, m/s, of either sign
      */

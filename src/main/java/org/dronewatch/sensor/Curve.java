@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param name part of a file name: letters, digits and dashes
  * @param title what it shows, with its result
- * @param xTitle quantity and unit of the horizontal axis; one in {@code [Hz]} is logarithmic
+ * @param xTitle quantity and unit of the horizontal axis; an axis in {@code [Hz]} is logarithmic
  * @param yTitle quantity and unit of the vertical axis
  * @param x horizontal coordinates
  * @param y vertical coordinates, as many as {@code x}

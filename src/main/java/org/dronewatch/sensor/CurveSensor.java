@@ -5,9 +5,9 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.world.World;
 
-/** A sensor that can plot curves for a drone, such as a spectrum. */
+/** A sensor that can provide curves for a drone, such as a spectrum. */
 public interface CurveSensor extends Sensor {
-    /** The purpose of the random numbers of curves: {@link Look#random}. */
+    /** The purpose for which curves draw random numbers; see {@link Look#random}. */
     String CURVES = "curves";
 
     /**
@@ -15,7 +15,7 @@ public interface CurveSensor extends Sensor {
      *
      * @param world the site
      * @param drone the drone as it is now
-     * @param random random numbers for the purpose
+     * @param random random numbers for the purpose {@link #CURVES}
      */
     List<Curve> curves(World world, Drone drone, RandomGenerator random);
 }

@@ -11,7 +11,7 @@ package org.dronewatch.sensor;
 public enum Discrimination {
     /** Something is seen to be present: 0.75 line pairs. */
     DETECTION(0.75),
-    /** It is recognised as a drone: 3 line pairs. */
+    /** The target is recognised as a drone: 3 line pairs. */
     RECOGNITION(3.0),
     /** The type of drone is identified: 4.8 line pairs. */
     IDENTIFICATION(4.8);
@@ -36,7 +36,10 @@ public enum Discrimination {
         return transfer(resolved / linePairs);
     }
 
-    /** {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x}, where x is resolved over required line pairs. */
+    /**
+     * {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x}, where x is the ratio of resolved to required line
+     * pairs.
+     */
     public static double transfer(double ratio) {
         if (ratio <= 0.0) {
             return 0.0;

@@ -14,7 +14,7 @@ import java.util.random.RandomGenerator;
  *
  * <p>with the seed of the run. No stream depends on which other sensors and drones there are, on their order, or on how
  * many numbers were drawn from another stream; renaming a sensor or a drone changes its numbers. {@code hash} is 64-bit
- * FNV-1a over the name's UTF-8 (Fowler, Noll and Vo, 1991; offset basis 0xCBF29CE484222325, prime 0x100000001B3),
+ * FNV-1a over the name's UTF-8 bytes (Fowler, Noll and Vo, 1991; offset basis 0xCBF29CE484222325, prime 0x100000001B3),
  * {@code mix} is the finalizer of SplitMix64 (Steele, Lea and Flood 2014), and the stream is a {@link SplittableRandom}
  * with that key as its seed.
  */
@@ -42,11 +42,11 @@ public final class Draws {
     }
 
     /**
-     * The seed of one of several runs or replications: the given one for the first, and
-     * {@code mix(mix(seed, hash(of)), number)} shifted right to its upper 53 bits for the others.
+     * The seed of one of several runs or replications: the given seed for the first, and the upper 53 bits of
+     * {@code mix(mix(seed, hash(of)), number)} for the others.
      *
-     * @param of the kind of number, such as {@code run}
-     * @param number from 0
+     * @param of what is numbered, such as {@code run}
+     * @param number its number, from 0
      */
     public static long derivedSeed(long seed, String of, long number) {
         return number == 0 ? seed : mix(mix(seed, hash(of)), number) >>> Long.SIZE - SEED_BITS;
@@ -61,7 +61,7 @@ public final class Draws {
         return hash;
     }
 
-    /** Mixes two numbers into one of which every bit depends on all bits of both. */
+    /** Mixes two numbers into one, every bit of which depends on all bits of both. */
     public static long mix(long a, long b) {
         long z = a * 0x9E3779B97F4A7C15L + b + 0x632BE59BD9B4E019L;
         z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * An encounter of a drone with the observer of a sensor's pictures: a person, or a program that performs equally well.
- * The probability P of a target task is the fraction of observers who can perform it with unlimited time, not an
+ * An encounter between a drone and the observer of a sensor's pictures: a person, or a program that performs equally
+ * well. The probability P of a target task is the fraction of observers who can perform it with unlimited time, not an
  * independent chance in each picture. So one number u is drawn for each encounter, and the observer can find the drone
  * only while {@code P >= u}. The observer then searches, and finds it at the rate {@code P / 3.4 s}. Averaged over
  * observers, with a constant P,
@@ -13,8 +13,9 @@ package org.dronewatch.sensor;
  *
  * <p>at any frame rate: each picture covers the time since the last one, and the search is memoryless, so the success
  * in each picture can be drawn independently. The search time is that of the ACQUIRE model (Howe, in "The Infrared and
- * Electro-Optical Systems Handbook", vol. 4, 1993). That observers differ, and that each of them searches at random,
- * are two sources of chance, and tests of observers show both ("Modeling the observer in target acquisition", SPIE).
+ * Electro-Optical Systems Handbook", vol. 4, 1993). Observers differ, and each of them searches at random: these are
+ * two separate sources of chance, and tests with observers show both ("Modeling the observer in target acquisition",
+ * SPIE).
  *
  * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can
  * be seen at all (P above 0), and ends once it has been out of sight for more than {@link #GAP}: if it comes back
@@ -22,8 +23,8 @@ package org.dronewatch.sensor;
  * minute behind a hill is met twice.
  *
  * @param index number of the encounter of this sensor with this drone, from 0
- * @param isFollowed whether the observer knows where the drone is, so that a positioner can follow it: it is detected,
- *     though perhaps not recognised or identified yet
+ * @param isFollowed whether the observer knows where the drone is, so that a positioner can follow it: the drone is
+ *     detected, though perhaps not recognised or identified yet
  * @param isFound whether the observer has performed the sensor's task
  */
 public record Encounter(long index, boolean isFollowed, boolean isFound) {
@@ -31,9 +32,9 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     public static final double SEARCH_TIME = 3.4;
 
     /**
-     * The longest time for which a drone may be out of sight within one encounter, s: three times the search time,
-     * after which the observer has to search again. Assumed. For a sensor with a low rate, 1.5 times the interval
-     * between two looks.
+     * The longest time for which a drone may be out of sight within one encounter, s: three times the search time (an
+     * assumption), after which the observer has to search again. For a sensor with a low rate, the limit is 1.5 times
+     * the interval between two looks, if that is longer.
      */
     public static final double GAP = 10.0;
 
@@ -70,8 +71,8 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     }
 
     /**
-     * The number u drawn for the observer in this encounter, who can find the drone while the probability is at least
-     * u.
+     * The number u drawn for the observer in this encounter. The observer can find the drone while the probability is
+     * at least u.
      *
      * @return above 0 and at most 1, so that an invisible drone is never found
      */

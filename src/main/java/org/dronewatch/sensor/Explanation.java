@@ -8,7 +8,8 @@ import org.dronewatch.world.Obstacle;
  * A cause with its evidence.
  *
  * @param cause why a drone is not detected
- * @param obstacle the obstacle that hides it; present exactly for the causes that are {@link Cause#isHidden() hidden}
+ * @param obstacle the obstacle that hides it; present if and only if the cause is
+ *     {@link Cause#isHidden() that the drone is hidden}
  * @param limit the limit that it violates: range in m where it is out of range, radial speed in m/s where it is too
  *     slow or too fast; empty for other causes, and where the limit is unknown
  */
@@ -41,7 +42,7 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
     /**
      * The explanation for a drone beyond a limit.
      *
-     * @param limit m or m/s
+     * @param limit the limit, m or m/s
      */
     public static Explanation beyond(Cause cause, double limit) {
         return new Explanation(cause, Optional.empty(), OptionalDouble.of(limit));

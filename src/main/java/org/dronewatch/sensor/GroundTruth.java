@@ -5,8 +5,8 @@ package org.dronewatch.sensor;
  *
  * @param drone name of the drone; empty for a false measurement
  * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement
- * @param time when the measured signal left the drone, seconds since the start of the run: earlier than the look for
- *     sound
+ * @param time when the measured signal left the drone, seconds since the start of the run: for sound, earlier than the
+ *     look
  */
 public record GroundTruth(String drone, double range, double time) {
     private static final String NO_DRONE = "";

@@ -5,8 +5,9 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.positioner.Pointing;
 
 /**
- * One look of one sensor. Its random numbers depend on the run's seed, the names of sensor and drone, the look's index
- * and their purpose: they do not depend on the order of the work, or on the number of threads.
+ * One look of one sensor. Its random numbers depend on the run's seed, the names of the sensor and the drone, the
+ * look's index and the purpose of the numbers; they do not depend on the order of the work, or on the number of
+ * threads.
  *
  * @param sensor name of the sensor in the scene
  * @param index number of the look, from 0
@@ -14,7 +15,7 @@ import org.dronewatch.positioner.Pointing;
  * @param seed seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
  *     along its own aim
- * @param encounters the sensor's encounters with drones before this look: only used where chance decides once per
+ * @param encounters the sensor's encounters with drones before this look; used only where chance decides once per
  *     encounter
  */
 public record Look(
@@ -25,7 +26,7 @@ public record Look(
     /** The purpose of the numbers that determine measurement errors. */
     public static final String ERROR = "error";
 
-    /** A look along the sensor's own aim, without encounters before it. */
+    /** A look along the sensor's own aim, with no earlier encounters. */
     public static Look of(long seed, String sensor, long index, double time) {
         return new Look(sensor, index, time, seed, Optional.empty(), Encounters.NONE);
     }
@@ -35,7 +36,7 @@ public record Look(
         return new Look(sensor, index, time, seed, where, encounters);
     }
 
-    /** This look with other encounters before it. */
+    /** This look with the given earlier encounters. */
     public Look withEncounters(Encounters before) {
         return new Look(sensor, index, time, seed, pointing, before);
     }
@@ -50,7 +51,7 @@ public record Look(
     }
 
     /**
-     * The random numbers of this look for one purpose, from their beginning; see {@link Draws}.
+     * The random numbers of this look for one purpose, from the start of their stream; see {@link Draws}.
      *
      * @param drone name of the drone that is looked at; empty if no drone is concerned
      * @param purpose what is drawn, such as {@code detection}
@@ -76,7 +77,7 @@ public record Look(
      * @param drone name of the drone
      * @param rate looks per second of the sensor, Hz
      * @param probability probability of the sensor's {@link Signal}, 0 to 1
-     * @return above 0; infinite while the observer could find the drone, but has not
+     * @return above 0; infinite while the observer could find the drone, but has not found it yet
      */
     public double observerThreshold(String drone, double rate, double probability) {
         Encounter encounter = encounter(drone, rate);
@@ -87,7 +88,7 @@ public record Look(
      * The probability that this look at a drone must reach for the observer to locate it, so that a positioner can
      * follow it; otherwise as {@link #observerThreshold}.
      *
-     * @param probability probability of the task of detection, 0 to 1
+     * @param probability probability of the detection task, 0 to 1
      */
     public double followingThreshold(String drone, double rate, double probability) {
         Encounter encounter = encounter(drone, rate);

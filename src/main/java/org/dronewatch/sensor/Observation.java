@@ -9,14 +9,14 @@ import org.dronewatch.positioner.Sighting;
 
 /**
  * The record of one look of a sensor at a drone, with the truth beside the measurement, for scoring. The sensor itself
- * reports the {@link #measurements()} alone. A sensor may record several looks at one drone at the same time, leave
- * drones out, and report false alarms.
+ * reports the {@link #measurements()} alone. A sensor may observe one drone several times in a look, leave drones out,
+ * and report false alarms.
  *
  * @param look the look in which it was made
  * @param truth the drone that caused it
  * @param reading the measured value, and its threshold
- * @param figures further results of this look, by name with unit, such as {@code rays} or {@code energy_db}; none for
- *     most sensors
+ * @param figures further results of this look, by names that include their units, such as {@code rays} or
+ *     {@code energy_db}; none for most sensors
  * @param sighting the estimated position or direction of the drone; empty for a sensor that reports no direction
  */
 public record Observation(
@@ -26,12 +26,12 @@ public record Observation(
     public static final String PROBABILITY = "probability";
 
     /**
-     * The name of the figure that is 1 if the line of sight of a look leaves the known ground, where something may have
-     * hidden the drone.
+     * The name of the figure that is 1 if the line of sight of a look leaves the known ground, so that something
+     * unknown may have hidden the drone.
      */
     public static final String UNKNOWN = "unknown";
 
-    /** The name of the figure that is 1 for a look at a bird, for scoring. */
+    /** The name of the figure that is 1 for an observation of a bird, for scoring. */
     public static final String BIRD = "bird";
 
     /** Copies the figures, in their order. */
@@ -60,7 +60,7 @@ public record Observation(
         return new Observation(look, GroundTruth.ofNothing(look.time()), reading, Map.of(), sighting);
     }
 
-    /** This observation with other figures, by name with unit, in place of the present ones. */
+    /** This observation with other figures, by names that include their units, in place of the present ones. */
     public Observation withFigures(Map<String, Double> others) {
         return new Observation(look, truth, reading, others, sighting);
     }
@@ -91,7 +91,8 @@ public record Observation(
     }
 
     /**
-     * The time at which it reached the sensor, seconds since the start of the run: later than {@link #time} for sound.
+     * The time at which the signal reached the sensor, seconds since the start of the run: later than {@link #time} for
+     * sound.
      */
     public double arrival() {
         return look.time();
@@ -102,7 +103,7 @@ public record Observation(
         return truth.range();
     }
 
-    /** The measured value, in the unit. */
+    /** The measured value, in {@link #unit}. */
     public double value() {
         return reading.value();
     }
@@ -112,7 +113,7 @@ public record Observation(
         return reading.threshold();
     }
 
-    /** Unit of value and threshold. */
+    /** Unit of the value and the threshold. */
     public String unit() {
         return reading.unit();
     }
@@ -130,8 +131,8 @@ public record Observation(
     }
 
     /**
-     * The probability that this look detects the drone, 0 to 1; for a sensor that does not estimate it, 0 or 1: whether
-     * it did.
+     * The probability that this look detects the drone, 0 to 1; for a sensor that does not estimate it, 1 if the look
+     * did and 0 if not.
      */
     public double probability() {
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
@@ -153,7 +154,7 @@ public record Observation(
         return with(BIRD);
     }
 
-    /** Whether it is a look at a bird, for scoring: its detection is a false alarm. */
+    /** Whether it is an observation of a bird, for scoring: a detection is then a false alarm. */
     public boolean isBird() {
         return figures.containsKey(BIRD);
     }

@@ -4,10 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 
-/**
- * The geometry of a sensor's field of view, for drawing: occlusion, and the range at which it detects, are not part of
- * it.
- */
+/** The geometry of a sensor's field of view, for drawing: it takes no account of occlusion or of detection range. */
 public sealed interface Outline {
     /**
      * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans
@@ -24,10 +21,10 @@ public sealed interface Outline {
 
     /**
      * Whether some part of a sphere may be within it: false only if none is. For shapes other than a frustum, whether
-     * its centre is.
+     * the centre of the sphere is.
      *
      * @param vector vector from the sensor to the centre, m
-     * @param radius of the sphere, m
+     * @param radius radius of the sphere, m
      */
     default boolean mayShow(Position vector, double radius) {
         return contains(vector);
@@ -81,7 +78,7 @@ public sealed interface Outline {
             return ahead >= near && ahead <= far && spans(vector);
         }
 
-        /** {@inheritDoc} By its distance from each of the planes. */
+        /** {@inheritDoc} Compares the radius of the sphere with the distance of its centre from each of the planes. */
         @Override
         public boolean mayShow(Position vector, double radius) {
             double ahead = vector.dot(forward);

@@ -16,7 +16,8 @@ public interface Outlined {
 
     /**
      * The field of view of any sensor, outside which it detects nothing; empty for a sensor without one. A
-     * {@linkplain Outline.Ball sphere} around a microphone is not a field of view: it also hears drones outside.
+     * {@linkplain Outline.Ball sphere} around a microphone is not a field of view: the microphone also hears drones
+     * outside it.
      *
      * @param pointing where a positioner points the sensor; empty for its own aim
      */

@@ -15,7 +15,7 @@ public interface RayRecorder {
      * @param toX where it ends: at a surface, at the sensor, or after 1 km if it hits nothing, m
      * @param toY where it ends, m
      * @param toZ where it ends, m
-     * @param level its level at its end, dB
+     * @param level level of the ray at the end of the segment, dB
      * @param order how many surfaces the ray has hit before it
      * @param received whether it ends at the sensor
      */

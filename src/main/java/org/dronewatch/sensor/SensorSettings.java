@@ -8,9 +8,9 @@ import org.dronewatch.world.World;
 
 /**
  * Settings of a sensor of any kind, with the properties that all sensors share. Implementations are records, so that a
- * scene file and {@code --set} reach every field. Properties of some sensors only are capabilities, interfaces that the
- * record implements as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging},
- * {@link DirectionFinding}, {@link SoundTracing}. Obtain one by {@link #as}.
+ * scene file and {@code --set} reach every field. Properties that only some sensors have are capabilities, interfaces
+ * that the record implements as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging},
+ * {@link DirectionFinding}, {@link SoundTracing}. Obtain one with {@link #as}.
  *
  * @param <S> the sensor that they create
  */
@@ -20,7 +20,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     Position position();
 
     /**
-     * These settings at another position, with everything else as it is: a sensor that is aimed at a point stays aimed
+     * These settings at another position, with everything else unchanged: a sensor that is aimed at a point stays aimed
      * at it.
      *
      * @param other position, m
@@ -40,12 +40,12 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
         return Chance.PER_LOOK;
     }
 
-    /** Warnings about settings that are valid, but implausible: one line each, which a scene prints. */
+    /** Warnings about settings that are valid, but implausible: one line each; a scene prints them. */
     default List<String> advice() {
         return List.of();
     }
 
-    /** The texts about it for reports. */
+    /** The texts for reports about this kind of sensor. */
     default SensorDescription description() {
         return SensorDescription.measuring("value");
     }
@@ -60,7 +60,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
     }
 
     /**
-     * These settings as those of a sensor that has a capability; empty for one that does not. A record whose
+     * These settings as a capability of the sensor; empty if it does not have that capability. A record whose
      * capabilities depend on its components overrides this.
      *
      * @param capability such as {@code Mounted.class}

@@ -3,12 +3,12 @@ package org.dronewatch.sensor;
 /**
  * The signal that a sensor receives from a drone, before any random decision.
  *
- * @param probability that one look detects the drone or, for a sensor of {@link Chance#PER_ENCOUNTER}, that its
- *     observer can detect it, given time, 0 to 1
- * @param quantity the measured quantity, in the unit; minus infinity where nothing reaches the sensor and the unit is
- *     dB
- * @param unit unit of quantity, threshold and standard error; empty for a ratio
- * @param threshold that the quantity must reach; for a probabilistic sensor, the value at which the detection
+ * @param probability probability that one look detects the drone or, for a sensor of {@link Chance#PER_ENCOUNTER}, that
+ *     its observer can detect it, given enough time, 0 to 1
+ * @param quantity the measured quantity, in {@code unit}; minus infinity where nothing reaches the sensor and the unit
+ *     is dB
+ * @param unit unit of the quantity, the threshold and the standard error; empty for a ratio
+ * @param threshold the value that the quantity must reach; for a probabilistic sensor, the value at which the detection
  *     probability is 0.5
  * @param standardError standard error of the quantity, in its unit; 0 where it is exact
  * @param probabilityError standard error of the probability; 0 where it is exact

@@ -6,7 +6,7 @@ package org.dronewatch.sensor;
  */
 public interface SoundTracing {
 
-    /** Whether report and viewer show its rays by default. */
+    /** Whether the report and the viewer show its rays by default. */
     default boolean drawRays() {
         return false;
     }

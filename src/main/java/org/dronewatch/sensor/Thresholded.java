@@ -48,7 +48,9 @@ public interface Thresholded {
             return Math.round((highest - lowest) / step);
         }
 
-        /** The value at an index from 0 to {@link #last()}, without the rounding error of added steps. */
+        /**
+         * The value at an index from 0 to {@link #last()}, without the rounding error that adding up steps would cause.
+         */
         public double value(long number) {
             double perUnit = 1.0 / step;
             return (Math.rint(lowest * perUnit) + number) / perUnit;
