@@ -6,7 +6,7 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Bounds on the {@link VisibleArea} of a drone at a position, at the cost of a ray; they hold however it turns. One
+ * Bounds on the {@link VisibleArea} of a drone at a position, at little cost; they hold whatever its orientation. One
  * thread at a time.
  */
 public final class AreaBounds {
@@ -34,10 +34,10 @@ public final class AreaBounds {
     }
 
     /**
-     * The area of a drone is at most this, hidden or not, pixels.
+     * An upper bound on the area of a drone, whether or not it is hidden, pixels.
      *
-     * @param at its origin, m
-     * @param radius largest distance of its mesh from there, m
+     * @param at position of its origin, m
+     * @param radius greatest distance of its mesh from there, m
      * @return {@link Double#MAX_VALUE} close to the camera, and far from its axis
      */
     public double most(Position at, double radius) {

@@ -14,7 +14,7 @@ import org.joml.Vector4d;
  * pixel (0, 0) is the top left one; a pixel's ray goes through its centre. Immutable.
  */
 public final class CameraObject {
-    /** Least depth that is projected, m: so small that no ray meets a drone at a lesser depth. */
+    /** Least depth that is projected, m: so small that no ray meets a drone at a smaller depth. */
     public static final double NEAR = 1e-6;
 
     private final Position position;
@@ -165,14 +165,14 @@ public final class CameraObject {
         return projection().mul(view).mul(m);
     }
 
-    /** The ray through the centre of a pixel, of unit direction. */
+    /** The ray through the centre of a pixel, with a unit direction. */
     public Ray ray(int column, int row) {
         double[] direction = new double[3];
         direction(column, row, direction);
         return new Ray(position, new Position(direction[0], direction[1], direction[2]));
     }
 
-    /** The ray through the centre of a pixel, of unit direction, from the near plane to the far one. */
+    /** The ray through the centre of a pixel, with a unit direction, from the near plane to the far one. */
     public Ray seeingRay(int column, int row) {
         Ray ray = ray(column, row);
         double slant = obliqueness(column, row);
@@ -187,7 +187,7 @@ public final class CameraObject {
     /**
      * The directions of all pixels as a grid in the world's frame: that of the first pixel, and its changes per column
      * and per row, three numbers each. They reach one unit along the camera's axis, so they are longer than unit
-     * directions by {@link #obliqueness}.
+     * vectors by the factor {@link #obliqueness}.
      */
     public double[][] grid() {
         double x = (0.5 - axisColumn) / focalLength;
@@ -203,7 +203,7 @@ public final class CameraObject {
         };
     }
 
-    /** Distance along a pixel's ray over that along the camera's axis, 1 or more. */
+    /** The ratio of the distance along a pixel's ray to that along the camera's axis, 1 or more. */
     public double obliqueness(int column, int row) {
         double x = (column + 0.5 - axisColumn) / focalLength;
         double y = (axisRow - row - 0.5) / focalLength;
@@ -221,7 +221,8 @@ public final class CameraObject {
     }
 
     /**
-     * Whether a sphere is entirely behind the camera or outside its image: conservative, true only if it certainly is.
+     * Whether a sphere is entirely behind the camera or outside its image: conservative, true only if it is certain to
+     * be.
      */
     public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();

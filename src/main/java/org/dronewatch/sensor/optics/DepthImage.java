@@ -117,12 +117,12 @@ public final class DepthImage {
         return rgb;
     }
 
-    /** Writes the image as PNG. */
+    /** Writes the image as a PNG. */
     public void writePng(OutputStream target) throws IOException {
         ImageIO.write(toImage(), "png", target);
     }
 
-    /** Writes the distances as Portable Float Map: rows from bottom to top, little endian, infinity for the sky. */
+    /** Writes the distances as a Portable Float Map: rows from bottom to top, little endian, infinity for the sky. */
     public void writePfm(OutputStream target) throws IOException {
         target.write(("Pf\n" + width + " " + height + "\n-1.0\n").getBytes(StandardCharsets.US_ASCII));
         ByteBuffer buffer = ByteBuffer.allocate(Float.BYTES * width).order(ByteOrder.LITTLE_ENDIAN);

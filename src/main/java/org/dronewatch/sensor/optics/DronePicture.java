@@ -13,8 +13,8 @@ import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
 /**
- * The pictures that a camera at rest takes of drones in a world. Caches the image of the last world without drones, and
- * keeps scratch memory for the drones: one thread at a time.
+ * The pictures that a camera at rest takes of drones in a world. Caches the image of the last world, without its
+ * drones, and keeps scratch memory for the drones: one thread at a time.
  */
 public final class DronePicture {
     /** Above the rounding of distances in an image, which are of single precision. */
@@ -89,11 +89,12 @@ public final class DronePicture {
     }
 
     /**
-     * Bounds on the number of pixels that show a level drone at a place.
+     * Bounds on the number of pixels that show a level drone at a position.
      *
-     * @param silhouettes of the drone
-     * @param at its origin, m
-     * @return empty where none are known: close to the camera, and at the planes of its projection
+     * @param silhouettes the silhouettes of the drone
+     * @param at position of its origin, m
+     * @return empty where none are known: close to the camera, and for a drone that is not entirely between the near
+     *     and far planes
      */
     public Optional<PixelBounds> bounds(World world, SilhouetteTable silhouettes, Position at) {
         setWorld(world);
@@ -112,8 +113,8 @@ public final class DronePicture {
     }
 
     /**
-     * Whether the site certainly hides a level drone at a place, however it turns, or the drone lies between the rays
-     * of the pixels; false where no bounds are known. Parameters as above.
+     * Whether it is certain that the site hides a level drone at a position, whatever its heading, or that the drone
+     * lies between the rays of the pixels; false where no bounds are known. Parameters as for {@link #bounds}.
      */
     public boolean isInvisible(World world, SilhouetteTable silhouettes, Position at) {
         Optional<PixelBounds> found = bounds(world, silhouettes, at);
@@ -132,10 +133,10 @@ public final class DronePicture {
     }
 
     /**
-     * Traces pixels of the drone, as it was counted last, until its bounds suffice or are exact.
+     * Traces pixels of the drone until its bounds suffice or are exact; the heading is that of the last count.
      *
-     * @param enough as for that count
-     * @param isSufficient whether the bounds suffice as they are
+     * @param enough the same as in that count
+     * @param isSufficient whether the bounds suffice as they are now
      * @return false where it is faster to draw a picture of the drone
      */
     public boolean refine(PixelBounds there, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
@@ -183,7 +184,7 @@ public final class DronePicture {
         return DepthImage.over(camera, distances, hits);
     }
 
-    /** The significant pixels of each drone, in the same order, and those of them that show it. */
+    /** The significant pixels of each drone, in the order of the drones, and those of them that show it. */
     public List<DronePixels> pixels(World world, List<Drone> drones) {
         draw(world, drones);
         List<DronePixels> pixels = new ArrayList<>(drones.size());

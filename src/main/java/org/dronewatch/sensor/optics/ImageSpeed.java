@@ -11,7 +11,7 @@ public final class ImageSpeed {
     private ImageSpeed() {}
 
     /**
-     * The angular rate of the line of sight to a drone relative to a camera, which a positioner may turn as well,
+     * The angular rate of the line of sight to a drone relative to a camera, which a positioner may itself be turning,
      * rad/s.
      *
      * @param camera its position, m
@@ -39,8 +39,8 @@ public final class ImageSpeed {
     }
 
     /**
-     * The fraction of the line pairs across the square root of an area that remains if it is blurred in one of two
-     * directions: {@code (1 + b^2)^(-1/4)}.
+     * The fraction of the line pairs across the square root of an area that remains if the image is blurred along one
+     * of its two dimensions: {@code (1 + b^2)^(-1/4)}.
      *
      * @param blur b, 0 or more, pixels
      */

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * The modulation transfer of lens and air, and the finest detail that a camera resolves with it.
+ * The modulation transfer of a lens and of the air, and the finest detail that a camera resolves with it.
  *
  * @param lens lens of the camera
  * @param air between it and the target
@@ -36,7 +36,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * The fraction of the light, or heat, of a point imaged on the centre of a pixel that this pixel receives; blur
+     * For a point imaged on the centre of a pixel, the fraction of its light or heat that this pixel receives; blur
      * spreads the rest over its neighbours.
      *
      * @param focalLength pixels

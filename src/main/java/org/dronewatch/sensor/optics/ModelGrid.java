@@ -25,7 +25,7 @@ public final class ModelGrid {
     }
 
     /**
-     * Sets a traversal of a model's tree to the camera's image.
+     * Sets up a traversal of a model's tree for the camera's image.
      *
      * @param m the matrix from the world to the model's space
      */

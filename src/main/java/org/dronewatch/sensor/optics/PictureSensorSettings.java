@@ -28,7 +28,7 @@ import org.dronewatch.setting.SettingsForm;
  * Settings of an imaging sensor: its field of view is a frustum, it measures directions, and it may be mounted on a
  * positioner.
  *
- * @param <C> the record that implements this: {@code withRoll} and the others copy one of the same kind
+ * @param <C> the record that implements this: {@code withRoll} and the like return such a record
  * @param <S> the sensor that they create
  */
 public interface PictureSensorSettings<C extends Record & PictureSensorSettings<C, S>, S extends Sensor>
@@ -49,13 +49,13 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return withAim(new Aim.Target(point));
     }
 
-    /** These settings rotated about the camera's axis by an angle, its right side down, rad. */
+    /** These settings with another roll about the camera's axis, its right side down, rad. */
     default C withRoll(double angle) {
         return SettingsForm.with(self(), "roll", angle);
     }
 
     /**
-     * These settings rotated about the camera's present axis, so that a vector points to the top of the image.
+     * These settings with the roll about the camera's present axis at which a vector points to the top of the image.
      *
      * @throws IllegalArgumentException when the vector is parallel to that axis
      */
@@ -73,7 +73,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "rate", framesPerSecond);
     }
 
-    /** These settings with a lens with diffraction, by the diameter of its entrance pupil, m. */
+    /** These settings with a lens with diffraction, given the diameter of its entrance pupil, m. */
     default C withAperture(double diameter) {
         return SettingsForm.with(self(), "aperture", Optional.of(diameter));
     }
@@ -133,8 +133,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
      * The sighting of a drone in an image: its direction, to a pixel or better, and its apparent size, but no range.
      *
      * @param drone its position, m
-     * @param pixels that it covers
-     * @param camera that made the image
+     * @param pixels number of pixels that it covers
+     * @param camera the camera that took the image
      */
     default Sighting sighting(Position drone, double pixels, CameraObject camera) {
         double[] view = new double[3];
@@ -152,7 +152,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} Column and row of the image. */
+    /** {@inheritDoc} They stand for the column and the row of the image. */
     @Override
     default int dimensions() {
         return 2;
@@ -173,8 +173,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * {@inheritDoc} From the left to the right edge of the image; unknown for a camera on a positioner, aimed steeply,
-     * or rolled.
+     * {@inheritDoc} They extend from the left to the right edge of the image; unknown for a camera that is on a
+     * positioner, aimed steeply, or rolled.
      */
     @Override
     default Optional<AzimuthSpan> falseBearings() {
@@ -188,7 +188,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
                 : Optional.of(new AzimuthSpan(left + 0.5 * span, span));
     }
 
-    /** Beyond this elevation or roll the edges of an image do not bound its azimuths, rad. */
+    /** Beyond this elevation or roll, the edges of an image do not bound its azimuths, rad. */
     double STEEP = Math.PI / 4;
 
     /**
@@ -200,7 +200,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
      * @param top top edge, m
      * @param near distance of the near plane, above 0, m
      * @param far distance of the far plane, m
-     * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to a
+     * @throws IllegalArgumentException when the edges are in the wrong order, pixels would not be square to within a
      *     millionth, or a resulting setting is out of range
      */
     default C withFrustum(double left, double right, double bottom, double top, double near, double far) {
@@ -246,7 +246,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * The texts for reports about a camera that is on a positioner or not.
+     * The texts for reports about a camera, with or without a positioner.
      *
      * @param measures the quantity that its observations measure
      * @param leftOut a sentence about the effects that its model leaves out

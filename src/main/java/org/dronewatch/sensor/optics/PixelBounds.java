@@ -8,9 +8,10 @@ import org.dronewatch.drone.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**
- * Bounds on the number of pixels that show a level drone at a position; they hold on every heading. The rays of the
+ * Bounds on the number of pixels that show a level drone at a position; they hold for every heading. The rays of the
  * pixels around the drone are looked up in masks of its silhouette, and in the image of the site. Only rays for which
- * neither is certain are traced to the drone, and only on request. Reused for many positions. One per thread.
+ * neither gives a certain answer are traced to the drone, and only on request. Reused for many positions. One per
+ * thread.
  */
 public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */
@@ -51,13 +52,14 @@ public final class PixelBounds {
     }
 
     /**
-     * Whether the site certainly hides the drone, however it turns, or the drone lies between the rays of the pixels.
+     * Whether it is certain that the site hides the drone, whatever its heading, or that the drone lies between the
+     * rays of the pixels.
      */
     public boolean isInvisible() {
         return pixels.isInvisible();
     }
 
-    /** An upper bound on the number of pixels that show the drone, however it turns. */
+    /** An upper bound on the number of pixels that show the drone, whatever its heading. */
     public int mostAround() {
         return pixels.mostAround();
     }
@@ -70,7 +72,7 @@ public final class PixelBounds {
     /**
      * Examines all pixels around the drone if only a sample of them has been examined; the caller then counts again.
      *
-     * @return false if all have been examined, or are too many
+     * @return false if all have been examined, or if there are too many
      */
     public boolean examineAll() {
         return pixels.examineAll();
@@ -79,9 +81,9 @@ public final class PixelBounds {
     /**
      * Counts the pixels of the drone on a heading.
      *
-     * @param heading of its nose, clockwise from north, rad
+     * @param heading direction of its nose, clockwise from north, rad
      * @param enough whether a number of pixels is sufficient; if it is, every larger number must be as well. Counting
-     *     stops there, and the upper bounds are higher
+     *     then stops, and the upper bounds are higher
      */
     public void count(double heading, IntPredicate enough) {
         least = 0;
@@ -197,22 +199,22 @@ public final class PixelBounds {
         countsHidden = true;
     }
 
-    /** At least this many pixels show the drone. */
+    /** A lower bound on the number of pixels that show the drone. */
     public int least() {
         return least;
     }
 
-    /** At most this many pixels show it. */
+    /** An upper bound on the number of pixels that show the drone. */
     public int most() {
         return most;
     }
 
-    /** At least this many would show it if nothing hid it. */
+    /** A lower bound on the number of pixels that would show the drone if nothing hid it. */
     public int leastInTheOpen() {
         return leastInTheOpen;
     }
 
-    /** At most this many would show it if nothing hid it. */
+    /** An upper bound on the number of pixels that would show the drone if nothing hid it. */
     public int mostInTheOpen() {
         return mostInTheOpen;
     }

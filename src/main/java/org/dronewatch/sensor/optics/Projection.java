@@ -7,8 +7,8 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The projection of a camera: the position of the optical axis in the image, and the near and the far plane. A frustum
- * of OpenGL with its left, right, bottom and top edges at the distance {@code near} has the shifts
+ * The projection of a camera: the position of the optical axis in the image, and the near and far planes. An OpenGL
+ * frustum with left, right, bottom and top edges at the distance {@code near} has the shifts
  * {@code (left + right) / 2 / (right - left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of
  * view of {@code 2 atan((top - bottom) / 2 / near)}.
  *

@@ -39,10 +39,10 @@ public final class SilhouetteArea {
     /**
      * Bounds the area of a drone.
      *
-     * @param drone in the state
-     * @param state of the drone, level
-     * @return false where no bounds are known: close to the camera, far above or below it, at the planes of its
-     *     projection, and until a mask is worthwhile
+     * @param drone the drone, in that state
+     * @param state state of flight of the drone, which is level
+     * @return false where no bounds are known: close to the camera, far above or below it, not entirely between the
+     *     near and far planes, and until a mask is worthwhile
      */
     public boolean bound(Drone drone, FlightState state) {
         isKnown = false;
@@ -92,7 +92,7 @@ public final class SilhouetteArea {
         return true;
     }
 
-    /** Whether the bounds are those of a drone as it is. */
+    /** Whether the bounds are those of a drone in its present pose. */
     public boolean isOf(Drone drone) {
         drone.modelMatrix(asked);
         return isKnown && model.equals(asked);
@@ -103,12 +103,12 @@ public final class SilhouetteArea {
         return kinds[ray];
     }
 
-    /** At least this area is in the image, pixels. */
+    /** A lower bound on the area in the image, pixels. */
     public double least() {
         return least;
     }
 
-    /** At most this area is in the image, pixels. */
+    /** An upper bound on the area in the image, pixels. */
     public double most() {
         return most;
     }

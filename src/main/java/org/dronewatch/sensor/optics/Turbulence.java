@@ -22,10 +22,10 @@ public record Turbulence(double coherenceDiameter, double wavelength) {
     private static final double LONG_EXPOSURE = 3.44;
 
     /**
-     * The turbulence between a camera and a target. The wave of a point at a finite distance is spherical, so
+     * The turbulence between a camera and a target. The wave from a point at a finite distance is spherical, so
      * turbulence near the camera has the greatest effect: {@code r0 = (0.423 k^2 integral Cn2 (s/L)^(5/3) ds)^(-3/5)}
-     * with {@code k = 2 pi / wavelength} and s counted from the point (Fried, Journal of the Optical Society of America
-     * 56, 1372, 1966). With the same Cn2 everywhere the integral is {@code 3/8 Cn2 L}, which gives
+     * with {@code k = 2 pi / wavelength} and s measured from the point (Fried, Journal of the Optical Society of
+     * America 56, 1372, 1966). With the same Cn2 everywhere, the integral is {@code 3/8 Cn2 L}, which gives
      * {@code r0 = (0.159 k^2 Cn2 L)^(-3/5)}.
      *
      * @param structure refractive-index structure constant Cn2, 0 or more, m^(-2/3)
@@ -43,10 +43,10 @@ public record Turbulence(double coherenceDiameter, double wavelength) {
     }
 
     /**
-     * The modulation transfer by the air for a pattern: {@code exp(-3.44 (wavelength f / r0)^(5/3))} (Fried 1966;
+     * The modulation transfer of the air for a pattern: {@code exp(-3.44 (wavelength f / r0)^(5/3))} (Fried 1966;
      * Goodman, "Statistical Optics", chapter 8).
      *
-     * @param frequency f, of the pattern, 0 or more, cycles per radian
+     * @param frequency frequency f of the pattern, 0 or more, cycles per radian
      * @return 0 to 1
      */
     public double transfer(double frequency) {

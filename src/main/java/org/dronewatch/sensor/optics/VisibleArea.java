@@ -63,7 +63,7 @@ public final class VisibleArea {
     }
 
     /**
-     * The same, or less if that is enough.
+     * As {@link #of(Drone)}, or a smaller area if that is already sufficient.
      *
      * @param enough whether an area is sufficient; if it is, every larger area must be as well
      */
@@ -72,15 +72,16 @@ public final class VisibleArea {
     }
 
     /**
-     * The same for a drone that nothing hides, or less if that is enough.
+     * As {@link #of(Drone, DoublePredicate)}, but for a drone that nothing hides.
      *
-     * @param silhouette knows many of the rays: its bounds must be {@linkplain SilhouetteArea#isOf those} of the drone
+     * @param silhouette decides many of the rays; its bounds must be {@linkplain SilhouetteArea#isOf those} of the
+     *     drone
      */
     public double ofClear(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
         return of(drone, true, enough, silhouette);
     }
 
-    /** The same where the site may hide some of the drone; parameters as above. */
+    /** As {@link #ofClear}, but for a drone that the site may hide in part. */
     public double of(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
         return of(drone, false, enough, silhouette);
     }
@@ -90,7 +91,7 @@ public final class VisibleArea {
         return inTheOpen(drone, NEVER);
     }
 
-    /** The same, or less if that is enough; parameters as above. */
+    /** As {@link #inTheOpen(Drone)}, or a smaller area if that is already sufficient. */
     public double inTheOpen(Drone drone, DoublePredicate enough) {
         return of(drone, true, enough, null);
     }
@@ -186,7 +187,7 @@ public final class VisibleArea {
                 camera.far() / depth);
     }
 
-    /** Whether the site hid any part of the drone whose area was asked for last. */
+    /** Whether the site hid any part of the drone whose area was last requested. */
     public boolean isObstructed() {
         return isObstructed;
     }

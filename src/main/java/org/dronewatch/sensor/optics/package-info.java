@@ -1,5 +1,5 @@
 /**
- * The common parts of all cameras: pictures of a site with drones, with one ray per pixel, of which only those that can
- * show a drone are traced again.
+ * The common parts of all cameras: pictures of a site with drones, traced with one ray per pixel. For each new picture,
+ * only pixels that can show a drone are traced again.
  */
 package org.dronewatch.sensor.optics;
