@@ -34,15 +34,15 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A microphone that hears each drone separately. In the level model its value is the highest received level: levels are
- * not divided among rays. In the energy model it is the A-weighted sound pressure level, or the signal-to-noise ratio
- * of the best band, and the drones must be given in their state when the sound left them. Keeps scratch memory: one
- * thread at a time.
+ * A microphone that hears each drone separately. In the level model, its value is the highest received level: levels
+ * are not divided among rays. In the energy model, it is the A-weighted sound pressure level, or the signal-to-noise
+ * ratio of the best band, and the drones must be given in their state when the sound left them. Keeps scratch memory:
+ * one thread at a time.
  *
- * <p>In the energy model an assessment and a look with the same random numbers agree exactly; the probability is 0 or
- * 1. In the level model a look traces once; if the result depends on the random rays, the assessed probability is the
- * fraction of 32 traces that detect the drone, marked as estimated, and the look's value may differ from the
- * assessment's.
+ * <p>In the energy model, an assessment and a look with the same random numbers agree exactly; the probability is 0 or
+ * 1. In the level model, a look traces its rays once; if the result depends on the random rays, the assessed
+ * probability is the fraction of 32 traces that detect the drone and is marked as an estimate, and the look's value may
+ * differ from the assessment's.
  */
 public final class AcousticSensor implements RaySensor, CurveSensor, InterpolableSensor {
     private static final String UNIT = "dB";
@@ -128,8 +128,8 @@ public final class AcousticSensor implements RaySensor, CurveSensor, Interpolabl
     }
 
     /**
-     * {@inheritDoc} Since sound also arrives by other paths, a drone behind an obstacle is only hidden if it would be
-     * heard in the open.
+     * {@inheritDoc} Since sound also arrives by other paths, a drone behind an obstacle counts as hidden only if it
+     * would be heard in the open.
      */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {

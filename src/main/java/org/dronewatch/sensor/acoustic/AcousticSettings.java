@@ -125,7 +125,7 @@ public record AcousticSettings(
         return new Scale("threshold", Quantity.LEVEL, -100.0, 100.0, Scale.FINE);
     }
 
-    /** These settings with another gain of the array, dB. */
+    /** These settings with another array gain, dB. */
     public AcousticSettings withArrayGain(double decibels) {
         return SettingsForm.with(this, "arrayGain", decibels);
     }
@@ -157,7 +157,7 @@ public record AcousticSettings(
         return SettingsForm.with(this, "propagation", model);
     }
 
-    /** These settings with or without rays in report and viewer. */
+    /** These settings with or without rays in the report and the viewer. */
     public AcousticSettings withDrawRays(boolean drawn) {
         return SettingsForm.with(this, "drawRays", drawn);
     }
@@ -167,7 +167,7 @@ public record AcousticSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** Bearing and elevation of an array; a single microphone measures no direction. */
+    /** {@inheritDoc} They stand for bearing and elevation; a single microphone measures no direction. */
     @Override
     public int dimensions() {
         return findsDirections() ? 2 : 0;
@@ -194,7 +194,7 @@ public record AcousticSettings(
         return findsDirections() ? Optional.of(AzimuthSpan.ALL) : Optional.empty();
     }
 
-    /** The level at and above which a sound is detected over a background: dB re 20 uPa. */
+    /** The level at and above which a sound is detected over a background, dB re 20 uPa. */
     public double detectionLevel(double background) {
         return background + threshold - gain();
     }

@@ -12,7 +12,7 @@ import org.dronewatch.sound.OctaveBands;
 /**
  * The accuracy with which an array finds the direction of one sound in noise that is incoherent between microphones:
  * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
- * once the sound is detected. In a narrow band the inverse of the variance of an angle is
+ * once the sound is detected. In a narrow band, the inverse of the variance of an angle is
  * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the wave
  * number k, N microphones, and the sum D of the squared distances of the microphones from their centre, measured along
  * the vector in which the sound's direction changes as the angle changes. The contributions of all bands are added,

@@ -118,7 +118,7 @@ public final class EdgePath {
 
     /**
      * The path difference between the last path found and the straight line, 0 or more, m: if sound travels in arcs,
-     * the difference of their travel times, times the speed of sound on the straight line.
+     * the difference between their travel times, multiplied by the speed of sound on the straight line.
      */
     public double pathDifference() {
         return pathDifference;

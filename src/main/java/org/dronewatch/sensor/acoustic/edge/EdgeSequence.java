@@ -1,6 +1,9 @@
 package org.dronewatch.sensor.acoustic.edge;
 
-/** The edges of one path round an obstacle, in their order, with their positions along the path and its bends. */
+/**
+ * The edges of one path round an obstacle, in order, with their positions along the path and the angles by which it
+ * bends.
+ */
 public final class EdgeSequence {
     private double detour = Double.POSITIVE_INFINITY;
     private int edges;
@@ -58,7 +61,7 @@ public final class EdgeSequence {
         return edges;
     }
 
-    /** Distance of an edge from the beginning of the path, along it, m; either end of it may be the source. */
+    /** Distance along the path from its beginning to an edge, m; the path may begin at the source or at the sensor. */
     public double along(int edge) {
         return along[edge];
     }

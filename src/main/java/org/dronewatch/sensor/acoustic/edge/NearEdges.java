@@ -50,7 +50,7 @@ public final class NearEdges {
     }
 
     /**
-     * Finds the edges near the line between two points with a line of sight.
+     * Finds the edges near the line between two points that have a line of sight.
      *
      * @param longest maximum detour, above 0, m
      */

@@ -94,7 +94,7 @@ public final class DecayCurve {
     }
 
     /**
-     * Reverberation time T30 of all bands, s: twice the time that the regression line from -5 to -35 dB takes (ISO
+     * Reverberation time T30 of all bands, s: twice the time in which the regression line falls from -5 to -35 dB (ISO
      * 3382-1); empty when the curve does not fall that far.
      */
     public OptionalDouble t30() {

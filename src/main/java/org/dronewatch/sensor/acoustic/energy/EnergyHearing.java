@@ -190,7 +190,7 @@ public final class EnergyHearing implements SoundTracer {
 
     /**
      * Directivities depend on the elevation alone. The radial speed shifts the lines of a spectrum, which matter to the
-     * narrow-band criterion; an emission of another kind may depend on the flight.
+     * narrow-band criterion; an emission of another kind may depend on the state of flight.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {
@@ -205,8 +205,8 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} In a space that retains at least half of the sound: its decay, and the reverberation time in each
-     * octave band.
+     * {@inheritDoc} In a space that retains at least half of the sound, these are its decay and the reverberation time
+     * in each octave band; otherwise there are none.
      */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {

@@ -79,7 +79,7 @@ public record EnergyModel(
         BEST_BAND,
         /**
          * The level in a band around each of the drone's tones, as wide as the tone, compared with that of the
-         * background there; the best one decides. {@link #BEST_BAND} for a drone without tones.
+         * background there; the best of these bands decides. For a drone without tones, as {@link #BEST_BAND}.
          */
         NARROW_BAND
     }
@@ -100,7 +100,7 @@ public record EnergyModel(
         /** Their energies add, as do those of all other paths. */
         INCOHERENT,
         /**
-         * They interfere, with the coherence that turbulence leaves: a spherical wave over the ground's impedance,
+         * The two interfere, with the coherence that turbulence leaves: a spherical wave over the ground's impedance,
          * averaged over each band.
          */
         COHERENT
@@ -162,7 +162,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "ground", kind);
     }
 
-    /** This model with another variance of the air's refractive index, for coherent ground. */
+    /** This model with another variance of the air's refractive index, for coherent ground reflection. */
     public EnergyModel withTurbulence(double variance) {
         return SettingsForm.with(this, "turbulence", variance);
     }
@@ -172,7 +172,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "turbulenceScale", metres);
     }
 
-    /** This model with the sound pressure of the scene's air or of the reference. */
+    /** This model with another conversion of intensity to sound pressure. */
     public EnergyModel withPressure(Pressure kind) {
         return SettingsForm.with(this, "pressure", kind);
     }

@@ -12,7 +12,7 @@ import org.dronewatch.sound.OctaveBands;
 
 /**
  * The result of one look of an acoustic sensor at one drone, in the energy model. Energies are per octave band and
- * relative to a sound pressure of 20 uPa squared, so that {@code 10 lg} of them are sound pressure levels.
+ * relative to the square of a sound pressure of 20 uPa, so that {@code 10 lg} of each is a sound pressure level.
  *
  * @param direct energy on the straight path, including transmission through walls; exact
  * @param diffracted energy diffracted round the edges of the obstacles that hide the drone
@@ -20,7 +20,7 @@ import org.dronewatch.sound.OctaveBands;
  * @param reverberant energy on all other paths; estimated
  * @param traced number of ray segments that were traced
  * @param standardError standard error of the level on which detection is based, from the scatter among rays, dB
- * @param isConverged whether the level does not stand on a few rays; false for silence, since rays may have missed the
+ * @param isConverged whether the level rests on more than a few rays; false for silence, since rays may have missed the
  *     only path
  * @param audit energy balance of the rays
  * @param decay decay of the sound
@@ -46,13 +46,13 @@ public record EnergyReading(
 
     /**
      * This reading, without the contribution of rays if too few contributed: the exact paths alone. The standard error
-     * stays that of the whole: these paths are exact, but their part of the total sound is uncertain.
+     * remains that of the whole: these paths are exact, but it is uncertain how much of the total sound they carry.
      */
     public EnergyReading settled() {
         return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
 
-    /** Energy in a band, relative to 20 uPa squared. */
+    /** Energy in a band, relative to the square of 20 uPa. */
     public double energy(int band) {
         return direct.get(band) + diffracted.get(band) + mirrored.get(band) + reverberant.get(band);
     }
@@ -108,7 +108,10 @@ public record EnergyReading(
         return best;
     }
 
-    /** The figures for reports, by name with unit: levels, signal-to-noise ratios, parts, standard error. */
+    /**
+     * The figures for reports, by names that include their units: levels, signal-to-noise ratios, rays and standard
+     * error.
+     */
     public Map<String, Double> figures(BandLevels background) {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("direct_db", directLevel());

@@ -21,14 +21,14 @@ import org.dronewatch.world.World;
 
 /**
  * The tracer of the energy model. Deterministic paths are computed by {@link ExactPaths}. Other paths are found by
- * tracing rays backward from the sensor: their efficiency does not depend on the distance of the source, and by
- * reciprocity the fraction of their energy that reaches the source is the fraction that the source would have sent to
- * the sensor. The first few surfaces of a path from the source are also sampled by rays from the source, and both parts
- * are connected: see {@link Connections}. If the source is in the more sheltered place, source and sensor exchange
- * roles: see {@link Ends}.
+ * tracing rays backward from the sensor: the efficiency of this method does not depend on the distance of the source,
+ * and by reciprocity the fraction of their energy that reaches the source is the fraction that the source would have
+ * sent to the sensor. The first few surfaces of a path from the source are also sampled by rays from the source, and
+ * both parts are connected: see {@link Connections}. If the source is in a more sheltered position than the sensor, the
+ * two exchange roles: see {@link Ends}.
  *
  * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
- * count in their order up to the one that makes the reading accurate: the reading is the same for any number of
+ * are counted in order up to the one that makes the reading accurate enough: the reading is the same for any number of
  * threads. Used by one caller at a time.
  */
 public final class EnergyTracer {
@@ -62,7 +62,7 @@ public final class EnergyTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor its position, m; just in front of a surface on which it lies
+     * @param sensor its position, m; if it lies on a surface, just in front of that
      * @param radius radius of the sphere around the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {
@@ -146,7 +146,8 @@ public final class EnergyTracer {
     }
 
     /**
-     * The reading in the free field, without obstructions and reflections: spreading and air alone. Exact.
+     * The reading in the free field, without obstructions and reflections: spreading and absorption by the air alone.
+     * Exact.
      *
      * @param drone the drone's sound
      */

@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** Candidates for image sources, each with its worth: a measure of the energy that it contributes, in any unit. */
+/**
+ * Candidates for image sources, each with its worth: a measure of the energy that it contributes, in arbitrary units.
+ */
 public final class ImageSourceCandidates {
     private final List<Integer> parents = new ArrayList<>(List.of(ImageSources.ORIGINAL));
     private final List<Integer> walls = new ArrayList<>(List.of(WallPlanes.NONE));
@@ -15,9 +17,9 @@ public final class ImageSourceCandidates {
     private final Map<Long, Integer> children = new HashMap<>();
 
     /**
-     * Adds an image source unless it is known, and adds to its worth.
+     * Adds an image source unless it is already known, and adds to its worth.
      *
-     * @return its number
+     * @return its index
      */
     public int add(int parent, int wall, double worth) {
         int image = children.computeIfAbsent(((long) parent << Integer.SIZE) + wall, key -> {
@@ -30,7 +32,7 @@ public final class ImageSourceCandidates {
         return image;
     }
 
-    /** Adds the image source of a sequence of walls, the first one first, and all its parents. */
+    /** Adds the image source of a sequence of walls, in order from the first, and all its parents. */
     public void add(int[] sequence, double worth) {
         int image = ImageSources.ORIGINAL;
         for (int wall : sequence) {
@@ -38,7 +40,7 @@ public final class ImageSourceCandidates {
         }
     }
 
-    /** The worth of the image source of a sequence of walls; 0 if it is not known. */
+    /** The worth of the image source of a sequence of walls; 0 if the image source is not known. */
     public double worth(int[] sequence) {
         int image = ImageSources.ORIGINAL;
         for (int wall : sequence) {

@@ -57,8 +57,8 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point. More rays are traced around one that has found an image source of higher order that
-     * few others have found.
+     * The image sources of a point. More rays are traced around any ray that has found an image source of higher order
+     * that few others have found.
      *
      * @param from the point, m
      * @param rays number of rays, spread over all directions
@@ -89,11 +89,11 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point that rays towards some other points find. Their walls enclose these other points,
-     * and subtend too small a solid angle at the point to be found by rays that are spread over all directions.
+     * The image sources of a point that are found by rays towards some other points. Their walls enclose these other
+     * points, and subtend too small a solid angle at the point to be found by rays that are spread over all directions.
      *
      * @param from the point, m
-     * @param to the others, m
+     * @param to the other points, m
      * @param maxOrder maximum number of walls of an image source
      */
     public ImageSourceCandidates towards(Position from, List<Position> to, int maxOrder) {

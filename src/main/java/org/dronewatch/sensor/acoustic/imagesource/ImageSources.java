@@ -8,7 +8,7 @@ import java.util.Arrays;
  * come before their children. Immutable.
  */
 public final class ImageSources {
-    /** The point itself, mirrored in no wall. */
+    /** The point itself, which is not mirrored. */
     public static final int ORIGINAL = 0;
 
     /** The point alone, without images. */
@@ -48,7 +48,7 @@ public final class ImageSources {
         this.highestOrder = Arrays.stream(orders).max().orElse(0);
     }
 
-    /** The image in a sequence of walls, the first one first, and all its parents. */
+    /** The image in a sequence of walls, in order from the first, and all its parents. */
     public static ImageSources of(int... sequence) {
         int[] itsParents = new int[sequence.length + 1];
         int[] itsWalls = new int[sequence.length + 1];
@@ -103,7 +103,9 @@ public final class ImageSources {
         return walls[image];
     }
 
-    /** The first wall of an image: the one whose reflection the point itself sends or receives. */
+    /**
+     * The first wall of an image: the first to reflect sound from the point itself, or the last to reflect sound to it.
+     */
     public int firstWall(int image) {
         int first = image;
         while (parents[first] != ORIGINAL) {
@@ -117,7 +119,7 @@ public final class ImageSources {
         return orders[image];
     }
 
-    /** An image's walls, the first one first. */
+    /** An image's walls, in order from the first. */
     public int[] walls(int image) {
         int[] sequence = new int[orders[image]];
         for (int rest = image; rest != ORIGINAL; rest = parents[rest]) {
@@ -156,7 +158,7 @@ public final class ImageSources {
         return slot;
     }
 
-    /** The key of a sequence with one more wall at its end; that of the empty one is 0. */
+    /** The key of a sequence with one more wall at its end; the key of an empty sequence is 0. */
     public static long appended(long key, int wall) {
         return key * STEP + mixed(wall);
     }
@@ -165,13 +167,14 @@ public final class ImageSources {
      * The key of a sequence with one more wall before its first one. With it, the key of a reversed sequence can be
      * formed wall by wall.
      *
-     * @param weight weight of a sequence of this length: 1 for the empty one, {@link #weightOfNext} for each wall
+     * @param weight weight of a sequence of this length: 1 for an empty one, {@link #weightOfNext} for each further
+     *     wall
      */
     public static long prepended(long key, int wall, long weight) {
         return key + mixed(wall) * weight;
     }
 
-    /** See {@link #prepended}. */
+    /** The weight of a sequence with one more wall; see {@link #prepended}. */
     public static long weightOfNext(long weight) {
         return weight * STEP;
     }

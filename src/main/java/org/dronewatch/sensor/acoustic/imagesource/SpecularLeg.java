@@ -80,7 +80,7 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether a path over the same walls leads to a point, and not only past it. Not valid for a ray that has passed
+     * Whether a path via the same walls leads to a point, and not only past it. Not valid for a ray that has passed
      * through a wall.
      */
     public boolean leadsTo(Position point, SpecularPath path, WallPlanes planes) {

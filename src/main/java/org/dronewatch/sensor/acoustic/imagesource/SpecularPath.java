@@ -9,9 +9,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A path from one point by specular reflections to another, constructed by image sources: it must hit every wall at the
- * right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One per
- * thread.
+ * A path from one point via specular reflections to another, constructed from image sources: it must hit every wall at
+ * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One
+ * per thread.
  */
 public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;
@@ -49,7 +49,7 @@ public final class SpecularPath {
      * Sets the curvature that the air gives to subsequent paths: each leg must be unobstructed as an arc, too. By
      * default, paths are straight.
      *
-     * @param isSoundAhead whether sound travels from a path's beginning to its end, and not the other way
+     * @param isSoundAhead whether sound travels from a path's beginning to its end, rather than the other way round
      */
     public void bend(PathCurvature ofAir, boolean isSoundAhead) {
         curvature = ofAir;
@@ -68,9 +68,9 @@ public final class SpecularPath {
     }
 
     /**
-     * The same between points on surfaces. A wall reflects nothing that begins or ends in its own plane. Rounding may
-     * have put such a point on either side of the plane, so the wall's number decides: otherwise sound would leak
-     * through a sheet by a reflection on its other side.
+     * The same for points that may lie on surfaces. A wall reflects nothing that begins or ends in its own plane.
+     * Rounding may have put such a point on either side of the plane, so the wall's number decides: otherwise sound
+     * would leak through a sheet by a reflection on its other side.
      *
      * @param fromWall the wall on which the path begins, or {@link WallPlanes#NONE}
      * @param toWall the wall on which it ends, or {@link WallPlanes#NONE}
@@ -248,7 +248,7 @@ public final class SpecularPath {
         return reflected[band];
     }
 
-    /** A coordinate of the point where the path is reflected first, m. */
+    /** A coordinate of the first point at which the path is reflected, m. */
     public double metFirst(int axis) {
         return metFirst[axis];
     }
@@ -263,7 +263,9 @@ public final class SpecularPath {
         return first[0] * unit[0] + first[1] * unit[1] + first[2] * unit[2];
     }
 
-    /** Cosine of the angle between a unit vector and the direction in which the path, backward, leaves its end. */
+    /**
+     * Cosine of the angle between a unit vector and the direction in which the path, traced backward, leaves its end.
+     */
     public double cosineAtEnd(double x, double y, double z) {
         return -(last[0] * x + last[1] * y + last[2] * z);
     }
@@ -273,7 +275,7 @@ public final class SpecularPath {
         return first[2];
     }
 
-    /** Sine of the elevation at which sound leaves the path's end, backward. */
+    /** Sine of the elevation at which sound that travels backward leaves the path's end. */
     public double riseFromEnd() {
         return -last[2];
     }

@@ -61,7 +61,7 @@ public final class LevelHearing implements SoundTracer {
         return new Heard(reading.bestLevel(), threshold, figures);
     }
 
-    /** {@inheritDoc} Traces only the rays that decide. */
+    /** {@inheritDoc} Traces only the rays that are needed to decide. */
     @Override
     public boolean hears(Drone drone, RandomGenerator random) {
         return straightLevel(drone) >= threshold - ROUNDING
@@ -78,7 +78,7 @@ public final class LevelHearing implements SoundTracer {
         return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look);
     }
 
-    /** {@inheritDoc} It does not trace rays from which no ray can be loud enough. */
+    /** {@inheritDoc} It does not trace rays that cannot lead to a ray that is loud enough. */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random) {
         return LevelAssessment.signal(
@@ -94,7 +94,7 @@ public final class LevelHearing implements SoundTracer {
         return straightLevel(drone) >= threshold;
     }
 
-    /** The level model does not depend on direction; an emission of another kind may depend on the flight. */
+    /** The level model does not depend on direction; an emission of another kind may depend on the state of flight. */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {
         return drone.settings().emission() instanceof SteadyEmission;

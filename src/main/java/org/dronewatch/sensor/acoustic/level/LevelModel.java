@@ -28,8 +28,8 @@ import org.dronewatch.world.World;
  * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all
  *     rays, and reports the highest level and the cumulative energy
  * @param diffraction fraction of the reflected and of the transmitted energy that is scattered, 0 to 1; the specular
- *     and the refracted ray carry the rest; if omitted, all rays carry equal energy. It affects the cumulative energy,
- *     not the levels, which are not divided
+ *     and refracted rays carry the rest; if omitted, all rays carry equal energy. It affects the cumulative energy, not
+ *     the levels, which are not divided
  * @param transmittedRays number of rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted,
  *     the others scattered
  */
@@ -87,12 +87,12 @@ public record LevelModel(
         return SettingsForm.with(this, "listening", other);
     }
 
-    /** This model with another fraction of the energy scattered, 0 to 1. */
+    /** This model with another fraction of the energy that is scattered, 0 to 1. */
     public LevelModel withDiffraction(double fraction) {
         return SettingsForm.with(this, "diffraction", Optional.of(fraction));
     }
 
-    /** This model with another number of rays behind a wall. */
+    /** This model with another number of rays from the far side of a wall. */
     public LevelModel withTransmittedRays(int count) {
         return SettingsForm.with(this, "transmittedRays", count);
     }

@@ -27,7 +27,7 @@ public record LevelReading(
         long cutByBudget,
         OptionalInt cutOrder) {
 
-    /** The figures for reports, by name with unit. */
+    /** The figures for reports, by names that include their units. */
     public Map<String, Double> figures() {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("rays_traced", (double) traced);

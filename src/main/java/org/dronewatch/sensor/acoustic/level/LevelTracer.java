@@ -15,11 +15,12 @@ import org.dronewatch.world.World;
 
 /**
  * The tracer of the level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end
- * below the level of detection, at the maximum order, and at the end of the ray budget; rays not followed are counted.
+ * when their level falls below that of detection, at the maximum order, and when the ray budget is exhausted; rays not
+ * followed are counted.
  *
  * <p>Rays are queued and traced in chunks of the queue, on the calling {@link Workers}. Each chunk has a separate
- * random stream, and its results count in the queue's order: they are the same for any number of threads. Used by one
- * caller at a time.
+ * random stream, and the results are added in the queue's order: they are the same for any number of threads. Used by
+ * one caller at a time.
  */
 public final class LevelTracer {
     /** Number of queued rays in a chunk. */

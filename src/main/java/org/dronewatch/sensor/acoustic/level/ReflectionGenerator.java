@@ -70,8 +70,8 @@ public final class ReflectionGenerator {
 
     /**
      * Generates the rays from a triangle that a ray hits. Every reflected ray has the level of the arriving ray minus
-     * the loss of the reflection, every transmitted one minus the loss of the wall; the reflected and the transmitted
-     * energy are divided among them.
+     * the loss of the reflection, and every transmitted ray has that level minus the loss of the wall; the reflected
+     * and the transmitted energy are divided among them.
      *
      * @param ray the ray that arrives
      * @param distance from its origin to the triangle, m

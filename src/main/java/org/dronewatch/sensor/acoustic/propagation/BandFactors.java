@@ -4,8 +4,8 @@ import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Products of energies in all bands with factors: most of what happens to the energy of a ray. Uses vector instructions
- * where possible; without them, the results are the same, bit for bit.
+ * Multiplies the energies in all bands by factors, which is most of what happens to the energy of a ray. Uses vector
+ * instructions where possible; without them, the results are the same, bit for bit.
  */
 public final class BandFactors {
     static final int BANDS = OctaveBands.COUNT;
@@ -31,10 +31,10 @@ public final class BandFactors {
 
     /**
      * Multiplies a value in each band by a factor and by the exponential function of a small number, as a Taylor series
-     * of five terms after the first: below 0.02 it is accurate to 1e-13.
+     * with five terms after the first: for numbers below 0.02, it is accurate to 1e-13.
      *
-     * @param exponents in each band
-     * @param by multiplies the exponents
+     * @param exponents the exponent in each band
+     * @param by factor by which the exponents are multiplied
      * @param row index of the first band's factor
      */
     public static void multiplyByExponentials(

@@ -69,10 +69,10 @@ public final class BandSurfaces {
     }
 
     /**
-     * Multiplies energies by the fractions that a surface reflects.
+     * Multiplies the energies in all bands by the fractions that a surface reflects.
      *
      * @param cosine cosine of the angle between the sound and the normal, 0 to 1
-     * @param energies in each band
+     * @param energies the energy in each band
      */
     public void reflect(int material, double cosine, double[] energies) {
         if (isAngular(material)) {
@@ -91,7 +91,7 @@ public final class BandSurfaces {
 
     /**
      * Weight of sound scattered in one direction, relative to Lambert's law: a surface that reflects little from a
-     * direction scatters little into it. It is the fraction reflected in this direction over its mean over all
+     * direction scatters little into it. It is the fraction reflected in this direction divided by its mean over all
      * directions, so that reciprocity (Helmholtz) holds and energy is conserved; 1 where absorption does not depend on
      * the angle.
      *
@@ -149,7 +149,7 @@ public final class BandSurfaces {
         return scattered[BANDS * material + band];
     }
 
-    /** The fraction of the energy of all bands together that is scattered; the energies are given by band. */
+    /** The fraction of the total energy of all bands that is scattered; the energies are given by band. */
     public double chanceOfScattering(int material, double[] energies) {
         double all = 0.0;
         double diffuse = 0.0;

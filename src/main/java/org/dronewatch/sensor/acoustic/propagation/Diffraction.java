@@ -79,8 +79,8 @@ public enum Diffraction {
     public abstract double attenuation(double pathDifference, double span, double wavelength);
 
     /**
-     * Whether the path difference of sound that bends down is that of the arcs' lengths, as in CNOSSOS-EU's favourable
-     * conditions, instead of that of the travel times.
+     * Whether the path difference of sound that bends down is computed from the lengths of the arcs, as in CNOSSOS-EU's
+     * favourable conditions, instead of from travel times.
      */
     public boolean measuresArcs() {
         return false;

@@ -8,7 +8,10 @@ public final class Directions {
 
     private Directions() {}
 
-    /** Sets a ray's direction to one of a number of directions spread evenly over the sphere (Fibonacci lattice). */
+    /**
+     * Sets a ray's direction to one of {@code count} directions that are spread evenly over the sphere (Fibonacci
+     * lattice).
+     */
     public static void ofLattice(int number, int count, AcousticRay ray) {
         double z = 1.0 - (2.0 * number + 1.0) / count;
         double radius = Math.sqrt(Math.max(0.0, 1.0 - z * z));

@@ -61,10 +61,10 @@ public final class GroundPlane {
     }
 
     /**
-     * Searches for the ground between two points with a line of sight.
+     * Searches for the ground between two points that have a line of sight.
      *
-     * @param first a point, m
-     * @param second another one, m
+     * @param first one point, m
+     * @param second the other point, m
      * @param wavelength wavelength of the sound, which determines the size of the zone, m, above 0
      * @param curvature curvature of sound from one to the other, 1/m: arcs are treated as straight lines over ground
      *     that is bent in the opposite direction
@@ -92,7 +92,7 @@ public final class GroundPlane {
     }
 
     /**
-     * Finds the highest surface at a position on the line between two points, in plan view. Then only
+     * Finds the highest surface at a position on the line between two points, in plan view. After that, only
      * {@link #material}, the heights of the points above the ground, and {@link #isBelow} can be queried.
      *
      * @param share position along the line, 0 to 1
@@ -237,7 +237,7 @@ public final class GroundPlane {
         return PathCurvature.sag(bulge, distance, u);
     }
 
-    /** Whether a point belongs to the ground in the zone, so that the plane's reflection includes its own. */
+    /** Whether a point belongs to the ground in the zone, so that the plane's reflection includes that of the point. */
     public boolean covers(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);
@@ -285,7 +285,7 @@ public final class GroundPlane {
         return unevenness;
     }
 
-    /** The number, in the mesh, of the material at the point of reflection. */
+    /** The index, in the mesh, of the material at the point of reflection. */
     public int material() {
         return material;
     }

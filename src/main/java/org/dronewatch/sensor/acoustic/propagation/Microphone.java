@@ -12,7 +12,9 @@ import org.dronewatch.geometry.Position;
  */
 public record Microphone(Position position, double radius, double threshold, double arrayGain) {
 
-    /** The level at and above which a sound is detected over a background, in dB re the reference of the background. */
+    /**
+     * The level at and above which a sound is detected over a background, dB with the same reference as the background.
+     */
     public double detectionLevel(double background) {
         return background + threshold - arrayGain;
     }

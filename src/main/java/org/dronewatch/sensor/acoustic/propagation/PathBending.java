@@ -6,8 +6,8 @@ import org.dronewatch.world.GroundLevel;
 import org.dronewatch.world.World;
 
 /**
- * The wind of a world, and the curvature of sound paths due to its air. Heights are those over the ground of the site:
- * the profile of the wind does not follow a roof or the crown of a tree. One per thread.
+ * The wind of a world, and the curvature of sound paths due to its air. Heights are measured from the ground of the
+ * site: the profile of the wind does not follow a roof or the crown of a tree. One per thread.
  */
 public final class PathBending {
     private final Atmosphere air;

@@ -3,10 +3,10 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Atmosphere;
 
 /**
- * The curvature of sound paths due to wind and temperature: if the effective speed of sound, that of the air plus that
- * of the wind along the path, changes linearly with height by g, a path at an elevation gamma is an arc of the radius
- * {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is assumed linear between the
- * heights of source and microphone. Immutable.
+ * The curvature of sound paths due to wind and temperature: if the effective speed of sound, that in still air plus the
+ * speed of the wind along the path, changes linearly with height at the rate g, a path at an elevation gamma is an arc
+ * of radius {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is assumed linear
+ * between the heights of the source and the microphone. Immutable.
  *
  * @param everywhere curvature due to temperature, positive if it bends sound up, 1/m
  * @param eastward curvature of sound that travels east, due to wind, 1/m

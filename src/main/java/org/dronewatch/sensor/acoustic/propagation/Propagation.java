@@ -27,7 +27,7 @@ public interface Propagation {
         return false;
     }
 
-    /** The effects in the propagation of real sound that this model leaves out, in a sentence for a report. */
+    /** Effects on the propagation of real sound that this model leaves out, in a sentence for a report. */
     default String leavesOut() {
         return "Interference of sound is left out.";
     }

@@ -19,19 +19,22 @@ public interface SoundTracer {
      */
     Heard hear(Drone drone, RandomGenerator random);
 
-    /** Whether a look hears the drone, as {@link #hear} does with the same random numbers, perhaps at less cost. */
+    /**
+     * Whether a look hears the drone: the same result as that of {@link #hear} with the same random numbers, perhaps at
+     * less cost.
+     */
     default boolean hears(Drone drone, RandomGenerator random) {
         Heard heard = hear(drone, random);
         return heard.value() >= heard.threshold();
     }
 
-    /** The signal received from a drone, before any random decision; draws from the same random numbers as a look. */
+    /** The signal received from a drone, before any random decision; it draws the same random numbers as a look. */
     Signal signal(Drone drone, RandomGenerator random);
 
     /**
-     * The same at less cost where possible: where the probability is a fraction of several looks, the looks after the
-     * first may draw other random numbers, and the quantity of a drone that is missed may be lower. The same as
-     * {@link #signal} unless overridden.
+     * As {@link #signal}, but at less cost where possible: where the probability is a fraction of several looks, the
+     * looks after the first may draw other random numbers, and the quantity of a drone that is missed may be lower. The
+     * same as {@link #signal} unless overridden.
      */
     default Signal coarseSignal(Drone drone, RandomGenerator random) {
         return signal(drone, random);
@@ -43,7 +46,7 @@ public interface SoundTracer {
     }
 
     /**
-     * The signal on those paths that are found without tracing random rays.
+     * The signal that arrives along those paths that are found without tracing random rays.
      *
      * @throws UnsupportedOperationException if the model has no {@link #signalInTheOpen}
      */
@@ -51,7 +54,7 @@ public interface SoundTracer {
         throw new UnsupportedOperationException("this model of propagation is not interpolated");
     }
 
-    /** Whether the path of the direct sound is free; false unless overridden. */
+    /** Whether the path of the direct sound is unobstructed; false unless overridden. */
     default boolean isInSight(Drone drone) {
         return false;
     }
@@ -59,7 +62,9 @@ public interface SoundTracer {
     /** Whether a drone would be heard without obstructions. */
     boolean isHeardInTheOpen(Drone drone);
 
-    /** Whether a drone at its place certainly sounds the same at every heading and speed; false unless overridden. */
+    /**
+     * Whether a drone at its position is certain to sound the same at every heading and speed; false unless overridden.
+     */
     default boolean isSameAtAllHeadings(Drone drone) {
         return false;
     }
@@ -70,7 +75,7 @@ public interface SoundTracer {
      */
     default void traceRays(Drone drone, RandomGenerator random, RayRecorder recorder) {}
 
-    /** Curves about the sound of a drone; none by default. */
+    /** Curves that describe the sound of a drone; none by default. */
     default List<Curve> curves(Drone drone, RandomGenerator random) {
         return List.of();
     }

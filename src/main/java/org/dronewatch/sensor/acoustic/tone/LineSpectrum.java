@@ -33,11 +33,11 @@ public final class LineSpectrum {
     /**
      * The tones of a drone in flight. Those outside the octave bands at the microphone are left out.
      *
-     * @param tones with their emitted frequencies
+     * @param tones the tones, with their emitted frequencies
      * @param powerLevels sound power levels of the octave bands, tones included, dB
      * @param approach speed of the drone towards the microphone, m/s; negative when it flies away
-     * @param soundSpeed in the air, m/s
-     * @param wind speed, which widens the tones, m/s, 0 or more
+     * @param soundSpeed speed of sound in the air, m/s
+     * @param wind wind speed, which widens the tones, m/s, 0 or more
      */
     public LineSpectrum(List<Tone> tones, List<Double> powerLevels, double approach, double soundSpeed, double wind) {
         Arrays.fill(broadband, 1.0);
@@ -78,7 +78,7 @@ public final class LineSpectrum {
     }
 
     /**
-     * The tone that is highest above the noise; the lowest of several that are equal.
+     * The tone that is highest above the noise; if several are equally high, the lowest in frequency.
      *
      * @param energies received in each octave band, relative to 20 uPa squared
      * @param noise sound pressure levels in the octave bands, dB
