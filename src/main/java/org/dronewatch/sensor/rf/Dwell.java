@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The dwell of a receiver: the time in each look during which it receives as much of a transmitter's channels as fits
- * in its bandwidth.
+ * The dwell of a receiver: the time in each look during which it listens to as many of a transmitter's channels as fit
+ * into its bandwidth.
  *
  * @param time duration of one dwell, 1e-6 to 1000 s
  * @param overlap time by which a burst must overlap a dwell to be received, 0 to 1000 s

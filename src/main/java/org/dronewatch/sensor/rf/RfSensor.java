@@ -25,8 +25,8 @@ import org.dronewatch.world.World;
 
 /**
  * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
- * minus infinity for a silent drone, for a carrier outside its frequencies, for an emission that it cannot recognise as
- * a drone's, and in looks that intercept no burst. Keeps scratch memory: one thread at a time.
+ * minus infinity for a silent drone, for a carrier outside its frequency range, for an emission that it cannot
+ * recognise as a drone's, and in looks that intercept no burst. Keeps scratch memory: one thread at a time.
  */
 public final class RfSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -84,9 +84,9 @@ public final class RfSensor implements AssessableSensor {
     }
 
     /**
-     * {@inheritDoc} Since radio waves are diffracted round edges, a drone behind an obstacle only counts as hidden if
-     * the stronger of its two emissions would be received without the diffraction loss. A drone that would only be
-     * received on the axis of the beam is out of view.
+     * {@inheritDoc} Since radio waves are diffracted round edges, a drone behind an obstacle counts as hidden only if
+     * the stronger of its two emissions would be received without the diffraction loss. A drone that would be received
+     * only on the axis of the beam counts as out of view.
      */
     @Override
     public Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing) {

@@ -192,7 +192,7 @@ public record RfSettings(
         return SettingsForm.with(this, "clutterIncludesEdges", included);
     }
 
-    /** These settings with reflecting ground, and a polarisation. */
+    /** These settings with reflecting ground and another polarisation. */
     public RfSettings withGroundReflection(ReflectingGround ground, Polarisation other) {
         return SettingsForm.with(this, Map.of("groundReflection", Optional.of(ground), "polarisation", other));
     }
@@ -291,7 +291,7 @@ public record RfSettings(
         return beam.isEmpty() ? 0.0 : beam.get().gain(aim.from(position), towards);
     }
 
-    /** {@inheritDoc} About settings that conflict, or have no effect. */
+    /** {@inheritDoc} These concern settings that conflict, or have no effect. */
     @Override
     public List<String> advice() {
         return RfAdvice.on(this);
@@ -302,7 +302,7 @@ public record RfSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} A signal that just passes the threshold. */
+    /** {@inheritDoc} It is that of a signal that just passes the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(threshold, threshold, Quantity.LEVEL.unit());
