@@ -16,18 +16,18 @@ import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /**
- * The false alarms of one sensor during a run. Those that begin in a look are drawn from a stream that depends on the
- * seed, the sensor's name and the index of the look only, so that they neither depend on drones and other sensors nor
- * affect their random numbers. One that lasts keeps its cell in the field of view. Looks must be given in their order.
- * One thread at a time.
+ * The false alarms of one sensor during a run. Those that begin in a look are drawn from a stream that depends only on
+ * the seed, the sensor's name and the index of the look, so that they neither depend on drones and other sensors nor
+ * affect their random numbers. One that lasts keeps its cell in the field of view. Looks must be given in order. One
+ * thread at a time.
  */
 public final class FalseAlarmSource {
-    /** The purpose of the random numbers of false alarms. */
+    /** The purpose for which false alarms draw random numbers. */
     public static final String PURPOSE = "false";
 
     /**
-     * The name of the figure with the cell of a false alarm: a number, from 0. False alarms of a sensor in the same
-     * cell are one contact. Those of a sensor from another jar may have it, too.
+     * The name of the figure that holds the cell of a false alarm: its index, from 0. False alarms of a sensor in the
+     * same cell are one contact. Sensors from other jars may provide this figure, too.
      */
     public static final String CELL = "cell";
 
@@ -52,8 +52,8 @@ public final class FalseAlarmSource {
     /**
      * The source of a sensor's false alarms; empty for one that raises none, or whose rate is not known.
      *
-     * @param settings of the sensor
-     * @param weather of its site
+     * @param settings settings of the sensor
+     * @param weather weather of its site
      */
     public static Optional<FalseAlarmSource> of(SensorSettings<?> settings, Weather weather) {
         return settings.as(FalseAlarming.class).flatMap(capability -> capability

@@ -13,10 +13,13 @@ import org.dronewatch.world.World;
  */
 public interface FalseAlarming {
 
-    /** The rate of its false alarms, in weather for which no other is stated; empty when that is not known. */
+    /** The rate of its false alarms in weather for which no other rate is stated; empty when it is not known. */
     Optional<FalseAlarmRate> falseAlarmRate();
 
-    /** The rate of its false alarms in some weather: the same in any, unless overridden; empty when not known. */
+    /**
+     * The rate of its false alarms in given weather: the same in all weather unless overridden; empty when it is not
+     * known.
+     */
     default Optional<FalseAlarmRate> falseAlarmRate(Weather weather) {
         return falseAlarmRate();
     }

@@ -79,7 +79,7 @@ public record FalseAlarms(
         return new FalseAlarms(applies, cells, duration);
     }
 
-    /** One sentence for each entry of {@code weather} that applies always, or that never makes a difference. */
+    /** One sentence for each entry of {@code weather} that always applies, or that never makes a difference. */
     public List<String> advice() {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < weather.size(); i++) {
@@ -108,7 +108,7 @@ public record FalseAlarms(
     }
 
     /**
-     * The rate of these false alarms for a sensor's looks, in weather for which no other is stated.
+     * The rate of these false alarms for a sensor's looks, in weather for which no other rate is stated.
      *
      * @param lookRate looks per second, above 0, Hz
      * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} are expected in a look, in
