@@ -102,7 +102,7 @@ public final class CameraSensor implements BoundingSensor {
         return assess(drone, pixels -> false);
     }
 
-    /** A drone near the camera covers many thousands of pixels, of which a few decide. */
+    /** A drone near the camera covers many thousands of pixels, of which a few suffice for a decision. */
     @Override
     public Assessment assessCoarsely(
             World site, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom, double high) {
@@ -157,7 +157,9 @@ public final class CameraSensor implements BoundingSensor {
                 : Double.POSITIVE_INFINITY;
     }
 
-    /** A drone that is outside the image however it turns has no pixels; the cause depends on its position alone. */
+    /**
+     * A drone that is outside the image whatever its heading has no pixels; the cause depends on its position alone.
+     */
     @Override
     public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> where) {
         turn(site, where);
@@ -249,8 +251,8 @@ public final class CameraSensor implements BoundingSensor {
     }
 
     /**
-     * The significant pixels of each drone along the camera's own aim, in the same order, and those of them that show
-     * it.
+     * The significant pixels of each drone along the camera's own aim, in the order of the drones, and those of them
+     * that show it.
      */
     public List<DronePixels> pixels(World site, List<Drone> drones) {
         return ownAim.pixels(site, drones);

@@ -88,7 +88,8 @@ public record CameraSettings(
     }
 
     /**
-     * A full HD camera, 0.6918 rad (39.6 degrees) vertically, 10 frames per second, detecting at 12 pixels and above.
+     * A full HD camera with a vertical field of view of 0.6918 rad (39.6 degrees), which takes 10 frames per second and
+     * detects a drone at 12 pixels and above.
      */
     @Defaults("position")
     public static CameraSettings at(Position position) {
@@ -131,7 +132,7 @@ public record CameraSettings(
         return isMissing ? Optional.empty() : PictureSensorSettings.super.as(capability);
     }
 
-    /** Whole pixels. */
+    /** {@inheritDoc} They are whole numbers of pixels. */
     @Override
     public Scale thresholdScale() {
         return new Scale("detection.pixels", Quantity.PIXELS, 1.0, (double) width * height, 1.0);

@@ -44,7 +44,7 @@ public interface DetectionFunction {
         return false;
     }
 
-    /** Whether the function is probabilistic, and {@link #probability} known. */
+    /** Whether the function is probabilistic, and {@link #probability} is known. */
     default boolean byChance() {
         return false;
     }
@@ -59,17 +59,17 @@ public interface DetectionFunction {
     }
 
     /**
-     * The probability that the drone is detected, 0 to 1: by one frame or, per encounter, by an observer; empty if not
-     * known.
+     * The probability that the drone is detected, 0 to 1: in one frame or, where chance decides once per encounter, by
+     * an observer; empty if it is not known.
      */
     default OptionalDouble probability(DroneView view) {
         return OptionalDouble.empty();
     }
 
     /**
-     * The value that must reach the threshold for a positioner to follow the drone, besides the pixels that it needs
-     * ({@code lockPixels}); empty where those pixels alone decide. Unless overridden, a drone that is not detected is
-     * not followed.
+     * The value that must reach the threshold for a positioner to follow the drone, in addition to the number of pixels
+     * that the positioner requires ({@code lockPixels}); empty where that number alone decides. Unless overridden, a
+     * drone that is not detected is not followed.
      */
     default OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.of(value(view));
@@ -84,6 +84,6 @@ public interface DetectionFunction {
         return Map.of();
     }
 
-    /** Unit of value and threshold. */
+    /** Unit of the value and the threshold. */
     String unit();
 }

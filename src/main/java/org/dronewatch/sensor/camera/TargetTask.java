@@ -20,15 +20,16 @@ import org.dronewatch.world.Light;
  * probability function gives the probability for more or fewer (Howe, in "The Infrared and Electro-Optical Systems
  * Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
  *
- * <p>The line pairs resolved are half the square root of the drone's pixels, and fewer still, the weaker its contrast
- * is and the faster it crosses the image: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The finest detail that
- * is resolved, as a fraction u of the finest that pixels can show, is reached where the contrast after lens and air,
- * {@code C M(u)}, falls to the contrast that the camera requires, {@code Ct / (1 - u)} ({@link
- * org.dronewatch.sensor.optics.ImageTransfer#resolved}); without blur, {@code u = 1 - Ct / C}. C is its contrast
- * reduced by air and rain (Koschmieder against the sky, Duntley against the ground). Ct is the least contrast that the
- * camera can detect; in poor light, where photons are few, it grows as the square root of the ratio of {@code
- * shotNoiseIlluminance} to the actual illuminance. b is the blur by motion in pixels, in one of two directions. The
- * dependence on contrast is a straight line instead of a camera's measured curve of minimum resolvable contrast.
+ * <p>The number of line pairs resolved is half the square root of the number of the drone's pixels, and lower if the
+ * drone's contrast is weak or if it crosses the image fast: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The
+ * finest detail that is resolved, as a fraction u of the finest that pixels can show, is reached where the contrast
+ * after lens and air, {@code C M(u)}, falls to the contrast that the camera requires, {@code Ct / (1 - u)}
+ * ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved}); without blur, {@code u = 1 - Ct / C}. C is the drone's
+ * contrast, reduced by air and rain (Koschmieder against the sky, Duntley against the ground). Ct is the least contrast
+ * that the camera can detect; in poor light, where photons are few, it grows as the square root of the ratio of
+ * {@code shotNoiseIlluminance} to the actual illuminance. b is the motion blur in pixels, along one of the two
+ * dimensions of the image. The dependence on contrast is a straight line instead of a camera's measured curve of
+ * minimum resolvable contrast.
  *
  * @param task the task that the image must support
  * @param probability probability at and above which the task counts as accomplished, above 0 and below 1; not used with
@@ -151,7 +152,8 @@ public record TargetTask(
     }
 
     /**
-     * {@inheritDoc} With {@code byChance}, once per encounter: an observer can perform the task or not, and needs time.
+     * {@inheritDoc} With {@code byChance}, once per encounter: an observer either can perform the task or cannot, and
+     * needs time for it.
      */
     @Override
     public Chance chance() {
