@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Detection of drones that are no more than a spot, by a program: in each frame it marks the pixels whose signal
+ * Detection, by a program, of drones that are no more than spots: in each frame, it marks the pixels whose signal
  * exceeds t times the noise, and it reports a spot that was marked in several of the last frames. Noise is normally
  * distributed, and independent between pixels and between frames, so a frame marks a spot with the probability
  * {@code P1 = Phi(SNR - t)}, and at least M of N frames mark it with the probability
@@ -30,9 +30,9 @@ import org.dronewatch.setting.SettingsForm;
  * bound if g is more than 1. Twice the frame rate causes twice as many false alarms, and so requires a higher
  * threshold.
  *
- * <p>The frame rate is the program's own: how often a run looks at what it has found, the camera's {@code rate},
- * changes neither the threshold nor what it finds. A look detects a drone if the program has confirmed it in any frame
- * since the previous look.
+ * <p>The frame rate is that of the program. The camera's {@code rate}, at which a run checks what the program has
+ * found, changes neither the threshold nor what is found. A look detects a drone if the program has confirmed it in any
+ * frame since the previous look.
  *
  * @param falseAlarmsPerHour accepted number of false alarms per hour that noise causes, 1e-6 to 1e9, which the camera
  *     also raises in a run unless {@code falseAlarms} gives the rate for all causes. Of the thresholds that cause this
@@ -84,7 +84,7 @@ public record PointTargets(
         return SettingsForm.with(this, "falseAlarmsPerHour", accepted);
     }
 
-    /** These settings with another rule: how many of how many last frames must mark a spot. */
+    /** These settings with another rule for confirmation: hits M and frames N. */
     public PointTargets withConfirmation(int ofFrames, int inFrames) {
         return SettingsForm.with(this, Map.of("hits", ofFrames, "frames", inFrames));
     }

@@ -34,11 +34,11 @@ import org.dronewatch.world.World;
 
 /**
  * A thermal camera. Its signal is the drone's apparent temperature difference, attenuated by the air and scaled by the
- * fraction of a pixel that the drone fills, divided by the noise (NETD): {@code SNR = |dT| t^R f / NETD}, t per
- * kilometre, R in kilometres. The line pairs that it resolves are half the square root of the drone's pixels, and fewer
- * still, the weaker the signal is: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}, and fewer still where lens and air
- * ({@link ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With {@link PointTargets}, the drone
- * need not be resolved. One thread at a time.
+ * fraction of a pixel that the drone fills, divided by the noise (NETD): {@code SNR = |dT| t^R f / NETD}, with t per
+ * kilometre and R in kilometres. The number of line pairs that it resolves is half the square root of the number of the
+ * drone's pixels, and lower if the signal is weak: {@code N = sqrt(pixels) / 2 * (1 - least / SNR)}. It is lower still
+ * where the lens and the air ({@link ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With
+ * {@link PointTargets}, the drone need not be resolved. One thread at a time.
  */
 public final class ThermalSensor implements BoundingSensor {
     private final ThermalSettings settings;
@@ -147,7 +147,7 @@ public final class ThermalSensor implements BoundingSensor {
         return bounds.most(drone.at(state)).marginDb();
     }
 
-    /** A drone that is outside the image however it turns has no area; the cause depends on its position alone. */
+    /** A drone that is outside the image whatever its heading has no area; the cause depends on its position alone. */
     @Override
     public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> where) {
         turn(world, where);

@@ -183,7 +183,7 @@ public record ThermalSettings(
         return SettingsForm.with(this, "pointTargets", Optional.of(rule));
     }
 
-    /** {@inheritDoc} The stated rate; otherwise that of noise with point targets. */
+    /** {@inheritDoc} If no rate is stated, it is that of noise with point targets. */
     @Override
     public Optional<FalseAlarmRate> falseAlarmRate() {
         return falseAlarms.map(known -> known.rate(rate)).or(this::rateOfNoise);
@@ -228,8 +228,8 @@ public record ThermalSettings(
     }
 
     /**
-     * {@inheritDoc} With {@code byChance}, once per encounter for an observer, who can perform the task or not, and
-     * needs time; in each frame for point targets, because of noise.
+     * {@inheritDoc} With {@code byChance}, once per encounter for an observer, who either can perform the task or
+     * cannot, and needs time for it; in each frame for point targets, because of noise.
      */
     @Override
     public Chance chance() {
