@@ -36,7 +36,7 @@ public record Accuracy(
         Limits.check(Accuracy.class, range, azimuth, elevation, measuresElevation);
     }
 
-    /** This accuracy without any measurement of elevations. */
+    /** This accuracy without any measurement of elevation. */
     public Accuracy withoutElevation() {
         return SettingsForm.with(this, "measuresElevation", false);
     }

@@ -13,8 +13,8 @@ import org.dronewatch.setting.SettingsForm;
  * the range resolution {@code c / (2 B)}. The residual clutter after the radar's filters is added to the noise.
  *
  * @param ground backscatter of the site's surface
- * @param improvement improvement factor of the radar against ground clutter, 0 to 150 dB: increase of the
- *     signal-to-clutter ratio by its filters, for a drone at a speed that they pass
+ * @param improvement improvement factor of the radar against ground clutter, 0 to 150 dB: increase in the
+ *     signal-to-clutter ratio due to its filters, for a drone at a speed that they pass
  * @param rainImprovement improvement factor against rain, which moves, 0 to 150 dB
  * @param bandwidth bandwidth B of the transmitted signal, 1 to 1e12 Hz; omit it if the budget states it as
  *     sweepBandwidth

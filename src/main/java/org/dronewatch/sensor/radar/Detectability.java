@@ -13,7 +13,7 @@ public final class Detectability {
     private Detectability() {}
 
     /**
-     * Probability that one look of a single pulse detects a target.
+     * Probability that one look with a single pulse detects a target.
      *
      * @param signalToNoise dB
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
@@ -36,7 +36,7 @@ public final class Detectability {
     }
 
     /**
-     * Signal-to-noise ratio required in one look of a single pulse, dB; minus infinity for a probability that noise
+     * Signal-to-noise ratio required in one look with a single pulse, dB; minus infinity for a probability that noise
      * alone reaches.
      *
      * @param probability probability of detection, above 0 and below 1

@@ -8,8 +8,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A Doppler filter that rejects stationary echoes, and with them those of slow and of crossing drones: its response
- * over radial speed, relative to that at the speeds that it passes best.
+ * A Doppler filter that rejects stationary echoes, and with them those of slow and of crossing drones: its response as
+ * a function of radial speed, relative to that at the speeds that it passes best.
  */
 public sealed interface DopplerFilter {
     /**
@@ -49,7 +49,7 @@ public sealed interface DopplerFilter {
             Limits.check(HighPass.class, halfPowerSpeed, order);
         }
 
-        /** A filter of the second order, which is assumed. */
+        /** A second-order filter; the order is an assumption. */
         @Defaults("halfPowerSpeed")
         public static HighPass of(double halfPowerSpeed) {
             return new HighPass(halfPowerSpeed, 2);

@@ -61,7 +61,8 @@ public sealed interface LinkBudget {
     /**
      * The radar equation: {@code SNR = P Gt Gr lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik,
      * Radar Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of
-     * the sweep. A radar with a known system temperature T instead of a noise figure has the figure 10 lg(T / 290 K).
+     * the sweep. A radar with a known system temperature T instead of a noise figure has the noise figure 10 lg(T / 290
+     * K).
      *
      * @param power transmitted power, 1e-9 to 1e9 W
      * @param gain gain of the antenna Gt, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
@@ -103,7 +104,7 @@ public sealed interface LinkBudget {
         /**
          * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2
          * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of processing alone:
-         * 2.5 dB because a scanned beam rarely points straight at the drone (a Gaussian beam in two directions: D. K.
+         * 2.5 dB because a scanned beam rarely points straight at the drone (a Gaussian beam in two dimensions: D. K.
          * Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming weighting in range and in speed (F. J.
          * Harris, Proc. IEEE 66, 1978), 1.0 dB because a threshold is estimated from 32 cells (H. M. Finn and R. S.
          * Johnson, RCA Review 29, 1968). Those of lines and radome are not included.
@@ -187,8 +188,8 @@ public sealed interface LinkBudget {
         }
 
         /**
-         * A data sheet with a probability of 90 % for a steady target, and a probability of false alarm of one in a
-         * million.
+         * A data sheet with a probability of detection of 90 % for a steady target, and a probability of false alarm of
+         * one in a million.
          */
         @Defaults({"range", "crossSection"})
         public static DataSheet of(double range, double crossSection) {
@@ -216,8 +217,8 @@ public sealed interface LinkBudget {
         }
 
         /**
-         * {@inheritDoc} The range in the data sheet includes all processing: its target at its range has the ratio in
-         * each pulse that is required with that number of pulses.
+         * {@inheritDoc} The range in the data sheet includes all processing: at that range, each pulse from the target
+         * of the data sheet has the ratio that is required with that number of pulses.
          */
         @Override
         public DoubleBinaryOperator echo(double frequency, int pulses) {
@@ -228,7 +229,7 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * The range at which an echo has a signal-to-noise ratio, in clear air, m.
+     * The range at which an echo has a given signal-to-noise ratio, in clear air, m.
      *
      * @param frequency carrier, Hz
      * @param crossSection m2

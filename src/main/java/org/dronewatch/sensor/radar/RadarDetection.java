@@ -11,11 +11,11 @@ import org.dronewatch.setting.Quantity;
 
 /** A detection function of a radar: decides from the signal-to-noise ratio whether an echo is detected. */
 public sealed interface RadarDetection {
-    /** The unit of ratios. */
+    /** The unit of signal-to-noise ratios. */
     String DECIBELS = "dB";
 
     /**
-     * The decision on echoes of targets with a fluctuation.
+     * The decision on echoes of targets with a given fluctuation.
      *
      * @param fluctuation fluctuation of the target
      */
@@ -28,7 +28,7 @@ public sealed interface RadarDetection {
      */
     Decision on(double spread);
 
-    /** The decision on echoes of targets with a signature. */
+    /** The decision on echoes of targets with a given radar signature. */
     default Decision on(RadarSignature signature) {
         double deviation = signature.deviation();
         return deviation > 0.0 ? on(deviation) : on(signature.fluctuation());

@@ -41,7 +41,7 @@ import org.dronewatch.world.World;
  * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
  * @param minSpeed minimum radial speed: slower drones are rejected as ground clutter, 0 to 10,000 m/s; not used with a
  *     notch
- * @param maxSpeed largest radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
+ * @param maxSpeed maximum radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
  * @param frequency carrier, 1 to 1000 GHz, Hz
  * @param polarisation polarisation; it affects attenuation by rain and reflection from the ground
@@ -51,7 +51,7 @@ import org.dronewatch.world.World;
  * @param groundReflection ground whose reflection interferes with the direct wave, in both directions, if the reflected
  *     path lies within the field of view of the radar; none by default. The polarisation must then be horizontal or
  *     vertical
- * @param beam shape of its beam; without one the gain is the same throughout its field of view
+ * @param beam shape of its beam; without one, the gain is the same throughout its field of view
  * @param diffraction whether the wave is diffracted round edges of terrain and buildings, in both directions, as for a
  *     radio receiver; otherwise the echo is scaled by the visible fraction of the drone
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
@@ -249,7 +249,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "rate", scansPerSecond);
     }
 
-    /** These settings with another wave: carrier, Hz, and polarisation. */
+    /** These settings with another carrier frequency, Hz, and polarisation. */
     public RadarSettings withWave(double hertz, Rain.Polarisation other) {
         return SettingsForm.with(this, Map.of("frequency", hertz, "polarisation", other));
     }
@@ -284,7 +284,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "diffraction", roundEdges);
     }
 
-    /** These settings with clutter; they need a beam. */
+    /** These settings with clutter, which requires a beam. */
     public RadarSettings withClutter(Clutter other) {
         return SettingsForm.with(this, "clutter", Optional.of(other));
     }
@@ -325,7 +325,7 @@ public record RadarSettings(
         return falseAlarms.map(noise -> noise.rate(cells(), budget, detection, rate));
     }
 
-    /** {@inheritDoc} Range, azimuth and elevation. */
+    /** {@inheritDoc} They stand for range, azimuth and elevation. */
     @Override
     public int dimensions() {
         return 3;
@@ -336,7 +336,7 @@ public record RadarSettings(
         return Optional.of(new NoiseField(position, outline(), accuracy).at(u, v, w));
     }
 
-    /** {@inheritDoc} The signal-to-noise ratio that noise alone appears to have. */
+    /** {@inheritDoc} Its value is the signal-to-noise ratio that noise alone appears to have. */
     @Override
     public Reading falseReading(World world, double excess) {
         return detection.noise(excess);
@@ -356,8 +356,8 @@ public record RadarSettings(
     }
 
     /**
-     * {@inheritDoc} About a gain that the beam cannot have, and a scan that is too fast for its beams, as far as the
-     * budget states gain and integration time.
+     * {@inheritDoc} These concern a gain that the beam cannot have, and a scan that is too fast for its beams, as far
+     * as the budget states gain and integration time.
      */
     @Override
     public List<String> advice() {

@@ -58,9 +58,9 @@ public final class Rain {
      * Specific attenuation, one way, dB/m.
      *
      * @param frequency 1 to 1000 GHz, Hz
-     * @param rate rate of the rain, 0 or more, mm/h
+     * @param rate rain rate, 0 or more, mm/h
      * @param elevation elevation of the path, rad
-     * @throws IllegalArgumentException when the frequency is out of its limits
+     * @throws IllegalArgumentException when the frequency is outside its limits
      */
     public static double attenuation(double frequency, double rate, double elevation, Polarisation polarisation) {
         Check.between("frequency", frequency, LEAST_FREQUENCY, MAX_FREQUENCY, Quantity.FREQUENCY);
@@ -79,14 +79,14 @@ public final class Rain {
     }
 
     /**
-     * Radar cross-section by volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} of drops that are small compared with the
-     * wavelength, with {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal
-     * of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Compared
-     * with Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h;
-     * at millimetre wavelengths the cross-section is far too high.
+     * Radar cross-section per unit volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} for drops that are small compared
+     * with the wavelength, with {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer,
+     * Journal of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain").
+     * Compared with Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to
+     * 25 mm/h; at millimetre wavelengths the cross-section is far too high.
      *
      * @param frequency Hz
-     * @param rate rate of the rain, 0 or more, mm/h
+     * @param rate rain rate, 0 or more, mm/h
      */
     public static double reflectivity(double frequency, double rate) {
         double wavelength = LinkBudget.LIGHT / frequency;
