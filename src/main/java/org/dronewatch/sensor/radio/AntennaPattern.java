@@ -9,7 +9,7 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * The pattern of a directional antenna: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a and e from
- * its axis, with the beam widths A and E at half power (3GPP TR 38.901, table 7.3-1).
+ * its axis, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1).
  *
  * @param azimuthBeamwidth horizontal half-power beamwidth, 0.01 to 360 degrees, rad
  * @param elevationBeamwidth vertical half-power beamwidth, 0.01 to 180 degrees, rad
@@ -58,7 +58,7 @@ public record AntennaPattern(
     }
 
     /**
-     * The gain of this antenna in a direction relative to that on the axis, dB; 0 or less.
+     * The gain of this antenna in a direction, relative to that on the axis, dB; 0 or less.
      *
      * @param axis direction of the axis, of any length above 0
      * @param seen the direction, of any length above 0

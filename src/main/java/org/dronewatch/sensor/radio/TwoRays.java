@@ -9,8 +9,8 @@ import org.dronewatch.world.World;
  * The interference of the direct wave with the wave reflected by the ground of a site. The reflecting surface is the
  * straight line along the path that best fits the heights of the site within the first Fresnel zone about the point of
  * reflection; the deviations from it count as roughness. An obstacle near one of the two legs of the reflected path, or
- * in it, weakens the reflection by its diffraction loss, so that nothing jumps where an edge rises into a leg. No
- * reflection is counted where there is no ground. On a round earth, the heights above that line are those above a
+ * in it, weakens the reflection by its diffraction loss, so that the result has no step where an edge rises into a leg.
+ * No reflection is counted where there is no ground. On a round earth, the heights above that line are those above a
  * sphere. One per thread.
  */
 public final class TwoRays {
