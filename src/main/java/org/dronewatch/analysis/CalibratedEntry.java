@@ -52,7 +52,7 @@ public record CalibratedEntry(
         Calibration fit,
         double range,
         double probability) {
-    /** The first line of the file of every entry. */
+    /** The first line of every entry's file. */
     public static final Pattern FIRST_LINE = Pattern.compile("# A sensor as calibrated by dronewatch: .*");
 
     private static final String HEADING =
@@ -78,7 +78,7 @@ public record CalibratedEntry(
      * The text of the entry's file.
      *
      * @param from directory against which file names in the settings are resolved
-     * @param file that is to hold the text
+     * @param file the file to which the text will be written
      * @throws org.dronewatch.setting.InputException when a setting cannot be written
      */
     public String text(Path from, Path file) {
@@ -183,7 +183,7 @@ public record CalibratedEntry(
                 + residual;
     }
 
-    /** The fitted value, and the range of each value, in words. */
+    /** The fitted value, and the range for each value, in words. */
     public static List<String> lines(Calibration fit) {
         return new TreeMap<>(fit.ranges())
                 .entrySet().stream()

@@ -13,22 +13,22 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A calibration: the threshold with which a sensor detects a drone up to a given range, with a clear line of sight and
- * under the conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess},
- * not runs, so it does not depend on chance.
+ * A calibration: the threshold at which a sensor detects a drone up to a given range, given a clear line of sight and
+ * the conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#assess}, not
+ * runs, so the result does not depend on chance.
  *
  * @param sensor the sensor with its fitted threshold
  * @param scale the setting that was fitted
  * @param threshold the fitted value, in the unit of the scale
- * @param ranges greatest range for the fitted value and, for a threshold in whole numbers, for one less and one more,
- *     m; not a number for a value that is not reached at any range
+ * @param ranges greatest range for the fitted value and, if the threshold is a whole number, also for the values one
+ *     below and one above it, m; NaN for a value that is not reached at any range
  */
 public record Calibration(
         SensorSettings<?> sensor, Thresholded.Scale scale, double threshold, Map<Double, Double> ranges) {
-    /** The least range to which a sensor can be fitted, m: nearer than this, no sensor model is meaningful. */
+    /** The shortest range to which a sensor can be fitted, m: at shorter ranges, no sensor model is meaningful. */
     public static final double NEAREST = 1.0;
 
-    /** The greatest range to which a sensor can be fitted, m. */
+    /** The longest range to which a sensor can be fitted, m. */
     public static final double FARTHEST = In.FARTHEST;
 
     /** The greatest distance between the ranges at which a pixel count is evaluated, as a fraction of the range. */
@@ -58,9 +58,9 @@ public record Calibration(
      * @param settings the scene
      * @param drone the drone, in any state
      * @param sensor name of the sensor, one of the scene's
-     * @param range at which the drone is to be detected, but no farther, {@link #NEAREST} to {@link #FARTHEST}, m
+     * @param range greatest range at which the drone is to be detected, {@link #NEAREST} to {@link #FARTHEST}, m
      * @param probability minimum probability that a look at this range detects it, above 0 and at most 1
-     * @throws InputException when the sensor has no threshold to fit, or none of its values results in the range
+     * @throws InputException when the sensor has no threshold to fit, or no value of it gives the range
      */
     public static Calibration of(SceneSettings settings, Drone drone, String sensor, double range, double probability) {
         SensorSettings<?> own = settings.sensors().get(sensor);

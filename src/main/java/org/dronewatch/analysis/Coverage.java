@@ -19,9 +19,9 @@ import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The coverage of a site: where each sensor detects a drone, and the causes where it does not. The drone is placed at
- * every point of a grid, its nose and velocity towards the sensor, and the sensor looks once: obstructions, pixel
- * counts, levels and echoes are computed as in a run.
+ * The coverage of a site: where each sensor detects a drone, and why it does not elsewhere. The drone is placed at
+ * every point of a grid, with its nose and velocity pointing towards the sensor, and the sensor looks once:
+ * obstructions, pixel counts, levels and echoes are computed as in a run.
  */
 public final class Coverage {
     private final CoverageGrid grid;
@@ -111,9 +111,9 @@ public final class Coverage {
     }
 
     /**
-     * Whether detection in a cell is unknown: no sensor certainly detects the drone there, and the ground
-     * in the cell, or below the line of sight from some sensor, is not known. In a world of models, cells without
-     * ground are not unknown, but empty.
+     * Whether detection in a cell is unknown: no sensor certainly detects the drone there, and the ground in the cell,
+     * or below the line of sight from some sensor, is not known. In a world built from models, cells without ground are
+     * empty, not unknown.
      */
     public boolean isUnknown(int column, int row) {
         return totals.unknown()[row * grid.cells() + column];
@@ -131,8 +131,8 @@ public final class Coverage {
     }
 
     /**
-     * A sensor's assessment of the drone in a cell, using the same random rays as its look there; empty where there is
-     * no ground. One thread at a time.
+     * A sensor's assessment of the drone in a cell, using the same random rays as the sensor's look there; empty where
+     * there is no ground. For one thread at a time.
      */
     public Optional<Assessment> assess(String sensor, int column, int row) {
         return probers.get(sensor).assess(column, row);
@@ -140,7 +140,7 @@ public final class Coverage {
 
     /**
      * The number of cells in which a sensor does not detect the drone, for each cause, excluding cells without ground.
-     * Microphones trace no rays for it. One thread at a time.
+     * Microphones trace no rays for this. For one thread at a time.
      */
     public Map<Cause, Integer> causes(String sensor) {
         Map<Cause, Integer> causes = new EnumMap<>(Cause.class);

@@ -7,11 +7,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a point for
- * longest.
+ * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a given point
+ * for the longest time.
  *
  * @param azimuth direction of its start from the origin, rad clockwise from north
- * @param start its first point, over the ground, m
+ * @param start its first point, at the height of the drone above the surface, m
  * @param hidden the fraction of its length that cannot be seen, 0 to 1
  */
 public record CoveredApproach(double azimuth, Position start, double hidden) {
@@ -23,8 +23,8 @@ public record CoveredApproach(double azimuth, Position start, double hidden) {
      *
      * @param watcher the point from which the drone would be seen, m
      * @param length length of the approach, m
-     * @param height height of the drone over the highest surface below it, m
-     * @return empty if there is no direction with ground below all of the approach
+     * @param height height of the drone above the highest surface below it, m
+     * @return empty if no direction has ground below the whole approach
      */
     public static Optional<CoveredApproach> to(World world, Position watcher, double length, double height) {
         Visibility visibility = new Visibility(world);

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import org.dronewatch.run.Stage;
 
 /**
- * Assesses single cells of a coverage anew, with the evidence that the field does not keep: the signal of each sensor,
- * its threshold, and what hides the drone. Keeps scratch memory: one thread at a time.
+ * Assesses individual cells of a coverage again, to give the evidence that the field does not keep: the signal of each
+ * sensor, its threshold, and what hides the drone. Keeps scratch memory, so it is for one thread at a time.
  */
 public final class CellExaminer {
     private final FieldCoverage coverage;
@@ -17,8 +17,8 @@ public final class CellExaminer {
      * How the sensors assess a drone in a cell, on the course that counts there.
      *
      * @param sensors the assessment by each sensor, in the order of the field
-     * @param deciding number of the sensor whose cause is the dominant one, as {@link FieldCoverage#deciding} says, by
-     *     exact margins
+     * @param deciding number of the sensor whose cause is the dominant one, as {@link FieldCoverage#deciding} defines
+     *     it, but judged by exact margins
      */
     public record CellEvidence(List<GapEvidence.Examined> sensors, int deciding) {
         /** Copies the list: later changes by the caller have no effect. */
@@ -37,7 +37,7 @@ public final class CellExaminer {
         this.search = new BlockerSearch(stage);
     }
 
-    /** The evidence for a cell; empty where the drone cannot be. Takes milliseconds for each microphone. */
+    /** The evidence for a cell; empty where the drone cannot be. Takes some milliseconds per microphone. */
     public Optional<CellEvidence> examine(int height, int column, int row) {
         DetectionField field = coverage.field();
         if (!field.isOpen(height, column, row) || field.sensors().isEmpty()) {

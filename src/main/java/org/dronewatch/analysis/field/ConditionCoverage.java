@@ -12,8 +12,8 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * The coverage under a condition, such as night or rain, and what is lost under it.
  *
- * @param name of the condition; empty for the scene as it is
- * @param heights from the lowest to the highest
+ * @param name name of the condition; empty for the scene as it is
+ * @param heights the coverage at each height, from the lowest to the highest
  */
 public record ConditionCoverage(String name, List<Height> heights) {
     /** Copies the list: later changes by the caller have no effect. */
@@ -24,13 +24,13 @@ public record ConditionCoverage(String name, List<Height> heights) {
     /**
      * One height.
      *
-     * @param summary in numbers of cells
-     * @param lost cells that a sensor covers in the scene as it is, but none under the condition
-     * @param knownAsItIs known cells in the scene as it is
+     * @param summary the coverage at this height, in numbers of cells
+     * @param lost number of cells that some sensor covers in the scene as it is, but none covers under the condition
+     * @param knownAsItIs number of known cells in the scene as it is
      * @param bySensor the number of cells that each sensor covers
      */
     public record Height(HeightSummary summary, int lost, int knownAsItIs, Map<String, Integer> bySensor) {
-        /** The sensor that covers the most cells, the first among equals; empty if none covers any. */
+        /** The sensor that covers the most cells, the first of them in a tie; empty if none covers any. */
         public Optional<String> best() {
             String best = null;
             int most = 0;
@@ -49,7 +49,7 @@ public record ConditionCoverage(String name, List<Height> heights) {
         }
     }
 
-    /** The scene as it is. */
+    /** The coverage of the scene as it is. */
     public static ConditionCoverage asItIs(FieldSummary summary) {
         return of("", summary, summary.coverage());
     }

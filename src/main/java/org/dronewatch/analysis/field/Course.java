@@ -16,7 +16,7 @@ import org.dronewatch.sensor.SensorSettings;
  * @param kind what determines the heading
  * @param angle added to the heading, or for {@link Kind#COMPASS} and {@link Kind#HOVER} the heading itself, clockwise,
  *     rad
- * @param reference the place from or to which the heading is measured, m; of no effect for a fixed heading
+ * @param reference the point from or to which the heading is measured, m; it has no effect on a fixed heading
  * @param sensor the sensor whose line of sight is crossed; empty for other kinds
  * @param glide how it glides; empty under power
  */
@@ -31,15 +31,16 @@ public record Course(
         COMPASS,
         /** Across the line of sight of a sensor. */
         CROSSING,
-        /** No speed, the nose to the north. */
+        /** Hovering, with the nose to the north. */
         HOVER,
-        /** Towards a place. */
+        /** Towards a point. */
         INBOUND
     }
 
     /**
      * The courses among which the worst and the best for a site are chosen: eight directions of the compass, both
-     * directions across the line of sight of each sensor that may miss a crossing drone, and hovering, if it can.
+     * directions across the line of sight of each sensor that may miss a crossing drone, and hovering, if the drone can
+     * hover.
      *
      * @param sensors by name
      */
@@ -86,7 +87,7 @@ public record Course(
         return new Course(kind, angle, other, sensor, glide);
     }
 
-    /** The course towards a place, m. */
+    /** The course towards a point, m. */
     public static Course inbound(Position target) {
         return new Course(Kind.INBOUND, 0.0, target, Optional.empty());
     }
@@ -109,7 +110,7 @@ public record Course(
         return kind == Kind.COMPASS || kind == Kind.HOVER;
     }
 
-    /** The heading at a place, clockwise from north, rad. */
+    /** The heading at a position, clockwise from north, rad. */
     public double heading(Position at) {
         return switch (kind) {
             case COMPASS, HOVER -> angle;

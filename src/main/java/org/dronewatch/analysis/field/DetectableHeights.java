@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.function.IntConsumer;
 
 /**
- * The least height above the ground at which a sensor covers each column: the lowest height of the grid that is
- * covered, refined down to the next lower one by halving the interval. Below that interval, and between two
- * covered heights, the column is not searched. Immutable.
+ * The lowest height above the ground at which some sensor covers each column: the lowest covered height of the grid,
+ * refined by bisection between it and the next lower one. Below that interval, and between two covered heights, the
+ * column is not searched. Immutable.
  */
 public final class DetectableHeights {
     /** The accuracy of the heights, m. */
@@ -49,7 +49,7 @@ public final class DetectableHeights {
         return heights;
     }
 
-    /** How many times all columns are looked at again. */
+    /** How many times all columns are assessed again. */
     public static int rounds(FieldGrid grid) {
         double widest = 0.0;
         double below = 0.0;
@@ -105,26 +105,28 @@ public final class DetectableHeights {
         return grid;
     }
 
-    /** The least covered height above the ground, m, too high by at most {@link #ACCURACY}; NaN where there is none. */
+    /**
+     * The lowest covered height above the ground, m, too high by at most {@link #ACCURACY}; NaN where there is none.
+     */
     public double height(int column, int row) {
         return upper[grid.cell(column, row)];
     }
 
     /**
-     * The largest gap in a column, m: the interval between two covered heights of the grid between which the column has
-     * only uncovered heights, at least one; 0 where the column is covered from its least height up, or only below some
-     * height.
+     * The largest gap in a column, m: the difference between two covered heights of the grid that have one or more
+     * heights between them, none of them covered; 0 where there is no such gap, although the column may be uncovered
+     * above or below its covered heights.
      */
     public double coveredAgainGap(int column, int row) {
         return gaps[grid.cell(column, row)];
     }
 
-    /** The largest such interval of all columns, m. */
+    /** The largest such gap in any column, m. */
     public double largestGap() {
         return Arrays.stream(gaps).max().orElse(0.0);
     }
 
-    /** The number of columns that have such an interval. */
+    /** The number of columns that have such a gap. */
     public int coveredAgain() {
         return (int) Arrays.stream(gaps).filter(gap -> gap > 0.0).count();
     }
@@ -134,7 +136,7 @@ public final class DetectableHeights {
         return columns;
     }
 
-    /** The number of columns whose least covered height is at most a height, m. */
+    /** The number of columns whose lowest covered height is at most a given height, m. */
     public int count(double height) {
         return (int) Arrays.stream(upper).filter(its -> its <= height).count();
     }

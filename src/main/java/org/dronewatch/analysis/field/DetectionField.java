@@ -13,9 +13,9 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
- * each sensor detects it, in one look or within a time, the cause where one look is not sufficient, and the margin of
- * the signal. A sensor on a positioner has turned to the drone, or searches. Everything is assessed once, as in a run;
- * afterwards, any course can be queried without tracing another ray.
+ * each sensor detects it, in one look or within a given time, the cause where one look is not sufficient, and the
+ * margin of the signal. A sensor on a positioner either has turned to the drone or is searching. Everything is assessed
+ * once, as in a run; afterwards, any course can be queried without tracing another ray.
  *
  * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
  */
@@ -80,7 +80,8 @@ public final class DetectionField {
     }
 
     /**
-     * The field of the same scene without one of its sensors: also without the courses across its line of sight.
+     * The field of the same scene without one of its sensors, and without the courses across the line of sight of that
+     * sensor.
      *
      * @throws IllegalArgumentException when there is no such sensor
      */
@@ -167,8 +168,8 @@ public final class DetectionField {
     }
 
     /**
-     * The errors of the levels that are interpolated between cells, by the names of the sensors: all others are
-     * assessed in each cell.
+     * The errors of the levels that are interpolated between cells, by sensor name: all other sensors are assessed in
+     * each cell.
      */
     public Map<String, InterpolationError> interpolated() {
         return all.interpolated();
@@ -253,8 +254,8 @@ public final class DetectionField {
     }
 
     /**
-     * The assessment with its evidence, made anew: what hides the drone, and by how much its signal is too weak; empty
-     * where the drone cannot be. Parameters as above.
+     * The assessment with its evidence, computed again: what hides the drone, and by how much its signal is too weak;
+     * empty where the drone cannot be. Parameters as above.
      */
     public Optional<Assessment> assess(int sensor, int height, int column, int row, int course) {
         return isOpen(height, column, row)

@@ -53,18 +53,18 @@ public final class FieldAssessment {
     }
 
     /**
-     * The same, but only what was not assessed before is assessed.
+     * The same, but only what has not been assessed before is assessed.
      *
      * @param asked the request; its choice of a course and the probability that counts as covered have no effect
-     * @param store of assessments that were made before
+     * @param store store of earlier assessments
      */
     public static DetectionField of(FieldRequest asked, LayerStore store, IntConsumer progress) {
         return assessed(DetectionField.unassessed(asked, store, progress), asked, progress);
     }
 
     /**
-     * The same in the cells of a field that was assessed before, perhaps of other sensors: which of them are inside
-     * something solid is not found out again.
+     * The same in the cells of a field that was assessed before, possibly for other sensors: it is not determined again
+     * which cells are inside something solid.
      *
      * @param like a field of the same site and grid
      * @throws IllegalArgumentException when the grid differs
@@ -81,10 +81,10 @@ public final class FieldAssessment {
     }
 
     /**
-     * As {@link #of}, but if this thread is interrupted, with only those heights for which all cells have been
-     * assessed: empty if there are none. Its interrupt status is kept.
+     * Like {@link #of}, but if this thread is interrupted, only with those heights at which all cells have been
+     * assessed; empty if there are none. Its interrupt status is kept.
      *
-     * @param store of assessments that were made before
+     * @param store store of earlier assessments
      */
     public static Optional<DetectionField> untilInterrupted(
             FieldRequest asked, LayerStore store, IntConsumer progress) {

@@ -12,9 +12,9 @@ import org.dronewatch.setting.Quantity;
  * What a {@link DetectionField} means for a site: in each cell, on the course that counts there, whether a sensor
  * covers it, how many do, and the dominant cause. Immutable and thread-safe.
  *
- * <p>The course that counts is one for all sensors: the one with the lowest, or the highest, joint probability
- * {@code 1 - (1 - p1)(1 - p2)...}, and the first of the field's courses among equals. A sensor covers a cell where its
- * probability there is at least a given one. The dominant cause is that of the sensor that decides
+ * <p>The course that counts is the same for all sensors: the one with the lowest, or the highest, joint probability
+ * {@code 1 - (1 - p1)(1 - p2)...}; in a tie, the first of them in the order of the field. A sensor covers a cell where
+ * its probability there is at least a given value. The dominant cause is that of the sensor that decides
  * ({@link #deciding}).
  */
 public final class FieldCoverage {
@@ -26,7 +26,7 @@ public final class FieldCoverage {
         BEST
     }
 
-    /** The probability with which a sensor covers a cell unless another one is asked for. */
+    /** The probability with which a sensor must detect the drone to cover a cell, unless another one is requested. */
     public static final double DEFAULT_COVERED = 0.5;
 
     /**
@@ -35,7 +35,7 @@ public final class FieldCoverage {
      */
     public static final double LEAST_COVERED = 0.008;
 
-    /** The greatest below 1 that can be requested: probabilities above it are indistinguishable from 1. */
+    /** The greatest probability below 1 that can be requested: those above it are indistinguishable from 1. */
     public static final double MOST_COVERED = 0.996;
 
     private static final Cause[] CAUSES = Cause.values();
@@ -56,7 +56,7 @@ public final class FieldCoverage {
      * Evaluates a field on the {@link Workers} of the calling thread; the same for any number of them.
      *
      * @param covered the probability with which a sensor must detect the drone to cover a cell
-     * @throws IllegalArgumentException as {@link #checkedProbability}
+     * @throws IllegalArgumentException as for {@link #checkedProbability}
      */
     public FieldCoverage(DetectionField field, Choice choice, double covered) {
         checkedProbability(covered);
@@ -78,9 +78,9 @@ public final class FieldCoverage {
     }
 
     /**
-     * A probability with which a sensor may be asked to cover a cell. It is rounded up to a step of 1/250, while the
-     * probability in a cell is rounded to the nearest one: so a cell may count as covered where its probability is too
-     * low by 1/500.
+     * A probability that may be required of a sensor for it to cover a cell. It is rounded up to a step of 1/250, while
+     * the probability in a cell is rounded to the nearest step, so a cell may count as covered although its probability
+     * is too low by up to 1/500.
      *
      * @throws IllegalArgumentException unless it is {@link #LEAST_COVERED} to {@link #MOST_COVERED}, or 1
      */
@@ -143,8 +143,8 @@ public final class FieldCoverage {
     }
 
     /**
-     * The coverage that remains if some sensors fail, evaluated in the same way: the drone may be on the heading that
-     * suits the others least.
+     * The coverage that remains if some sensors fail, evaluated in the same way: the course that counts may then be
+     * another one, chosen for the remaining sensors.
      *
      * @param sensors their names
      * @throws IllegalArgumentException when there is no such sensor
@@ -207,7 +207,7 @@ public final class FieldCoverage {
 
     /**
      * The sensor whose cause is the dominant one in a cell in which a drone can be: the one with the highest
-     * probability; among equals, that whose cause is nearest to a detection in the order of {@link Cause}; then that
+     * probability; in a tie, the one whose cause is nearest to a detection in the order of {@link Cause}; then the one
      * with the greatest margin in dB; then the first.
      *
      * @return its number; empty if there is none, or if the margins that the field keeps do not decide

@@ -13,10 +13,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The field of a scene at one height while some of its sensors are moved or turned: only these are assessed anew, in
- * blocks of cells that become ever smaller; what the others detect is taken from the previous field. In the end all
- * cells are those of {@link FieldAssessment}, with two exceptions: an inbound drone flies to the target of the previous
- * field, and of signals that could be interpolated only what arrives along exact paths counts ({@link #reduced}).
+ * The field of a scene at one height while some of its sensors are moved or turned: only these are assessed again, in
+ * ever smaller blocks of cells; what the others detect is taken from the previous field. In the end, all cells are as
+ * {@link FieldAssessment} would give them, with two exceptions: an inbound drone flies to the target of the previous
+ * field, and for signals that could be interpolated, only what arrives along exact paths counts ({@link #reduced}).
  *
  * <p>For one thread, which may have {@link Workers}; the same for any number of them.
  */
@@ -37,11 +37,11 @@ public final class FieldDraft {
     private boolean isComplete;
 
     /**
-     * A draft of which nothing has been assessed yet.
+     * A draft in which nothing has been assessed yet.
      *
      * @param before the request for the previous field
-     * @param field that field, with this height
-     * @param height its number
+     * @param field the previous field, which has this height
+     * @param height number of the height
      * @param moved the same scene with sensors of the same names, some of which are moved or turned
      */
     public FieldDraft(FieldRequest before, DetectionField field, int height, SceneSettings moved) {
@@ -110,7 +110,7 @@ public final class FieldDraft {
         return drafts.values().stream().mapToInt(DraftLayer::step).max().orElse(1);
     }
 
-    /** The number of cells that were assessed, added up over the sensors that were moved. */
+    /** The number of cells that have been assessed, added up over the sensors that were moved. */
     public int assessed() {
         return drafts.values().stream().mapToInt(DraftLayer::assessed).sum();
     }
@@ -125,13 +125,16 @@ public final class FieldDraft {
         return step() == 1;
     }
 
-    /** Halves the blocks, and assesses those that border on one with another result; not if it {@link #isFine}. */
+    /**
+     * Halves the blocks, and assesses those that border on one with a different result; does nothing once
+     * {@link #isFine}.
+     */
     public void refine(BooleanSupplier outdated) {
         drafts.values().forEach(draft -> draft.refine(outdated));
     }
 
     /**
-     * Assesses all cells that are left, and the other sensors on those courses that have changed.
+     * Assesses all remaining cells, and also assesses the other sensors on those courses that have changed.
      *
      * @param outdated whether the draft is no longer needed: then it remains incomplete
      */
@@ -173,7 +176,7 @@ public final class FieldDraft {
         return List.copyOf(reduced);
     }
 
-    /** The field as far as it is known: with this height alone. */
+    /** The field as far as it is known, with this height only. */
     public DetectionField field() {
         List<SensorLayer> layers = new ArrayList<>();
         for (int sensor = 0; sensor < others.size(); sensor++) {
@@ -183,7 +186,7 @@ public final class FieldDraft {
         return base.with(base.all().with(courses, probes, layers));
     }
 
-    /** The request of which this is a draft. */
+    /** The request for the field of which this is a draft. */
     public FieldRequest request(FieldRequest before, SceneSettings moved) {
         return new FieldRequest(
                 moved,

@@ -10,13 +10,13 @@ import org.dronewatch.setting.Quantity;
 /**
  * Square columns of air over a site, with a cell at each of several heights: values hold for the middle of a column.
  *
- * @param east of the middle, -100 to 100 km, m
- * @param north of the middle, -100 to 100 km, m
+ * @param east east coordinate of the middle, -100 to 100 km, m
+ * @param north north coordinate of the middle, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
- * @param heights above the ground, in ascending order, each at least 1 mm above the one before and the ground, and at
- *     most 10 km, m; 1 to 50 of them
- * @param area only cells whose centre is in this area count, in plan view; empty if all do
+ * @param heights heights above the ground, in ascending order, each at least 1 mm above the ground and the height
+ *     before it, and at most 10 km, m; 1 to 50 of them
+ * @param area only cells whose centre lies in this area in plan view count; empty if all do
  */
 public record FieldGrid(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
@@ -31,10 +31,10 @@ public record FieldGrid(
      */
     public static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0, 150.0);
 
-    /** The side of the area about the sensors unless another one is asked for, m. */
+    /** The default side of the area around the sensors, m. */
     public static final double DEFAULT_SIDE = 500.0;
 
-    /** The number of cells along a side unless another length of a cell is asked for. */
+    /** The default number of cells along a side. */
     public static final double DEFAULT_CELLS = 100.0;
 
     /** Maximum number of cells along a side. */
@@ -52,14 +52,14 @@ public record FieldGrid(
     /** The greatest height, m. */
     public static final double HIGHEST = 10_000.0;
 
-    /** What is done with a cell, by its column from the west and its row from the north. */
+    /** An action on a cell, given by its column from the west and its row from the north. */
     @FunctionalInterface
     public interface CellVisitor {
         /** Called once for each cell. */
         void visit(int column, int row);
     }
 
-    /** What may be true of a cell. */
+    /** A property that a cell may have. */
     @FunctionalInterface
     public interface CellTest {
         /** Whether it is true of a cell, by its column from the west and its row from the north. */
@@ -86,9 +86,9 @@ public record FieldGrid(
     }
 
     /**
-     * A grid about a middle, all of whose cells count; limits as above.
+     * A grid around the given middle, all of whose cells count; limits as above.
      *
-     * @throws IllegalArgumentException also if a cell is longer than the side
+     * @throws IllegalArgumentException if a value is out of range, or a cell is longer than the side
      */
     public static FieldGrid square(double east, double north, double side, double cell, List<Double> heights) {
         FieldGrid grid = new FieldGrid(east, north, side, cell, heights);
@@ -106,7 +106,7 @@ public record FieldGrid(
     }
 
     /**
-     * Heights above the ground, m, if a grid may have them.
+     * The given heights above the ground, m, if a grid may have them.
      *
      * @throws IllegalArgumentException if not
      */
@@ -136,7 +136,7 @@ public record FieldGrid(
         return columns() * columns();
     }
 
-    /** Visits all cells of a height, row by row from the north-west. */
+    /** Visits all cells at a height, row by row from the north-west. */
     public void forEachCell(CellVisitor visitor) {
         int columns = columns();
         for (int row = 0; row < columns; row++) {
@@ -146,7 +146,7 @@ public record FieldGrid(
         }
     }
 
-    /** The number of cells of a height of which something is true. */
+    /** The number of cells at a height that have a property. */
     public int count(CellTest test) {
         int[] count = {0};
         forEachCell((column, row) -> count[0] += test.isTrue(column, row) ? 1 : 0);
@@ -194,8 +194,8 @@ public record FieldGrid(
     }
 
     /**
-     * The depth of the layer of air that a height stands for, m: halfway to its neighbours, from the ground for the
-     * lowest, and up to the height itself for the highest.
+     * The depth of the layer of air that a height represents, m: it extends halfway to the neighbouring heights; the
+     * lowest layer begins at the ground, and the highest ends at the height itself.
      */
     public double depth(int height) {
         int last = heights.size() - 1;

@@ -11,7 +11,7 @@ public enum FieldHeading {
     WORST,
     /** The one on which they are most likely to detect it. */
     BEST,
-    /** Towards the protected zone or, without one, the middle of the sensors. */
+    /** Towards the protected zone or, without one, towards the mean position of the sensors. */
     INBOUND;
 
     /**
@@ -27,23 +27,23 @@ public enum FieldHeading {
     }
 
     /**
-     * The courses under a condition: drones that fly inbound keep their target when the condition moves the middle of
-     * the sensors, by switching one off.
+     * The courses under a condition: inbound drones keep their target even if the condition moves the mean position of
+     * the sensors by switching one off.
      *
-     * @param asItIs what is asked of the scene as it is
-     * @param settings under the condition
-     * @param stage under the condition
+     * @param asItIs the request for the scene as it is
+     * @param settings the settings under the condition
+     * @param stage the stage under the condition
      */
     public List<Course> coursesUnder(FieldRequest asItIs, SceneSettings settings, Stage stage) {
         return this == INBOUND ? asItIs.courses() : courses(settings, stage, asItIs.drone(), asItIs.grid());
     }
 
-    /** Which of these courses counts. */
+    /** Which of the courses counts. */
     public FieldCoverage.Choice choice() {
         return this == BEST ? FieldCoverage.Choice.BEST : FieldCoverage.Choice.WORST;
     }
 
-    /** The heading as options and files name it: {@code worst}. */
+    /** The heading as options and files name it, such as {@code worst}. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -34,7 +34,7 @@ public record FieldRequest(
         courses = List.copyOf(courses);
     }
 
-    /** The drone that a coverage is about unless another is named: the first, or the first bird where all are birds. */
+    /** The drone whose coverage is assessed unless another is named: the first, or the first bird if all are birds. */
     public static Optional<String> firstDrone(SceneSettings settings) {
         Set<String> all = settings.individualDrones().keySet();
         return all.stream()
@@ -62,8 +62,9 @@ public record FieldRequest(
     }
 
     /**
-     * The number of cells that the sensors look at for the field alone, added up over all sensors. Those of a sensor
-     * whose signal may be interpolated count twice: the positions that are traced for this take most of the time.
+     * The number of cells that the sensors look at for the field alone, added up over all sensors. The cells of a
+     * sensor whose signal may be interpolated count twice, because tracing positions for the interpolation takes most
+     * of the time.
      */
     public long looksOfField() {
         long sensors = settings.enabledSensors().size() + surveys();

@@ -8,8 +8,8 @@ import java.util.Map;
 /**
  * The coverage of a site at all heights, and what each sensor contributes to it.
  *
- * @param coverage cell by cell
- * @param heights from the lowest to the highest
+ * @param coverage the coverage, cell by cell
+ * @param heights the summary of each height, from the lowest to the highest
  */
 public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) {
     /** Copies the list: later changes by the caller have no effect. */
@@ -36,8 +36,8 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
     }
 
     /**
-     * The sensors any one of which can be left out without changing the covered cells at any height; empty where
-     * nothing is covered.
+     * The sensors that can each be left out, one at a time, without changing which cells are covered at any height;
+     * empty if nothing is covered.
      */
     public List<String> idleSensors() {
         if (heights.stream().allMatch(one -> one.covered() == 0)) {

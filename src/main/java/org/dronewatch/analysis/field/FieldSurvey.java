@@ -15,11 +15,11 @@ import org.dronewatch.scenario.SceneSettings;
  * completed.
  *
  * @param grid what was asked for
- * @param summary the coverage, cell by cell and in numbers; after an interruption perhaps of the lowest heights alone
- * @param visible the least visible heights
- * @param detectable the least heights at which a sensor detects the drone
- * @param warnings the warning of inbound flights
- * @param conditions the coverage of the scene as it is and under each condition that was asked for; empty without one
+ * @param summary the coverage, cell by cell and in numbers; after an interruption, possibly of the lowest heights only
+ * @param visible the lowest heights to which the sensors have a clear line of sight
+ * @param detectable the lowest heights at which a sensor detects the drone
+ * @param warnings the warnings of inbound flights
+ * @param conditions the coverage of the scene as it is and under each condition that was asked for; empty if none was
  * @param asked how many conditions were asked for
  */
 public record FieldSurvey(
@@ -48,8 +48,8 @@ public record FieldSurvey(
     /**
      * Carries out a survey on the {@link Workers} of the calling thread; the same for any number of them.
      *
-     * @param conditions under which the site is assessed again, perhaps none
-     * @param stores of assessments that were made before, for the settings of the scene as it is and under a condition
+     * @param conditions conditions under which the site is assessed again; may be empty
+     * @param stores stores of earlier assessments, for the settings of the scene as it is and under a condition
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @param stopped called if this thread has been interrupted and at least one height is complete; should clear its
      *     interrupt status, so that the complete heights can be summarised
@@ -144,7 +144,7 @@ public record FieldSurvey(
                 && (asked == 0 || conditions.size() == asked + 1);
     }
 
-    /** Whether the coverage is that of all heights that were asked for. */
+    /** Whether the coverage includes all heights that were asked for. */
     public boolean hasAllHeights() {
         return summary.heights().size() == grid.heights().size();
     }

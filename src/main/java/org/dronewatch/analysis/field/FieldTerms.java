@@ -13,8 +13,8 @@ import org.dronewatch.setting.Quantity;
  * The terms on which a field counts a drone as detected.
  *
  * @param pointing how sensors on positioners point
- * @param within the time in which a sensor has to detect a drone that stays in its cell, above 0 and at most 86,400 s;
- *     empty for a single look
+ * @param within the time within which a sensor has to detect a drone that stays in its cell, above 0 and at most 86,400
+ *     s; empty for a single look
  */
 public record FieldTerms(
         Turning pointing, @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within) {
@@ -22,7 +22,7 @@ public record FieldTerms(
     public enum Turning {
         /** They have turned to the drone, and zoomed in. */
         CUED,
-        /** They search, or rest: their probability is the mean over one period of the search. */
+        /** They search, or are at rest: their probability of detection is the mean over one period of the search. */
         SEARCH
     }
 
@@ -37,12 +37,12 @@ public record FieldTerms(
         Limits.check(FieldTerms.class, pointing, within);
     }
 
-    /** These terms with a time in which the drone has to be detected, s. */
+    /** These terms with a time within which the drone has to be detected, s. */
     public FieldTerms withWithin(double seconds) {
         return new FieldTerms(pointing, Optional.of(seconds));
     }
 
-    /** These terms with sensors that point in another way. */
+    /** These terms with another choice of how sensors point. */
     public FieldTerms withPointing(Turning other) {
         return new FieldTerms(other, within);
     }

@@ -7,16 +7,16 @@ import java.util.Optional;
 import org.dronewatch.sensor.Cause;
 
 /**
- * A gap in the coverage at one height: cells that no sensor covers, each adjacent to another along an edge.
+ * A gap in the coverage at one height: cells that no sensor covers, connected along their edges.
  *
  * @param cells number of its cells
- * @param area m2
- * @param x east coordinate of its innermost cell's middle, m: the cell of the gap farthest from everything else, the
- *     first from the north-west among equals
+ * @param area its area, m2
+ * @param x east coordinate of its innermost cell's middle, m: the cell that is farthest from everything outside the
+ *     gap; in a tie, the first from the north-west
  * @param y north coordinate of the same cell, m
  * @param causes the number of cells for each dominant cause, in the order of {@link Cause}
- * @param cause the most frequent dominant cause in it, and the one nearest to a detection among equals
- * @param touchesRim whether it reaches the edge of the grid or of its area: it may continue outside
+ * @param cause the most frequent dominant cause in it; in a tie, the one nearest to a detection
+ * @param touchesRim whether it reaches the edge of the grid or of its area, so that it may continue outside
  */
 public record Gap(
         int cells, double area, double x, double y, Map<Cause, Integer> causes, Cause cause, boolean touchesRim) {
@@ -45,7 +45,10 @@ public record Gap(
         return new Gap(cells, cells * cellArea, x, y, causes, cause, touchesRim);
     }
 
-    /** The largest gap at a height, given by its number; the first from the north-west among equals; empty if none. */
+    /**
+     * The largest gap at a height, given by its number; in a tie, the first from the north-west; empty if there is
+     * none.
+     */
     public static Optional<Gap> largest(FieldCoverage coverage, int height) {
         return GapMap.of(coverage, height).gaps().stream().findFirst();
     }

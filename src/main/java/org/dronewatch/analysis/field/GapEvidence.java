@@ -18,23 +18,23 @@ import org.dronewatch.sensor.Cause;
  * @param sensor name of the sensor
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} stands for a
  *     probability that is too low
- * @param examined a few cells for each cause, spread evenly over the cells with that cause and assessed anew: with what
- *     hides the drone, and by how much its signal is too weak
+ * @param examined a few cells for each cause, spread evenly over the cells with that cause and assessed again, with
+ *     what hides the drone, and by how much its signal is too weak
  */
 public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examined> examined) {
-    /** Maximum number of cells of a gap that are assessed anew for each cause. */
+    /** Maximum number of cells of a gap that are assessed again for each cause. */
     public static final int MOST_EXAMINED = 8;
 
-    /** Copies map and list: later changes by the caller have no effect. */
+    /** Copies the map and the list: later changes by the caller have no effect. */
     public GapEvidence {
         causes = Collections.unmodifiableMap(new LinkedHashMap<>(causes));
         examined = List.copyOf(examined);
     }
 
     /**
-     * One cell that was assessed anew.
+     * One cell that was assessed again.
      *
-     * @param assessment by the sensor
+     * @param assessment the assessment by the sensor
      * @param blocker what hides the drone, if something does
      */
     public record Examined(Assessment assessment, Optional<Blocker> blocker) {}

@@ -51,7 +51,7 @@ public final class GapMap {
         return new GapMap(coverage, height);
     }
 
-    /** The gaps from the largest to the smallest; among equals, the first from the north-west. */
+    /** The gaps from the largest to the smallest; gaps of equal size in order from the north-west. */
     public List<Gap> gaps() {
         return all;
     }
@@ -71,7 +71,7 @@ public final class GapMap {
         return column >= 0 && row >= 0 && column < side && row < side && gaps[grid.cell(column, row)] == gap;
     }
 
-    /** The cells of a gap, row by row from the north-west: by their {@link FieldGrid#cell numbers}. */
+    /** The cells of a gap, row by row from the north-west, given by their {@link FieldGrid#cell numbers}. */
     public int[] cells(int gap) {
         return IntStream.range(0, gaps.length).filter(cell -> gaps[cell] == gap).toArray();
     }

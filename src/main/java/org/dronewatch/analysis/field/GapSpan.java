@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A gap that extends over several heights: gaps of neighbouring heights, one above the other.
+ * A gap that extends over several heights: gaps at neighbouring heights, each above the one before.
  *
  * @param lowest number of its lowest height in the grid
  * @param highest number of its highest height
- * @param height number of the height at which it is largest; the lowest among equals
- * @param number of the largest part in the {@link GapMap} of that height
+ * @param height number of the height at which it is largest; in a tie, the lowest
+ * @param number number of its largest part in the {@link GapMap} of that height
  * @param gap the largest part
  */
 public record GapSpan(int lowest, int highest, int height, int number, Gap gap) {
@@ -22,8 +22,8 @@ public record GapSpan(int lowest, int highest, int height, int number, Gap gap) 
     private static final double SHARED = 0.5;
 
     /**
-     * The gaps of a coverage over all heights, the largest first, by the area of the largest part; among equals, the
-     * lowest first. At each height, only the eight largest gaps are considered.
+     * The gaps of a coverage over all heights, the largest first, by the area of the largest part; in a tie, the lowest
+     * first. At each height, only the eight largest gaps are considered.
      */
     public static List<GapSpan> of(FieldCoverage coverage) {
         List<Part> parts = new ArrayList<>();

@@ -7,19 +7,19 @@ import java.util.Optional;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The coverage at one height in numbers of cells.
+ * The coverage at one height, in numbers of cells.
  *
- * @param height above the ground, m
- * @param cells all of them that are in the area of the grid
- * @param known those that are neither unknown nor inside something solid
- * @param inside those inside something solid
- * @param covered those known ones that a sensor covers
+ * @param height height above the ground, m
+ * @param cells number of cells in the area of the grid
+ * @param known number of cells that are neither unknown nor inside something solid
+ * @param inside number of cells inside something solid
+ * @param covered number of known cells that a sensor covers
  * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
- * @param causes known cells by their dominant cause, in the order of {@link Cause}
- * @param counts known cells by the number of sensors that cover them, from none upwards
- * @param lost by sensor, the number of covered cells less that without it: what is lost, less what is gained, since
- *     without a sensor another course may count, on which the others cover more; so it may be 0 although cells change,
- *     or below 0
+ * @param causes number of known cells by dominant cause, in the order of {@link Cause}
+ * @param counts number of known cells by the number of sensors that cover them, from none upwards
+ * @param lost by sensor, how many more cells are covered with it than without it: those lost without it, less those
+ *     gained, since without a sensor another course may count on which the others cover more; so the number may be 0
+ *     although cells change, or be below 0
  * @param changed by sensor, the number of cells that are covered either with it or without it, but not both
  * @param gap the largest gap; empty if there is none
  */
@@ -36,7 +36,7 @@ public record HeightSummary(
         Map<String, Integer> changed,
         Optional<Gap> gap) {
 
-    /** The cells that are unknown. */
+    /** The number of unknown cells. */
     public int unknown() {
         return cells - known - inside;
     }

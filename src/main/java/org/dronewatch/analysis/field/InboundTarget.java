@@ -29,9 +29,10 @@ public final class InboundTarget {
     }
 
     /**
-     * The middle of the area of a grid, m; without an area, that of the protected zone or of the sensors.
+     * The middle of the area of a grid, m; without an area, the middle of the protected zone or, without a zone, the
+     * mean position of the sensors.
      *
-     * @throws InputException when there is neither of them
+     * @throws InputException when there is neither an area, nor a zone, nor a sensor
      */
     public static Position of(SceneSettings settings, Protection protection, FieldGrid grid) {
         return grid.area().map(area -> of(protection, area.name())).orElseGet(() -> of(settings, protection));

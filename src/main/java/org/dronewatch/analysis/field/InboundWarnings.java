@@ -19,17 +19,18 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 
 /**
  * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
- * the ground, to the middle of the protected zone or, without one, of the sensors, at its cruise speed. The drone is
- * detected where a sensor covers it; it is assessed once per cell of its path, but not inside something solid. Where a
- * sensor has some time to detect it, it counts as detected that time after the first place at which a sensor covers it.
- * Immutable.
+ * the ground, to the middle of the protected zone or, without one, to the mean position of the sensors, at its cruise
+ * speed. The drone is detected where a sensor covers it; it is assessed once per cell of its path, but not inside
+ * something solid. If the terms give a sensor some time in which to detect it, the drone counts as detected that long
+ * after the first point at which a sensor covers it. Immutable.
  *
  * @param target point towards which the drone flies, m
  * @param reach horizontal distance from that point at which the flight begins, m
- * @param longest the longest warning that can be found, that of a flight detected where it begins, s; 0 if none can
+ * @param longest the longest warning that can be found, that of a flight detected where it begins, s; 0 if none can be
+ *     found
  * @param response the time that is required after a detection, s; 0 if none is
  * @param isZone whether there is a protected zone
- * @param all by height, then bearing
+ * @param all the warnings by height, then bearing
  */
 public record InboundWarnings(
         Position target, double reach, double longest, double response, boolean isZone, List<Warning> all) {
@@ -41,22 +42,22 @@ public record InboundWarnings(
         all = List.copyOf(all);
     }
 
-    /** The number of flights for which it is unknown whether the required response is met. */
+    /** The number of flights for which it is unknown whether the required response time is met. */
     public long undecided() {
         return all.stream().filter(one -> one.isUndecided(response)).count();
     }
 
-    /** The number of flights for which the required response is not met. */
+    /** The number of flights for which the required response time is not met. */
     public long late() {
         return all.stream().filter(one -> one.isLate(response)).count();
     }
 
     /**
      * The warnings of the enabled sensors of a scene, on the {@link Workers} of the calling thread; the same for any
-     * number of them. Flights begin half a side of the grid away from their target; if the grid is that of an area,
-     * 250 m beyond its farthest corner. Where that is too near for a detection to leave the required response, they
-     * begin farther away, but not beyond the model of the site, and in at most 2000 cells. If any of them would begin
-     * in a protected zone, they begin 250 m beyond the farthest corner of all zones.
+     * number of them. Flights begin half a side of the grid away from their target; if the grid is that of an area, 250
+     * m beyond its farthest corner. Where that is too near for a detection to leave the required response time, they
+     * begin farther away, but not beyond the model of the site, and they cross at most 2000 cells. If any of them would
+     * begin in a protected zone, they begin 250 m beyond the farthest corner of all zones.
      *
      * @param drone name of the drone
      * @param terms on which it counts as detected
@@ -75,9 +76,9 @@ public record InboundWarnings(
     }
 
     /**
-     * The same, but only what was not assessed before is assessed.
+     * The same, but only what has not been assessed before is assessed.
      *
-     * @param store of assessments that were made before
+     * @param store store of earlier assessments
      */
     public static InboundWarnings of(
             SceneSettings settings,
@@ -94,7 +95,7 @@ public record InboundWarnings(
     /**
      * The same.
      *
-     * @param store of assessments that were made before, of the same grid
+     * @param store store of earlier assessments, of the same grid
      * @param excess what is interpolated between cells in the area of the grid, by the name of a sensor
      */
     static InboundWarnings of(

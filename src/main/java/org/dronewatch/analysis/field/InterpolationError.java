@@ -11,14 +11,14 @@ import java.util.Optional;
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error
  * @param percentile95 the 95th percentile of the error at these, dB
- * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB; looks have it,
- *     too, so that interpolation between more positions would not be more accurate
- * @param inSight where nothing is in the way
- * @param hidden where something is
+ * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB; looks have
+ *     this error, too, so interpolating between more positions would not make a field more accurate
+ * @param inSight bounds on the error where nothing is in the way
+ * @param hidden bounds on the error where something is in the way
  */
 public record InterpolationError(
         int places, int heldOut, double percentile95, double ofLooks, Bounds inSight, Bounds hidden) {
-    /** A field is not accurate if its error exceeds this at more than 5 % of the positions, dB. */
+    /** A field counts as accurate if its error exceeds this at no more than 5 % of the positions, dB. */
     public static final double ACCURATE = 0.5;
 
     private static final double LARGE_PART = 0.95;
@@ -87,7 +87,10 @@ public record InterpolationError(
                 .orElse(0.0));
     }
 
-    /** The part of the error that looks alone cause: 95 % of normally distributed errors do not exceed it, dB. */
+    /**
+     * The part of the error that is due to the looks themselves, dB: 95 % of normally distributed errors do not exceed
+     * it.
+     */
     public double percentile95OfLooks() {
         return TWO_SIDED * ofLooks;
     }

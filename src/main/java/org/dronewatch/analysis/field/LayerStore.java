@@ -20,10 +20,10 @@ import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * Keeps the assessments of each sensor at each height in the user's cache directory, where they are found again for
- * an identical sensor, by the hash of the world with all of its files, the drone, the sensor, the seed, the courses,
- * the grid, and this program's code. Sensors and drones of other jars are not kept, since their code is not part of
- * the hash. Not thread-safe.
+ * Keeps the assessments of each sensor at each height in the user's cache directory, where they are found again for an
+ * identical sensor: the key is a hash of the world with all of its files, the drone, the sensor, the seed, the courses,
+ * the grid, and this program's code. Assessments of sensors and drones from other jars are not kept, since their code
+ * is not part of the hash. Not thread-safe.
  */
 public final class LayerStore {
     /** Keeps nothing. */
@@ -54,7 +54,7 @@ public final class LayerStore {
     /**
      * The store of this process for a scene.
      *
-     * @param files that were read for it, by their names in the settings
+     * @param files the files that were read for it, by their names in the settings
      */
     public static LayerStore of(SceneSettings settings, Map<String, List<FileHash>> files, SiteStore store) {
         return store.isOn() ? of(settings, files, Optional.of(store)) : NONE;
@@ -63,7 +63,7 @@ public final class LayerStore {
     /**
      * The same store for another scene, such as one in other weather.
      *
-     * @param files that were read for it, by their names in the settings
+     * @param files the files that were read for it, by their names in the settings
      */
     public LayerStore under(SceneSettings settings, Map<String, List<FileHash>> files) {
         return store.isPresent() ? of(settings, files, store) : NONE;
@@ -84,7 +84,7 @@ public final class LayerStore {
         return store.isEmpty() ? this : new LayerStore(store, world + grid + courses);
     }
 
-    /** The store of this process, which keeps what takes more than 50 ms. */
+    /** The store of this process, which keeps whatever takes more than 50 ms to compute. */
     public static SiteStore standard(Consumer<String> notes) {
         return SiteStore.standard(WORTH, notes);
     }

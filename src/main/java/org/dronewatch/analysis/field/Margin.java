@@ -14,7 +14,7 @@ public record Margin(Known kind, double db) {
     public enum Known {
         /** Nothing: the drone cannot be there, or the line of sight leaves the known ground. */
         NOTHING,
-        /** That nothing reaches the sensor. */
+        /** It is known that nothing reaches the sensor. */
         NO_SIGNAL,
         /** A value, to 0.1 dB. */
         VALUE,

@@ -6,10 +6,10 @@ package org.dronewatch.analysis.field;
  * @param all the coverage with all sensors
  * @param rest the coverage without some of them, as {@link FieldCoverage#without} gives it
  * @param height its number in the grid
- * @param known the cells that are known with all sensors
- * @param covered those that are covered with all sensors
- * @param remaining the cells that are covered without some of them
- * @param gone the cells that are covered with all sensors, but not without some of them
+ * @param known the number of cells that are known with all sensors
+ * @param covered the number of cells that are covered with all sensors
+ * @param remaining the number of cells that are covered without some of them
+ * @param gone the number of cells that are covered with all sensors, but not without some of them
  */
 public record RemainingCoverage(
         FieldCoverage all, FieldCoverage rest, int height, int known, int covered, int remaining, int gone) {
@@ -37,8 +37,8 @@ public record RemainingCoverage(
     }
 
     /**
-     * The cells that are covered without some of the sensors, but not with all: without them another course may count,
-     * on which the others cover the cell.
+     * The number of cells that are covered without some of the sensors, but not with all of them: without those,
+     * another course may count, on which the others cover the cell.
      */
     public int gained() {
         return remaining - (covered - gone);

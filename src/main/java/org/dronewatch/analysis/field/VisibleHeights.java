@@ -10,8 +10,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The least height above the ground from which each sensor has a clear line of sight, column by column. Only the site
- * matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
+ * The lowest height above the ground that each sensor can see, with a clear line of sight, column by column. Only the
+ * site matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
  */
 public final class VisibleHeights {
     private final FieldGrid grid;
@@ -68,14 +68,14 @@ public final class VisibleHeights {
     }
 
     /**
-     * The least height above the ground from which a sensor, given by its number, has a clear line of sight, m: too
-     * high by at most 1 mm; NaN where it has none up to the highest height of the grid, and where there is no ground.
+     * The lowest height above the ground to which a sensor, given by its number, has a clear line of sight, m: too high
+     * by at most 1 mm; NaN where it has none up to the greatest height of the grid, and where there is no ground.
      */
     public double height(int sensor, int column, int row) {
         return heights[sensor][grid.cell(column, row)];
     }
 
-    /** The least of the heights of all sensors, m; NaN where none of them has a clear line of sight. */
+    /** The lowest of the heights of all sensors, m; NaN where none of them has a clear line of sight. */
     public double height(int column, int row) {
         double least = Double.NaN;
         for (int sensor = 0; sensor < heights.length; sensor++) {
@@ -91,7 +91,7 @@ public final class VisibleHeights {
     }
 
     /**
-     * The number of columns in which a sensor, given by its number, has a clear line of sight from a height, m, or
+     * The number of columns in which a sensor, given by its number, has a clear line of sight to a given height, m, or
      * lower.
      */
     public int count(int sensor, double height) {
@@ -102,7 +102,7 @@ public final class VisibleHeights {
         return count;
     }
 
-    /** The number of columns in which any sensor has a clear line of sight from a height, m, or lower. */
+    /** The number of columns in which any sensor has a clear line of sight to a given height, m, or lower. */
     public int count(double height) {
         return grid.count((column, row) -> height(column, row) <= height);
     }

@@ -10,19 +10,19 @@ import java.util.OptionalDouble;
  * @param arrival horizontal distance from its target at which it reaches the protected zone, m; 0 without a zone
  * @param range horizontal distance from its target when it is first detected, m; empty if it is not detected before it
  *     arrives
- * @param time time from its first detection until it arrives, s; empty if it is not detected before it arrives
+ * @param time time from its first detection to its arrival, s; empty if it is not detected before it arrives
  * @param isFromStart whether it is detected where its flight begins, or at the first position that the model of the
  *     site covers, so that the time is a lower bound: a flight that begins farther away may be detected earlier
  */
 public record Warning(
         double bearing, double height, double arrival, OptionalDouble range, OptionalDouble time, boolean isFromStart) {
 
-    /** Whether it is detected at least a time, s, before it arrives. */
+    /** Whether it is detected early enough: at least the given response time, s, before it arrives. */
     public boolean isInTime(double response) {
         return time.isPresent() && time.getAsDouble() >= response;
     }
 
-    /** Whether it is unknown if it is detected in time, since its flight begins too near. */
+    /** Whether the flight begins too near to show if the drone would be detected in time. */
     public boolean isUndecided(double response) {
         return isFromStart && !isInTime(response);
     }
