@@ -1,14 +1,14 @@
 package org.dronewatch.placement;
 
 /**
- * A sensor that may be bought, at a place and with an aim. Immutable.
+ * A sensor that may be bought, with its position and aim. Immutable.
  *
  * @param name unique in its table, not empty
- * @param cost 0 or more, in any currency
- * @param kind such as {@code radar}; empty if kinds do not matter
- * @param exclusive the place that it takes: at most one of the candidates with the same text is chosen; empty if it
- *     excludes none
- * @param fixed whether it is there already, and is always chosen; its cost counts
+ * @param cost its cost, 0 or more, in any currency
+ * @param kind its kind, such as {@code radar}; empty if kinds do not matter
+ * @param exclusive the position that it occupies: at most one of the candidates with the same text is chosen; empty if
+ *     it excludes no other
+ * @param fixed whether it is already there and so is always chosen; its cost still counts
  */
 public record Candidate(String name, double cost, String kind, String exclusive, boolean fixed) {
     /** Checks the limits. */
@@ -21,7 +21,7 @@ public record Candidate(String name, double cost, String kind, String exclusive,
         }
     }
 
-    /** A candidate of no kind, which excludes no other and is not fixed. */
+    /** A candidate of no particular kind, which excludes no other and is not fixed. */
     public Candidate(String name, double cost) {
         this(name, cost, "", "", false);
     }

@@ -12,8 +12,8 @@ public final class CandidateColumn {
     /**
      * A column.
      *
-     * @param rows from 0, ascending
-     * @param values as many, 0 or more
+     * @param rows numbers of the rows, from 0, ascending
+     * @param values a value for each row, 0 or more
      * @throws IllegalArgumentException when rows do not ascend, or a value is below 0 or not finite
      */
     public CandidateColumn(int[] rows, double[] values) {
@@ -32,7 +32,7 @@ public final class CandidateColumn {
     /**
      * A column with the value 1 in each of its rows.
      *
-     * @param rows from 0, ascending
+     * @param rows numbers of the rows, from 0, ascending
      * @throws IllegalArgumentException when rows do not ascend
      */
     public CandidateColumn(int[] rows) {
@@ -49,17 +49,17 @@ public final class CandidateColumn {
         return rows.clone();
     }
 
-    /** The number of rows that it reaches. */
+    /** The number of rows that the candidate reaches. */
     public int size() {
         return rows.length;
     }
 
-    /** A row that it reaches, from 0. */
+    /** A row that the candidate reaches, numbered from 0. */
     public int row(int at) {
         return rows[at];
     }
 
-    /** Its value there. */
+    /** The candidate's value in that row. */
     public double value(int at) {
         return values == null ? 1.0 : values[at];
     }

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Candidates and what each contributes to every row of a sparse matrix. A row is whatever is to be served: a cell of
- * the air, a scenario, a customer. Immutable.
+ * Candidates and what each contributes to every row of a sparse matrix. A row stands for whatever is to be served: a
+ * cell of the air, a scenario, a customer. Immutable.
  */
 public final class CandidateTable {
     private final List<Candidate> candidates;
@@ -24,12 +24,12 @@ public final class CandidateTable {
     /**
      * A table whose rows form one group.
      *
-     * @param candidates with distinct names
-     * @param columns one for each candidate
-     * @param weights of the rows, 0 or more
-     * @param undetected for each row, the impact where no chosen candidate detects; not a number where the table does
-     *     not state it. Used for impacts only
-     * @throws IllegalArgumentException when these contradict each other
+     * @param candidates the candidates, with distinct names
+     * @param columns one column for each candidate
+     * @param weights weights of the rows, 0 or more
+     * @param undetected for each row, the impact if no chosen candidate detects anything; NaN where the table does not
+     *     state it. Used for impacts only
+     * @throws IllegalArgumentException when the arguments contradict each other
      */
     public CandidateTable(
             List<Candidate> candidates, List<CandidateColumn> columns, double[] weights, double[] undetected) {
@@ -87,8 +87,8 @@ public final class CandidateTable {
     /**
      * A copy whose rows form groups, such as the cells under each of several weather conditions.
      *
-     * @param numbers by row, from 0 on without gaps
-     * @throws IllegalArgumentException when there are not as many as rows, or a number is missing
+     * @param numbers the group number of each row; the numbers run from 0 without gaps
+     * @throws IllegalArgumentException when there are not as many numbers as rows, or a number is missing
      */
     public CandidateTable withGroups(int[] numbers) {
         BitSet used = new BitSet();
@@ -130,7 +130,7 @@ public final class CandidateTable {
         return weights[row];
     }
 
-    /** The group of a row, from 0 on. */
+    /** The group of a row, numbered from 0. */
     public int group(int row) {
         return groups == null ? 0 : groups[row];
     }
@@ -140,7 +140,7 @@ public final class CandidateTable {
         return groupCount;
     }
 
-    /** The impact in a row where no candidate detects anything; not a number where it is not stated. */
+    /** The impact in a row if no candidate detects anything; NaN where it is not stated. */
     public double undetected(int row) {
         return undetected[row];
     }

@@ -14,7 +14,7 @@ import org.dronewatch.setting.PlainText;
  * Reads a table of candidates from two CSV files. The first has the column {@code name} and, optionally, {@code cost}
  * (1 by default), {@code kind}, {@code exclusive} and {@code fixed} ({@code true} or {@code false}). The second has the
  * columns {@code row}, {@code candidate}, {@code value} and, optionally, {@code weight} (1 by default), with a line for
- * each value that is not 0. A line without a candidate gives the impact where no candidate detects anything.
+ * each value that is not 0. A line without a candidate gives the impact in its row if no candidate detects anything.
  */
 public final class CandidateTableReader {
     private static final String NAME = "name";
@@ -35,9 +35,9 @@ public final class CandidateTableReader {
     private CandidateTableReader() {}
 
     /**
-     * Reads the two files, of at most 64 MB each, 10,000 candidates and a million rows.
+     * Reads the two files, of at most 64 MB each, with at most 10,000 candidates and a million rows.
      *
-     * @throws InputException in one line: file, line, column, value and limit
+     * @throws InputException when a file is wrong; its message, in one line, gives file, line, column, value and limit
      */
     public static CandidateTable read(Path candidates, Path values) {
         CandidateTableReader reader = new CandidateTableReader();

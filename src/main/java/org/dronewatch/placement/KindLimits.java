@@ -3,8 +3,8 @@ package org.dronewatch.placement;
 /**
  * How many candidates of a kind may be chosen.
  *
- * @param atLeast 0 or more
- * @param atMost at least {@code atLeast}
+ * @param atLeast minimum number, 0 or more
+ * @param atMost maximum number, no less than {@code atLeast}
  */
 public record KindLimits(int atLeast, int atMost) {
     /** Checks the limits. */

@@ -5,17 +5,17 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 
 /**
- * What a layout must comply with, in addition to the fixed candidates and exclusive places of its table. Immutable.
+ * What a layout must comply with, in addition to the fixed candidates and exclusive positions of its table. Immutable.
  *
- * @param budget greatest sum of costs; infinite for none
- * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for any
+ * @param budget greatest sum of costs; infinite for no limit
+ * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for no limit
  * @param kinds limits by kind
- * @param fold how many chosen candidates must reach a value for it to count in a row, 1 or more
+ * @param fold how many chosen candidates must reach at least a value for that value to count in a row, 1 or more
  * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate
  */
 public record PlacementConditions(
         double budget, int atMost, Map<String, KindLimits> kinds, int fold, OptionalDouble anyoneLost) {
-    /** No condition. */
+    /** No conditions. */
     public static final PlacementConditions NONE =
             new PlacementConditions(Double.POSITIVE_INFINITY, Integer.MAX_VALUE, Map.of(), 1, OptionalDouble.empty());
 
@@ -40,7 +40,7 @@ public record PlacementConditions(
         return new PlacementConditions(other, atMost, kinds, fold, anyoneLost);
     }
 
-    /** A copy with another greatest number of chosen candidates. */
+    /** A copy with another maximum number of chosen candidates. */
     public PlacementConditions withAtMost(int other) {
         return new PlacementConditions(budget, other, kinds, fold, anyoneLost);
     }
@@ -50,7 +50,7 @@ public record PlacementConditions(
         return new PlacementConditions(budget, atMost, other, fold, anyoneLost);
     }
 
-    /** A copy in which another number of candidates must reach a value. */
+    /** A copy in which another number of candidates must reach at least a value for it to count. */
     public PlacementConditions withFold(int other) {
         return new PlacementConditions(budget, atMost, kinds, other, anyoneLost);
     }

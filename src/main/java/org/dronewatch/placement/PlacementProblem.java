@@ -86,12 +86,15 @@ public final class PlacementProblem {
         return conditions;
     }
 
-    /** The impact in a row where too few detect: as stated, or else the worst of all candidates; 0 without impacts. */
+    /**
+     * The impact in a row in which too few candidates detect anything: as stated, or else the worst of all candidates;
+     * 0 if the objective has no impacts.
+     */
     public double undetected(int row) {
         return undetected[row];
     }
 
-    /** The sum of the costs of candidates. */
+    /** The sum of the costs of some candidates. */
     public double cost(List<Integer> chosen) {
         return chosen.stream()
                 .mapToDouble(candidate -> table.candidates().get(candidate).cost())
@@ -145,7 +148,10 @@ public final class PlacementProblem {
         return objective.isGreatest() ? remaining >= needed - tolerance : remaining <= needed + tolerance;
     }
 
-    /** The value after the loss of the chosen candidate whose loss is worst; that of none if none is chosen. */
+    /**
+     * The value after the loss of the chosen candidate whose loss is worst; the value of an empty layout if none is
+     * chosen.
+     */
     public double valueAfterWorstLoss(List<Integer> chosen) {
         double worst = chosen.isEmpty() ? value(chosen) : Double.NaN;
         for (Integer lost : chosen) {
@@ -157,7 +163,7 @@ public final class PlacementProblem {
         return worst;
     }
 
-    /** The sum of weight times value over each group of rows, for a layout. */
+    /** For a layout, the sum of weight times value over each group of rows. */
     public double[] sums(List<Integer> chosen) {
         return new LayoutValue(this, chosen).sums();
     }

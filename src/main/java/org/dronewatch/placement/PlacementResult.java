@@ -3,11 +3,11 @@ package org.dronewatch.placement;
 import java.util.List;
 
 /**
- * The best layout that was found, and by how much, at most, another could be better.
+ * The best layout that was found, and how much better, at most, another could be.
  *
  * @param chosen indices of the chosen candidates, ascending
- * @param value of the objective
- * @param bound no layout has a better value
+ * @param value value of the objective
+ * @param bound a bound on the value: no layout has a better one
  * @param cost sum of the costs
  * @param complete whether the search ran to completion: no layout is better by more than the gap that was asked for
  */

@@ -2,13 +2,13 @@ package org.dronewatch.placement;
 
 import java.util.List;
 
-/** Finds the rows of a problem that has too many to list them all, such as the routes past a layout. */
+/** Finds rows of a problem that has too many of them to list, such as the routes past a layout. */
 @FunctionalInterface
 public interface RowOracle {
     /**
-     * Rows in which a layout is weak, among them the weakest that is found.
+     * Rows in which a layout is weak, among them the weakest that was found.
      *
-     * @param chosen indices of its candidates
+     * @param chosen indices of the layout's candidates
      * @return for each row, the values of all candidates, 0 or more; may be empty
      * @throws java.util.concurrent.CancellationException when this thread is interrupted
      */

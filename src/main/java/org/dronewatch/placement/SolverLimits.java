@@ -5,12 +5,14 @@ import java.util.function.BooleanSupplier;
 /**
  * When a search may end before it has proven the best layout.
  *
- * @param gap it ends once value and bound differ by at most this fraction of the value; 0 to prove the best
- * @param seconds it ends after this time; infinite for no limit. What it has found by then depends on the machine
- * @param isStopped queried repeatedly; it ends soon after this is true
+ * @param gap the search ends once value and bound differ by at most this fraction of the value; 0 to prove that the
+ *     layout is the best
+ * @param seconds the search ends after this time, s; infinite for no limit. What it has found by then depends on the
+ *     machine
+ * @param isStopped queried repeatedly; the search ends soon after this returns true
  */
 public record SolverLimits(double gap, double seconds, BooleanSupplier isStopped) {
-    /** No limit: the search ends once the best is proven. */
+    /** No limits: the search ends once the layout is proven to be the best. */
     public static final SolverLimits NONE = new SolverLimits(0.0, Double.POSITIVE_INFINITY, () -> false);
 
     /** Checks the limits. */

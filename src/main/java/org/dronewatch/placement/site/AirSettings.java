@@ -15,21 +15,22 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.LinkOut;
 
 /**
- * The airspace that is to be covered, and the terms on which a sensor covers it, which are the options of
+ * The airspace that is to be covered, and the terms on which a sensor covers it; these are as for the options of
  * {@code coverage} of the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
- * @param side of the square around the candidates, without an area, above 0 and at most 100 km, m; 500 m by default.
- *     For {@code weakest-route} the square is around the protected zone; by default, as large as that of {@code route}
+ * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by
+ *     default. For {@code weakest-route}, the square is around the protected zone and, by default, as large as that of
+ *     {@code route}
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
- * @param heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and 150 m by
- *     default
+ * @param heights heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and
+ *     150 m by default
  * @param covered minimum probability of detection at which a sensor covers a cell, 0.008 to 0.996, or 1; 0.5 by default
  * @param within time within which a sensor must detect the drone, s; a single look by default
- * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell
- *     counts on the heading towards the protected zone. {@code any} by default
- * @param conditions file of conditions, such as night or fog, beside this file or below it, as for
- *     {@code coverage --conditions}: what counts is the coverage under the worst of them, the scene as it is among them
+ * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell counts
+ *     on the heading towards the protected zone. {@code any} by default
+ * @param conditions file of conditions, such as night or fog, in the directory of this file or below it, as for
+ *     {@code coverage --conditions}: what counts is the coverage under the worst of them, the scene as it is included
  * @param pointing whether sensors on positioners have turned to the drone ({@code cued}) or search for it
  *     ({@code search}); {@code cued} by default, and {@code search} for {@code weakest-route}
  */
@@ -45,13 +46,13 @@ public record AirSettings(
         Optional<FieldTerms.Turning> pointing) {
     /** The headings of the drone that count. */
     public enum Heading {
-        /** Eight headings of the compass, which count alike. */
+        /** Eight compass headings, which count equally. */
         ANY,
         /** The heading towards the protected zone. */
         INBOUND
     }
 
-    /** The airspace in a square of 500 m around the candidates. */
+    /** The airspace in a square with sides of 500 m around the candidates. */
     @Defaults
     public static final AirSettings DEFAULT = new AirSettings(
             Optional.empty(),

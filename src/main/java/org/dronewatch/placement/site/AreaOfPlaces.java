@@ -13,7 +13,7 @@ import org.dronewatch.world.GroundPoint;
 /**
  * Places in a square grid within a polygon, such as a roof, above the highest surface.
  *
- * @param corners of the polygon, in either winding order, 3 to 1000
+ * @param corners corners of the polygon, in either winding order, 3 to 1000
  * @param every distance between neighbours, above 0 and at most 100 km, m
  * @param above height above the highest surface, 0 to 100 km, m; 2 m by default
  */

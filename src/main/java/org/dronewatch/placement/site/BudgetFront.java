@@ -5,8 +5,8 @@ import java.util.List;
 /**
  * The best layouts for several budgets: each costs more than the one before, and is worth more.
  *
- * @param <L> a layout on some objective
- * @param points in ascending order of cost, at least one; the last is that for the whole budget
+ * @param <L> a layout for some objective
+ * @param points the layouts in ascending order of cost, at least one; the last is the one for the whole budget
  * @param complete whether each search ended by itself
  */
 public record BudgetFront<L extends PlacedLayout>(List<FrontPoint<L>> points, boolean complete) {

@@ -7,7 +7,7 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 
-/** Layouts for less money that cover the most air. */
+/** Layouts for less money that cover the most airspace. */
 public final class CheaperCoverage implements CheaperLayouts<SitePlacement> {
     private final SitePlacement best;
     private final AirSectors sectors;
@@ -16,8 +16,8 @@ public final class CheaperCoverage implements CheaperLayouts<SitePlacement> {
     /**
      * The layouts of a plan.
      *
-     * @param best that for the whole budget
-     * @param cells in which the candidates were assessed
+     * @param best the layout for the whole budget
+     * @param cells the cells in which the candidates were assessed
      */
     public CheaperCoverage(SitePlacement best, CoveredCells cells, PlacementSolver solver) {
         this.best = best;

@@ -7,9 +7,9 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.placement.SolverLimits;
 
 /**
- * Finds layouts for less money than the best one, on one objective.
+ * Finds layouts that cost less than the best one, for one objective.
  *
- * @param <L> a layout on that objective
+ * @param <L> a layout for that objective
  */
 public interface CheaperLayouts<L extends PlacedLayout> {
     /** The best layout for the whole budget. */
@@ -19,15 +19,15 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     Optional<L> within(double budget, SolverLimits limits);
 
     /**
-     * The same layout with another bound, in the values of its result. A bound worse than its value is replaced by that
-     * value.
+     * The same layout with another bound, in the values of its result. A bound that is worse than the value of the
+     * layout is replaced by that value.
      */
     L bounded(L layout, double bound);
 
-    /** Where a layout is better than the one for less money; empty if it is better nowhere. */
+    /** Where a layout is better than the one before, for less money; empty if it is better nowhere. */
     Optional<SectorGain> gain(Optional<L> before, L after);
 
-    /** Adds what is only stated of the layout for the whole budget. */
+    /** Adds what is stated only for the layout for the whole budget. */
     default L described(L layout) {
         return layout;
     }

@@ -6,7 +6,7 @@ import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 
-/** Layouts for less money that give the longest warning. */
+/** Layouts for less money that give the longest warnings. */
 public final class CheaperWarnings implements CheaperLayouts<WarningPlacement> {
     private final WarningPlacement best;
     private final PlacementSolver solver;
@@ -14,7 +14,7 @@ public final class CheaperWarnings implements CheaperLayouts<WarningPlacement> {
     /**
      * The layouts of a plan.
      *
-     * @param best that for the whole budget
+     * @param best the layout for the whole budget
      */
     public CheaperWarnings(WarningPlacement best, PlacementSolver solver) {
         this.best = best;

@@ -25,9 +25,9 @@ import org.dronewatch.setting.Spelling;
 
 /**
  * The airspace that each sensor covers: a row for each cell and each of eight headings, or for each cell and the
- * heading towards the protected zone; under several conditions, as many rows for each of them. Cells that are inside
- * something solid, without ground below them or outside the area do not count. For one thread, which may have
- * {@link org.dronewatch.parallel.Workers}.
+ * heading towards the protected zone; under several conditions, these rows are repeated for each of them. Cells that
+ * are inside something solid, without ground below them or outside the area do not count. For one thread, which may
+ * have {@link org.dronewatch.parallel.Workers}.
  */
 public final class CoveredCells {
     /** The number of cells along a side unless the length of a cell is given. */
@@ -47,8 +47,8 @@ public final class CoveredCells {
     /**
      * The cells of a plan.
      *
-     * @param stage of its scene
-     * @param store of assessments that were made before
+     * @param stage stage of the plan's scene
+     * @param store store of earlier assessments
      * @throws InputException when the area is not one of the scene's zones, or there is no zone to fly to
      */
     public CoveredCells(PlacePlan plan, Stage stage, LayerStore store) {
@@ -131,7 +131,7 @@ public final class CoveredCells {
         return looks(plan.candidates().size());
     }
 
-    /** The same for a number of sensors. */
+    /** The same for a given number of sensors. */
     public long looks(int sensors) {
         return (long) sensors * scenes.size() * grid.cells() * grid.heights().size();
     }
@@ -141,7 +141,7 @@ public final class CoveredCells {
         return courses.size();
     }
 
-    /** The number of rows of the scene as it is; known once a sensor was assessed. */
+    /** The number of rows of the scene as it is; known once a sensor has been assessed. */
     public int size() {
         return scenes.get(0).size();
     }
@@ -173,12 +173,12 @@ public final class CoveredCells {
     }
 
     /**
-     * What each candidate covers, in the order of the plan; after an interruption, of those that were assessed, and at
+     * What each candidate covers, in the order of the plan; after an interruption, only of those that were assessed, at
      * least one.
      *
      * @param progress receives the number of cells that were assessed since the last call
-     * @throws CancellationException when this thread is interrupted before the first is assessed; its interrupt status
-     *     is kept
+     * @throws CancellationException when this thread is interrupted before the first candidate is assessed; its
+     *     interrupt status is kept
      */
     public List<CandidateColumn> columns(IntConsumer progress) {
         List<CandidateColumn> columns = new ArrayList<>();
@@ -211,10 +211,10 @@ public final class CoveredCells {
     }
 
     /**
-     * What sensors cover as {@code coverage} finds it: on the heading on which they together are least likely to detect
-     * the drone, or towards the protected zone.
+     * What sensors cover together, as {@code coverage} finds it: on the heading on which they together are least likely
+     * to detect the drone, or towards the protected zone.
      *
-     * @param sensors by their names
+     * @param sensors the sensors by their names
      * @param progress receives the number of cells that were assessed since the last call
      * @throws CancellationException when this thread is interrupted
      */
@@ -244,7 +244,10 @@ public final class CoveredCells {
         return plan.settings().air().heading() == AirSettings.Heading.INBOUND;
     }
 
-    /** The scene with these sensors; all others are switched off, so that those to which a sensor refers exist. */
+    /**
+     * The scene with only these sensors enabled; all others are switched off rather than removed, so that those to
+     * which a sensor refers still exist.
+     */
     public SceneSettings alone(Map<String, SensorSettings<?>> sensors) {
         return Layout.alone(plan.present(), sensors);
     }

@@ -6,9 +6,9 @@ import java.util.Optional;
 /**
  * The best layout that was found for a budget, and how it differs from the one for the next lower budget.
  *
- * @param <L> a layout on some objective
- * @param budget for which it was sought: the bound of the layout holds for all budgets up to this one
- * @param layout that was found; it may cost less
+ * @param <L> a layout for some objective
+ * @param budget the budget for which it was sought: the bound of the layout holds for all budgets up to this one
+ * @param layout the layout that was found; it may cost less
  * @param added names of the sensors that the previous layout does not have, in the order of the file; if there is no
  *     previous layout, all but those that are kept
  * @param removed names of the sensors that only the previous layout has

@@ -11,7 +11,7 @@ import org.dronewatch.placement.SolverLimits;
 /**
  * Finds the best layouts for lower budgets, which show what more money buys.
  *
- * @param <L> a layout on some objective
+ * @param <L> a layout for some objective
  */
 public final class FrontSearch<L extends PlacedLayout> {
     /** Maximum number of budgets. */
@@ -30,7 +30,7 @@ public final class FrontSearch<L extends PlacedLayout> {
      * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the same for
      * any number of them.
      *
-     * @param budgets greatest number of budgets, including the whole, 1 to {@link #MOST}
+     * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}
      * @param progress receives 1 for each budget; from any thread
      */
     public BudgetFront<L> found(int budgets, SolverLimits limits, IntConsumer progress) {

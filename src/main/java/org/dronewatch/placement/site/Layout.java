@@ -15,7 +15,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 
-/** Makes scenes whose sensors are replaced by those of a layout. */
+/** Makes scenes in which the sensors are replaced by those of a layout. */
 public final class Layout {
     private Layout() {}
 
@@ -33,7 +33,7 @@ public final class Layout {
         return SettingsForm.with(scene, Map.of("sensors", all, "disabled", others));
     }
 
-    /** The same with the sensors of a layout: consistent even if the scene needs others. */
+    /** A scene with only the sensors of a layout: it is consistent even if the scene needs others. */
     public static SceneSettings alone(PlacePlan plan, List<SiteCandidate> chosen) {
         return alone(plan.present(), sensors(chosen));
     }
@@ -46,7 +46,7 @@ public final class Layout {
     }
 
     /**
-     * The scene of a plan with some of its candidates alone, and their prices.
+     * The scene of a plan with only some of its candidates, and their prices.
      *
      * @throws InputException when the scene needs a sensor that is missing
      */

@@ -10,18 +10,18 @@ import org.dronewatch.setting.Quantity;
 /**
  * The conditions with which the layout must comply, besides the budget.
  *
- * @param atMost maximum number of its sensors, including those that are kept; any number by default
+ * @param atMost maximum number of its sensors, including those that are kept; no limit by default
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default
  * @param anyoneLost what must remain covered after the loss of the sensor whose loss is worst
- * @param base position of a base station: places without a line of sight to it, as for a radio link, are left out, m;
- *     any place by default
+ * @param base position of a base station, m: positions without a line of sight to it, as for a radio link, are left
+ *     out; by default, none are
  */
 public record LayoutConditions(
         @In(value = Quantity.NUMBER, from = 1, to = 1000) Optional<Integer> atMost,
         @In(value = Quantity.NUMBER, from = 1, to = 10) int fold,
         Optional<LossSettings> anyoneLost,
         Optional<Position> base) {
-    /** No condition. */
+    /** No conditions. */
     @Defaults
     public static final LayoutConditions NONE =
             new LayoutConditions(Optional.empty(), 1, Optional.empty(), Optional.empty());

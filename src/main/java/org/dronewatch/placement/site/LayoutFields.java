@@ -10,10 +10,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The coverage of the best layout and that of the scene's own sensors on the same cells, each as {@code coverage} finds
+ * The coverage of the best layout and that of the scene's own sensors in the same cells, each as {@code coverage} finds
  * it.
  *
- * @param heading that counts in a cell
+ * @param heading the heading that counts in a cell
  * @param layout coverage of the layout
  * @param settings the scene with the layout's sensors alone
  * @param present coverage of the scene's own sensors; empty if it has none

@@ -9,8 +9,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The warnings that the best layout gives and those of the scene's own sensors, of the same flights, each as {@code
- * coverage} finds them.
+ * The warnings of the best layout and those of the scene's own sensors, for the same flights, both as {@code coverage}
+ * finds them.
  *
  * @param layout warnings of the layout
  * @param settings the scene with the layout's sensors alone

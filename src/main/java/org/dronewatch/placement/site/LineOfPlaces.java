@@ -13,7 +13,7 @@ import org.dronewatch.world.GroundPoint;
  *
  * @param from its beginning
  * @param to its end
- * @param every distance between two places, above 0 and at most 100 km, m
+ * @param every distance between neighbours, above 0 and at most 100 km, m
  * @param above height above the highest surface, 0 to 100 km, m; 2 m by default
  */
 public record LineOfPlaces(

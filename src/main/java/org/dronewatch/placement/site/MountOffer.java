@@ -9,9 +9,9 @@ import org.dronewatch.setting.file.Node;
 /**
  * A positioner on which a sensor may be mounted instead of being fixed.
  *
- * @param positioner its settings as in a scene file, such as {@code {use: viper}}; in the layout, all sensors that
- *     measure directions cue it unless it names those that do
- * @param price of one positioner in addition to that of the sensor, 0 to 1e12, in the currency of the budget
+ * @param positioner its settings as in a scene file, such as {@code {use: viper}}; in the layout, it is cued by all
+ *     sensors that measure directions unless its settings name the sensors that cue it
+ * @param price price of one positioner, in addition to that of the sensor, 0 to 1e12, in the currency of the budget
  */
 public record MountOffer(Node.Mapping positioner, @In(value = Quantity.NUMBER, from = 0, to = 1e12) double price) {
     /** Checks the limits. */
@@ -19,7 +19,7 @@ public record MountOffer(Node.Mapping positioner, @In(value = Quantity.NUMBER, f
         Limits.check(MountOffer.class, positioner, price);
     }
 
-    /** A positioner for a price. */
+    /** A positioner with its price. */
     @Defaults({"positioner", "price"})
     public static MountOffer of(Node.Mapping positioner, double price) {
         return new MountOffer(positioner, price);

@@ -16,19 +16,19 @@ import org.dronewatch.setting.file.Node;
  * A sensor that may be bought, and where it may stand.
  *
  * @param sensor its settings as in a scene file, without a position, such as {@code {use: blighter-a400-m10s}}
- * @param price of one sensor with its installation, 0 to 1e12, in the currency of the budget
- * @param places where the sensor may stand
- * @param line places along a line
- * @param area places within a polygon, such as a roof
+ * @param price price of one sensor, including its installation, 0 to 1e12, in the currency of the budget
+ * @param places positions at which the sensor may stand
+ * @param line positions along a line
+ * @param area positions within a polygon, such as a roof
  * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
- *     each place, 1 to 72; 1 by default
- * @param positioners positioners on which it may be mounted instead of being fixed, by name, with which the names of
- *     such sensors in the layout end: at each place, one candidate on each of them, in addition to one for each aim;
- *     none by default
- * @param exclusive whether at most one such sensor, of all candidates and of the sensors that are kept, may stand at a
- *     place; {@code false} by default
- * @param atLeast minimum number of them in the layout; 0 by default
- * @param atMost maximum number of them in the layout; any number by default
+ *     each position, 1 to 72; 1 by default
+ * @param positioners positioners on which it may be mounted instead of being fixed, by name: the names of such sensors
+ *     in the layout end with that name. At each position, there is one candidate on each of them, in addition to one
+ *     for each aim; none by default
+ * @param exclusive whether at most one such sensor, among all candidates and the sensors that are kept, may stand at a
+ *     position; {@code false} by default
+ * @param atLeast minimum number of such sensors in the layout; 0 by default
+ * @param atMost maximum number of such sensors in the layout; no limit by default
  */
 public record OfferSettings(
         Node.Mapping sensor,
@@ -61,7 +61,7 @@ public record OfferSettings(
         }
     }
 
-    /** A sensor without a place. */
+    /** A sensor for which no position is given yet. */
     @Defaults({"sensor", "price"})
     public static OfferSettings of(Node.Mapping sensor, double price) {
         return new OfferSettings(

@@ -4,7 +4,7 @@ package org.dronewatch.placement.site;
 public enum PlaceObjective {
     /** The fraction of the airspace that at least one sensor covers. */
     COVERAGE,
-    /** The time from the first detection of a drone that flies straight in until it reaches the protected zone. */
+    /** The time from the first detection of a drone that flies straight in to its arrival at the protected zone. */
     WARNING_TIME,
     /** The exposure on the least exposed route from the edge to the protected zone. */
     WEAKEST_ROUTE

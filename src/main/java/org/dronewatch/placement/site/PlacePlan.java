@@ -24,17 +24,18 @@ import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 
 /**
- * A placement file with its scene and its candidates. The site is loaded only where places are given above its
+ * A placement file with its scene and its candidates. The site is loaded only if positions are given relative to its
  * surface.
  *
- * @param settings of the file
- * @param scene that it names
- * @param runner of that scene
+ * @param settings settings in the file
+ * @param scene the scene that the file names
+ * @param runner runner of that scene
  * @param present settings of the scene as it is
- * @param drone that is to be detected
- * @param candidates in the order of the file; those that are kept first
- * @param conditions under which the air is to be covered, too; none for the scene as it is alone
- * @param conditionsFile file of these; empty without one
+ * @param drone the drone that is to be detected
+ * @param candidates the candidates: first the sensors that are kept, then the others in the order of the file
+ * @param conditions further conditions under which the airspace is to be covered; none if only the scene as it is
+ *     counts
+ * @param conditionsFile file of these conditions; empty if there is none
  */
 public record PlacePlan(
         PlaceSettings settings,
@@ -58,9 +59,9 @@ public record PlacePlan(
     /**
      * Reads a file.
      *
-     * @param configuration changes what the scene's file states
+     * @param configuration changes what the file of the scene specifies
      * @param notes receives a line for each file read, and each warning
-     * @throws InputException with a line for each mistake: file, line, column, setting, value and limit
+     * @throws InputException with a line for each error: file, line, column, setting, value and limit
      */
     public static PlacePlan read(Path file, Consumer<SceneRunner> configuration, Consumer<String> notes) {
         Path directory = file.toAbsolutePath().normalize().resolveSibling("");
@@ -97,10 +98,10 @@ public record PlacePlan(
     }
 
     /**
-     * A problem that comes up when candidates are assessed or chosen, preceded by the location in the file of the
-     * setting that its message names first.
+     * A problem that comes up when candidates are assessed or chosen, preceded by the location, in the file, of the
+     * first setting that its message names.
      *
-     * @param file that was read
+     * @param file the file that was read
      */
     public static InputException placed(Path file, InputException problem) {
         String message = String.valueOf(problem.getMessage());
@@ -134,7 +135,7 @@ public record PlacePlan(
         return with(settings.withBudget(budget));
     }
 
-    /** The same with another length of a cell's side, m. */
+    /** The same with another cell size: the length of a cell's side, m. */
     public PlacePlan withCell(double length) {
         return with(SettingsForm.with(settings, "air", SettingsForm.with(settings.air(), "cell", Optional.of(length))));
     }

@@ -41,10 +41,10 @@ public final class PlaceSearch {
     /**
      * The best layout that this search finds.
      *
-     * @param limits of the choice among the candidates
+     * @param limits limits on the choice among the candidates
      * @param progress receives the number of cells that were assessed since the last call
-     * @param assessed called when the candidates have been assessed, perhaps because this thread was interrupted;
-     *     should then clear its interrupt status
+     * @param assessed called when the assessment of the candidates ends, possibly because this thread was interrupted;
+     *     it should then clear the interrupt status
      * @throws InputException when no layout complies with the conditions
      * @throws CancellationException when this thread is interrupted before any candidate is assessed
      */

@@ -12,19 +12,18 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A placement: a search for the sensors, and for their places among several, that cover the most airspace within a
- * budget.
+ * A placement: a search for the sensors and positions, among several, that cover the most airspace within a budget.
  *
  * @param scene a packaged scene by name, or a scene file in the directory of this file or below it
- * @param drone of the scene, which is to be detected; the first by default
+ * @param drone the drone of the scene that is to be detected; the first by default
  * @param objective the quantity that is maximised: {@code coverage}; {@code warning-time}, the time from the first
- *     detection until the drone reaches the protected zone; or {@code weakest-route}, the exposure on the least exposed
- *     route to that zone
+ *     detection of the drone to its arrival at the protected zone; or {@code weakest-route}, the exposure on the least
+ *     exposed route to that zone
  * @param warning which warning counts for {@code warning-time}: the {@code worst} over all bearings and heights, or
  *     their {@code mean}; {@code worst} by default
- * @param budget for all sensors but those that are kept, 0 to 1e12, in any currency
- * @param candidates sensors that may be bought, by name, with which the names of such sensors in the layout begin
- * @param keep sensors of the scene that stay, at no cost
+ * @param budget budget for all sensors except those that are kept, 0 to 1e12, in any currency
+ * @param candidates sensors that may be bought, by name; the names of such sensors in the layout begin with that name
+ * @param keep sensors of the scene that are kept, at no cost
  * @param conditions what the layout must comply with
  * @param air airspace that is to be covered
  */
@@ -56,7 +55,7 @@ public record PlaceSettings(
         }
     }
 
-    /** A placement with the most coverage for a budget. */
+    /** A search for the most coverage within a budget. */
     @Defaults({"scene", "budget", "candidates"})
     public static PlaceSettings of(String scene, double budget, Map<String, OfferSettings> candidates) {
         return new PlaceSettings(

@@ -4,7 +4,7 @@ package org.dronewatch.placement.site;
  * One step towards a layout: the sensor to be bought next.
  *
  * @param added its name
- * @param cost of all sensors so far
+ * @param cost cost of all sensors so far
  * @param value fraction of the airspace that they cover
  */
 public record PlaceStep(String added, double cost, double value) {}

@@ -8,8 +8,8 @@ import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The best layout of a plan that was found, on any objective. Values are in the unit of the objective: fractions, times
- * or exposures, of which more is better.
+ * The best layout that was found for a plan, with any objective. Values are in the unit of the objective, fractions,
+ * times or exposures, and greater values are better.
  */
 public interface PlacedLayout {
     /** What was asked for. */
@@ -21,10 +21,10 @@ public interface PlacedLayout {
     /** The result of the search, in the values of its problem. */
     PlacementResult result();
 
-    /** The scene's own sensors; empty if it has none, or the search was interrupted before. */
+    /** The scene's own sensors; empty if it has none, or if the search was interrupted before they were assessed. */
     Optional<PresentLayout> present();
 
-    /** Whether every candidate was assessed and the search ended by itself. */
+    /** Whether every candidate was assessed and the search ran to completion. */
     boolean complete();
 
     /** The value of the layout. */
@@ -40,8 +40,8 @@ public interface PlacedLayout {
     Map<String, Double> withoutEach();
 
     /**
-     * The order in which the sensors are best bought, after those that are kept: each time the one that adds most for
-     * its price. Empty if it was not computed.
+     * The best order in which to buy the sensors, after those that are kept: at each step, the one that adds the most
+     * for its price. Empty if it was not computed.
      */
     List<PlaceStep> purchases();
 

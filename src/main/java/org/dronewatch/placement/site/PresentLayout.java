@@ -3,7 +3,7 @@ package org.dronewatch.placement.site;
 /**
  * The scene's own sensors, for comparison.
  *
- * @param sensors their number
+ * @param sensors number of sensors
  * @param value fraction of the airspace that they cover
  */
 public record PresentLayout(int sensors, double value) {}

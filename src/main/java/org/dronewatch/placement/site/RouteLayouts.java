@@ -20,7 +20,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The layouts of a plan against the weakest routes past them, once all candidates have been assessed: for the whole
- * budget and, with the routes that were found for it, for lower ones. One thread at a time.
+ * budget and, starting from the routes that were found for it, for lower budgets. For one thread at a time.
  */
 public final class RouteLayouts {
     private final PlacePlan plan;
@@ -51,10 +51,10 @@ public final class RouteLayouts {
     }
 
     /**
-     * The best layout that is found; if this thread is interrupted, the best that was tried so far, and its interrupt
+     * The best layout that is found; if this thread is interrupted, the best of those tried so far, and the interrupt
      * status is kept.
      *
-     * @param round receives the number of layouts that were tried so far
+     * @param round receives the number of layouts that have been tried so far
      * @throws InputException when no layout complies with the conditions, or there is no route
      * @throws CancellationException when this thread is interrupted before the first layout has been tried
      */
@@ -123,7 +123,10 @@ public final class RouteLayouts {
             }
         }
 
-        /** The direction from which the drone came least detected before; among equals, where most is gained. */
+        /**
+         * The direction from which the drone was least likely to be detected before; in a tie, the one in which most is
+         * gained.
+         */
         @Override
         public Optional<SectorGain> gain(Optional<RoutePlacement> before, RoutePlacement after) {
             if (before.isEmpty()) {

@@ -16,17 +16,17 @@ import org.dronewatch.route.search.WeakestRoute;
  *
  * @param plan what was asked for
  * @param grid the cells over which routes are searched for
- * @param result of the search
+ * @param result result of the search
  * @param weakest the least exposed route past the layout
- * @param bearing of the direction from which it comes, clockwise from north, rad
- * @param lower a certified lower bound of the exposure of all routes past the layout
- * @param alone by the name of each sensor, the value of a layout of it alone; empty if that was not computed
- * @param withoutEach by the name of each sensor, the value without it; empty if that was not computed
+ * @param bearing bearing of the direction from which that route comes, clockwise from north, rad
+ * @param lower a certified lower bound on the exposure along any route past the layout
+ * @param alone by the name of each sensor, the value of a layout of that sensor alone; empty if it was not computed
+ * @param withoutEach by the name of each sensor, the value without that sensor; empty if it was not computed
  * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param rounds number of layouts whose routes were searched for
  * @param routes number of routes that were compared
- * @param complete whether every candidate was assessed and the search ended by itself
+ * @param complete whether every candidate was assessed and the search ran to completion
  */
 public record RoutePlacement(
         PlacePlan plan,
@@ -85,7 +85,7 @@ public record RoutePlacement(
                 complete);
     }
 
-    /** The probability of at least one detection along a route of some exposure, 0 to 1. */
+    /** The probability of at least one detection along a route with a given exposure, 0 to 1. */
     public static double detection(double exposure) {
         return -Math.expm1(-exposure);
     }

@@ -4,9 +4,9 @@ import org.dronewatch.placement.Candidate;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * A sensor at a place and with an aim.
+ * A sensor with its position and aim.
  *
- * @param candidate its name, price, the name of its offer as its kind, and the place that it takes
+ * @param candidate its name, its price, the name of its offer as its kind, and the position that it occupies
  * @param sensor its settings
  */
 public record SiteCandidate(Candidate candidate, SensorSettings<?> sensor) {

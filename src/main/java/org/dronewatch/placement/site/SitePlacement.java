@@ -14,17 +14,18 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The best layout that was found for a plan. Values are fractions of the airspace: of the rows that
+ * The best layout that was found for a plan. Values are fractions of the airspace, that is, of the rows that
  * {@link CoveredCells} counts.
  *
  * @param plan what was asked for
  * @param grid the cells
- * @param headings on which each cell counts
- * @param rows the number of cells times that of headings
- * @param problem whose rows have a weight of 1 each; under several conditions, as many rows for each of them
- * @param result of the search, in rows
+ * @param headings number of headings on which each cell counts
+ * @param rows the number of cells times the number of headings
+ * @param problem the problem, whose rows have a weight of 1 each; under several conditions, the rows are repeated for
+ *     each of them
+ * @param result result of the search, in rows
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
- * @param complete whether every candidate was assessed and the search ended by itself
+ * @param complete whether every candidate was assessed and the search ran to completion
  */
 public record SitePlacement(
         PlacePlan plan,
@@ -104,8 +105,8 @@ public record SitePlacement(
     }
 
     /**
-     * The order in which the sensors of the layout are best bought: each time the one that adds most for its price,
-     * after those that are kept.
+     * The best order in which to buy the sensors of the layout, after those that are kept: at each step, the one that
+     * adds the most for its price.
      */
     @Override
     public List<PlaceStep> purchases() {

@@ -14,17 +14,18 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The layout of a plan that gives the longest warning: the worst or the mean over flights straight in, 0 where the
- * drone is not detected before it arrives.
+ * The layout of a plan that gives the longest warning: the worst or the mean over flights straight in; a warning is 0
+ * if the drone is not detected before it arrives.
  *
  * @param plan what was asked for
- * @param grid the cells whose side is the step of the flights
+ * @param grid the cells; the length of their sides is the step of the flights
  * @param longest the longest warning that can be found, that of a flight detected where it begins, s
- * @param problem with a row for each flight: for the worst warning, by how much warnings are shorter than the longest
- * @param result of the search, in the values of the problem
+ * @param problem the problem, with a row for each flight; for the worst warning, its values are how much shorter each
+ *     warning is than the longest
+ * @param result result of the search, in the values of the problem
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
  *     before they were assessed
- * @param complete whether every candidate was assessed and the search ended by itself
+ * @param complete whether every candidate was assessed and the search ran to completion
  */
 public record WarningPlacement(
         PlacePlan plan,
@@ -71,7 +72,7 @@ public record WarningPlacement(
         return seconds(problem.value(candidates));
     }
 
-    /** The number of flights of which the layout gives some warning before they arrive. */
+    /** The number of flights for which the layout gives some warning before the drone arrives. */
     public long detected() {
         boolean[] isDetected = new boolean[flights()];
         for (int one : result.chosen()) {
@@ -106,8 +107,9 @@ public record WarningPlacement(
     }
 
     /**
-     * The order in which the sensors of the layout are best bought: each time the one that adds most for its price or,
-     * where none makes the worst warning longer yet, that gives most warnings for its price; after those that are kept.
+     * The best order in which to buy the sensors of the layout, after those that are kept: at each step, the one that
+     * adds the most for its price or, where none makes the worst warning any longer, the one that gives the most
+     * warnings for its price.
      */
     @Override
     public List<PlaceStep> purchases() {

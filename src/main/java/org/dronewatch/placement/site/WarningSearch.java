@@ -34,8 +34,8 @@ public final class WarningSearch {
     /**
      * A search.
      *
-     * @param stage of the plan's scene
-     * @param store of assessments that were made before
+     * @param stage stage of the plan's scene
+     * @param store store of earlier assessments
      * @throws InputException when the scene has no protected zone
      */
     public WarningSearch(PlacePlan plan, Stage stage, LayerStore store, PlacementSolver solver) {
@@ -58,8 +58,8 @@ public final class WarningSearch {
      * The best layout that this search finds.
      *
      * @param progress receives the number of cells that were assessed since the last call
-     * @param assessed called when the candidates have been assessed, perhaps because this thread was interrupted;
-     *     should then clear its interrupt status
+     * @param assessed called when the assessment of the candidates ends, possibly because this thread was interrupted;
+     *     it should then clear the interrupt status
      * @throws InputException when no layout complies with the conditions
      * @throws CancellationException when this thread is interrupted before any candidate is assessed
      */
@@ -85,13 +85,13 @@ public final class WarningSearch {
                 isComplete);
     }
 
-    /** The approximate number of cells at which a number of sensors have to be assessed. */
+    /** The approximate number of cells at which a given number of sensors has to be assessed. */
     public long looks(int sensors) {
         return flights.looks() * sensors;
     }
 
     /**
-     * The warnings of a layout beside those of the scene's own sensors.
+     * The warnings of a layout, to be compared with those of the scene's own sensors.
      *
      * @param progress receives the number of cells that were assessed since the last call
      * @return empty if the layout has no sensor, or this thread is interrupted; it then stays interrupted

@@ -18,12 +18,15 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 
 /**
- * Finds the layout of a plan past which the weakest route to the protected zone is most exposed: each candidate is
- * assessed once by itself, and then layouts are tried against routes, and routes are searched for past layouts, by
- * turns.
+ * Finds the layout of a plan that makes the weakest route to the protected zone as exposed as possible: each candidate
+ * is assessed once by itself, and then layouts are tried against the known routes and weaker routes are searched for
+ * past these layouts, in turn.
  */
 public final class WeakestRouteSearch {
-    /** A greater exposure counts as this: it is that of one look with the greatest probability that counts. */
+    /**
+     * Greater exposures count as equal to this: it is the exposure to one look with the greatest probability that
+     * counts.
+     */
     public static final double ENOUGH = -Math.log1p(-FieldExposure.HIGHEST);
 
     private final PlacePlan plan;
@@ -34,8 +37,8 @@ public final class WeakestRouteSearch {
     /**
      * A search.
      *
-     * @param stage of the plan's scene
-     * @param store of assessments that were made before
+     * @param stage stage of the plan's scene
+     * @param store store of earlier assessments
      * @throws InputException when a setting makes no sense for routes, or the scene has no protected zone
      */
     public WeakestRouteSearch(PlacePlan plan, Stage stage, LayerStore store, PlacementSolver solver) {
@@ -76,11 +79,11 @@ public final class WeakestRouteSearch {
     }
 
     /**
-     * The best layout that this search finds; if this thread is interrupted, the best that was tried so far, and its
+     * The best layout that this search finds; if this thread is interrupted, the best of those tried so far, and the
      * interrupt status is kept.
      *
      * @param progress receives the number of cells that were assessed since the last call
-     * @param round receives the number of layouts that were tried so far
+     * @param round receives the number of layouts that have been tried so far
      * @throws InputException when no layout complies with the conditions, or there is no route
      * @throws CancellationException when this thread is interrupted before the first layout has been tried
      */

@@ -6,8 +6,9 @@ import org.dronewatch.placement.PlacementResult;
 /**
  * The best layout against rows that an oracle found.
  *
- * @param problem with all rows that were found
- * @param result its value is that in the weakest of these rows; the bound holds for any rows, found or not
+ * @param problem the problem with all rows that were found
+ * @param result the result, whose value is that in the weakest of these rows; the bound holds for all rows, found or
+ *     not
  * @param rounds how many layouts the oracle was asked about
  */
 public record CutResult(PlacementProblem problem, PlacementResult result, int rounds) {}

@@ -17,10 +17,10 @@ import org.dronewatch.placement.RowOracle;
 import org.dronewatch.placement.SolverLimits;
 
 /**
- * The greatest sum of values in the weakest row, where there are too many rows to list them: the best layout against
- * the rows found so far is given to an oracle, whose answer is added, until that layout has no weaker row: E. Israeli
- * and R. K. Wood, Networks 40 (2002). Fewer rows are never harder to serve, so that each round gives a bound. One
- * thread at a time.
+ * Finds the greatest sum of values in the weakest row if there are too many rows to list: the best layout against the
+ * rows found so far is given to an oracle, and the rows that it returns are added, until it finds no weaker row for the
+ * layout (E. Israeli and R. K. Wood, Networks 40, 2002). Fewer rows are never harder to serve, so each round gives a
+ * bound. For one thread at a time.
  */
 public final class CuttingPlanes {
     /** The gap to which early rounds are solved: their layouts will change anyway. */
@@ -40,9 +40,9 @@ public final class CuttingPlanes {
     /**
      * A search.
      *
-     * @param conditions what a layout must comply with; after a loss, too, in all rows
-     * @param solver of the problems with the rows found so far
-     * @param enough values above this count as equal to it, above 0
+     * @param conditions what a layout must comply with; the condition on a loss applies to all rows
+     * @param solver solves the problems with the rows found so far
+     * @param enough values above this count as equal to it; above 0
      */
     public CuttingPlanes(
             List<Candidate> candidates,
@@ -74,10 +74,10 @@ public final class CuttingPlanes {
     }
 
     /**
-     * The best layout that is found within some limits; an interruption of this thread ends the search, too, and its
+     * The best layout that is found within some limits; an interruption of this thread also ends the search, and its
      * interrupt status is kept. Empty if no layout complies.
      *
-     * @param round receives the number of layouts that were given to the oracle so far
+     * @param round receives the number of layouts that have been given to the oracle so far
      * @throws CancellationException when the search is ended before the oracle has answered for the first layout
      */
     public Optional<CutResult> solve(SolverLimits limits, IntConsumer round) {

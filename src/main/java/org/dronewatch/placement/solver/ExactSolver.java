@@ -13,9 +13,9 @@ import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 
 /**
- * Begins with a greedy choice and swaps, and proves the best by branch and bound over Lagrangian relaxations, or,
- * for the worst impact, by bisecting its levels. The result depends on the problem and the gap alone, unless a time
- * limit ends the search. Thread-safe.
+ * Begins with a greedy choice and swaps, then proves which layout is best by branch and bound with Lagrangian
+ * relaxation or, for the worst impact, by bisection over its levels. The result depends only on the problem and the
+ * gap, unless a time limit ends the search. Thread-safe.
  */
 public final class ExactSolver implements PlacementSolver {
     private static final double NANOS = 1e-9;
