@@ -47,9 +47,9 @@ public final class CampaignPlan implements Cases {
      * Reads the scenes of all variants, loads their models, and checks that the least and greatest values of all
      * settings that vary are valid.
      *
-     * @param directory of the campaign file
+     * @param directory directory of the campaign file
      * @param notes receives a line for each file read, and each warning
-     * @throws InputException in one line when anything is wrong
+     * @throws InputException when anything is wrong, with a message of one line
      */
     public CampaignPlan(CampaignSettings settings, Path directory, Consumer<String> notes) {
         this(settings, directory, name -> CampaignVariant.scene(directory, name), notes);
@@ -58,10 +58,10 @@ public final class CampaignPlan implements Cases {
     /**
      * The same with scenes from elsewhere.
      *
-     * @param directory of the table
-     * @param scenes gives the scene with a name
+     * @param directory directory of the table
+     * @param scenes supplies a scene by its name
      * @param notes receives a line for each file read, and each warning
-     * @throws InputException in one line when anything is wrong
+     * @throws InputException when anything is wrong, with a message of one line
      */
     public CampaignPlan(
             CampaignSettings settings, Path directory, Function<String, Scene> scenes, Consumer<String> notes) {
@@ -170,12 +170,15 @@ public final class CampaignPlan implements Cases {
         return paths;
     }
 
-    /** SHA-256 of the table; empty without one. */
+    /** SHA-256 hash of the table; empty if there is none. */
     public Optional<String> tableHash() {
         return settings.table().map(name -> table.hash());
     }
 
-    /** SHA-256 of what the values of settings name, besides the models of the variants; in a fixed order. */
+    /**
+     * SHA-256 hashes of the files that values of settings name, apart from the models of the variants; in a fixed
+     * order.
+     */
     public List<String> variedHashes() {
         return varied.hashes();
     }
@@ -256,12 +259,12 @@ public final class CampaignPlan implements Cases {
         return one;
     }
 
-    /** The settings and files that a variant was read from, with its models. */
+    /** The settings and files from which a variant was read, with its models. */
     public InputFiles inputs(String variant) {
         return variants.get(variant).runner().inputs();
     }
 
-    /** What all cases and variants share of their sites. */
+    /** The parts of their sites that all cases and variants share. */
     public SiteMemory memory() {
         return memory;
     }

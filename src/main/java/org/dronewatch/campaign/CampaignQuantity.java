@@ -21,7 +21,7 @@ public enum CampaignQuantity {
         this.unit = unit;
     }
 
-    /** What it is, in words. */
+    /** Its name in words. */
     public String words() {
         return words;
     }

@@ -26,8 +26,8 @@ public final class CampaignReader {
      * Reads a file. The name of a table may replace the settings that vary, {@code vary: factors.csv}, or be listed
      * among them, {@code vary: {factors.csv, ...}}.
      *
-     * @throws org.dronewatch.setting.InputException with a line for each mistake: file, line, column, setting, value
-     *     and limit
+     * @throws org.dronewatch.setting.InputException with a line for each error: file, line, column, setting, value and
+     *     limit
      */
     public static CampaignSettings read(Path file) {
         Path directory = file.resolveSibling("").toAbsolutePath();
@@ -40,10 +40,10 @@ public final class CampaignReader {
     }
 
     /**
-     * A problem that shows when the cases are prepared, with the place in the file of the setting with which its
-     * message begins.
+     * A problem that comes up when the cases are prepared, preceded by the location, in the file, of the setting with
+     * which its message begins.
      *
-     * @param file that was read
+     * @param file the file that was read
      */
     public static InputException placed(Path file, InputException problem) {
         String message = String.valueOf(problem.getMessage());

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Runs the cases of a campaign in chunks of neighbouring cases. Each chunk is handed over whole, so that an
+ * Runs the cases of a campaign in chunks of neighbouring cases. Each chunk is handed over as a whole, so that an
  * interrupted campaign can be resumed: chunks that were kept are not run again. If the outcomes decide how many cases
  * there are, they are considered in the order of the cases; some cases of the last chunk may then be superfluous.
  */
@@ -78,7 +78,7 @@ public final class CampaignRun {
         return cases == plan && plan.settings().until().isPresent();
     }
 
-    /** Where it ends, before the first case. */
+    /** What decides when the campaign ends, before any case has been added. */
     public Stopping stopping() {
         return cases == plan ? new Stopping(plan) : new Stopping(cases);
     }
@@ -93,7 +93,7 @@ public final class CampaignRun {
         return IntStream.range(0, chunks(cases)).filter(shard::has);
     }
 
-    /** The number of cases of a chunk. */
+    /** The number of cases in a chunk. */
     public int size(int chunk) {
         return Math.min(CHUNK, cases.size() - chunk * CHUNK);
     }
@@ -106,8 +106,7 @@ public final class CampaignRun {
     /**
      * Runs what is missing, on the {@link Workers} of the calling thread; the same results for any number of them.
      *
-     * @throws java.util.concurrent.CancellationException when the thread is interrupted: the chunks that are whole are
-     *     kept
+     * @throws java.util.concurrent.CancellationException when the thread is interrupted: complete chunks are kept
      */
     public void run(Chunks kept, Progress progress) {
         Stopping stopping = stopping();
@@ -129,7 +128,7 @@ public final class CampaignRun {
     /**
      * Runs a chunk, on the {@link Workers} of the calling thread; the same results for any number of them.
      *
-     * @return by case, then variant
+     * @return the results, by case, then by variant
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public List<CaseResult> results(int chunk, Progress progress) {

@@ -16,19 +16,19 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A campaign: many cases of a scene, whose settings are drawn at random, each run with every variant.
+ * A campaign: many cases of a scene with settings drawn at random, each of them run with every variant.
  *
  * @param scene a packaged scene by name, or a scene file in the directory of this file or below it
  * @param vary how settings vary from case to case, by their paths, such as {@code drones.intruder.speed}
  * @param table a CSV file in the directory of this file or below it, whose columns are paths of settings and whose rows
  *     are the cases
  * @param variants what differs between the variants, by their names: settings by their paths with values, as for
- *     {@code --set}, and {@code scene} for another scene; without any there is one variant, the scene as it is
+ *     {@code --set}, and {@code scene} for another scene; if there are none, the only variant is the scene as it is
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
  * @param until how precisely a probability is to be known, instead of a fixed number of cases
  * @param sensitivity how to determine which settings matter
- * @param expect what it is expected to show
- * @param seed seed of what is drawn for the cases, and of their runs
+ * @param expect what the campaign is expected to show
+ * @param seed seed of the values drawn for the cases, and of their runs
  */
 public record CampaignSettings(
         String scene,
@@ -40,10 +40,10 @@ public record CampaignSettings(
         Optional<SensitivitySettings> sensitivity,
         List<Expectation> expect,
         long seed) {
-    /** Name of the variant of a campaign that states none. */
+    /** Name of the only variant of a campaign that specifies none. */
     public static final String ALONE = "scene";
 
-    /** Under this name a variant states another scene. */
+    /** The name under which a variant specifies another scene. */
     public static final String SCENE = "scene";
 
     private static final int RUNS = 1000;
@@ -108,7 +108,7 @@ public record CampaignSettings(
                 other, vary, table, Map.of(), runs, Optional.empty(), Optional.empty(), List.of(), seed);
     }
 
-    /** A copy with other settings that vary. */
+    /** A copy in which other settings vary. */
     public CampaignSettings withVary(Map<String, Variation> others) {
         return SettingsForm.with(this, "vary", others);
     }
@@ -119,7 +119,7 @@ public record CampaignSettings(
     }
 
     /**
-     * A copy with settings that all variants share, unless a variant sets them itself.
+     * A copy with settings that apply to all variants, unless a variant sets them itself.
      *
      * @param shared values by the paths of settings
      * @throws org.dronewatch.setting.InputException when one of them varies

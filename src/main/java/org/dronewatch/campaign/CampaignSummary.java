@@ -14,9 +14,9 @@ public final class CampaignSummary {
     private final List<VariantComparison> comparisons = new ArrayList<>();
 
     /**
-     * A summary of no cases yet.
+     * An empty summary, without any cases yet.
      *
-     * @param names of the variants, in their order
+     * @param names names of the variants, in their order
      */
     public CampaignSummary(List<String> names) {
         names.forEach(name -> variants.put(name, new VariantSummary()));
@@ -32,7 +32,7 @@ public final class CampaignSummary {
     /**
      * Adds a case.
      *
-     * @param results one for each variant
+     * @param results one result for each variant
      */
     public void add(List<CaseResult> results) {
         Map<String, CaseResult> byVariant = new LinkedHashMap<>();
@@ -48,7 +48,7 @@ public final class CampaignSummary {
         return Collections.unmodifiableMap(variants);
     }
 
-    /** Whether there are cases, but none of any variant could be run. */
+    /** Whether there are cases, but none could be run with any variant. */
     public boolean isAllFailed() {
         return variants.values().stream().allMatch(one -> one.failed() == one.cases())
                 && variants.values().stream().anyMatch(one -> one.cases() > 0);

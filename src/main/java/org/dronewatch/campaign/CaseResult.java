@@ -10,20 +10,20 @@ import java.util.OptionalDouble;
 /**
  * The result of one case with one variant.
  *
- * @param number of the case, from 0
+ * @param number number of the case, from 0
  * @param variant name of the variant
- * @param seed of the run
- * @param values of the settings that vary, as texts, in the order of the campaign
- * @param error why there is no result, in one line; empty where there is one
- * @param bearing from the middle of what is protected, or of the sensors, to the first attacking drone at the start,
- *     clockwise from north, rad; empty in a case that failed or has no drone
+ * @param seed seed of the run
+ * @param values values of the settings that vary, as text, in the order of the campaign
+ * @param error why there is no result, in one line; empty if there is one
+ * @param bearing bearing of the first attacking drone at the start, from the middle of what is protected or from the
+ *     mean position of the sensors, clockwise from north, rad; empty in a case that failed or has no drone
  * @param firstDetected when the first attacking drone was first detected, s; empty if never
- * @param firstSensor the sensor that detected it then; empty if never
- * @param range its distance from that sensor then, m; empty if never
+ * @param firstSensor the sensor that detected it first; empty if none did
+ * @param range its distance from that sensor at that time, m; empty if it was never detected
  * @param alert when the first alert was raised for an attacking drone, s; empty if never
- * @param warning the warning time of that alert, s; empty without alert or zone
- * @param inTime whether it came in time; empty where nothing is protected or no response time is required
- * @param closest the least distance of an attacking drone to what is protected, m: 0 if one reached it; empty where
+ * @param warning the warning time of that alert, s; empty if there is no alert or no zone
+ * @param inTime whether that alert came in time; empty if nothing is protected or no response time is required
+ * @param closest the shortest distance of an attacking drone from what is protected, m: 0 if one reached it; empty if
  *     nothing is protected
  * @param cutShort whether the run ended while an attacking drone for which there was no alert was still coming closer
  *     to what is protected: a longer run might have another outcome
@@ -71,7 +71,7 @@ public record CaseResult(
                 Map.of());
     }
 
-    /** Whether it has no result. */
+    /** Whether the case has no result. */
     public boolean isFailed() {
         return error.isPresent();
     }

@@ -28,7 +28,7 @@ public final class CaseRun {
     /**
      * Runs a case on the calling thread.
      *
-     * @return its result; for a case whose settings are not valid together, or whose run fails, a failed one
+     * @return its result; for a case whose settings are not valid together, or whose run fails, a failed result
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public static CaseResult of(CampaignPlan plan, int number, String variant) {

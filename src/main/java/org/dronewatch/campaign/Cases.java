@@ -2,15 +2,15 @@ package org.dronewatch.campaign;
 
 import java.util.List;
 
-/** Cases that can be run in any order, each with every one of some variants. Immutable and thread-safe. */
+/** Cases that can be run in any order, each with every variant. Immutable and thread-safe. */
 public interface Cases {
     /** The number of cases, or, if it depends on their outcomes, the largest number. */
     int size();
 
-    /** The names of the variants that they are run with. */
+    /** The names of the variants with which the cases are run. */
     List<String> variants();
 
-    /** The texts of the values of a case, in the order of {@link CampaignPlan#paths()}. */
+    /** The values of a case as text, in the order of {@link CampaignPlan#paths()}. */
     List<String> values(int number);
 
     /** The seed of the runs of a case, the same for all variants. */

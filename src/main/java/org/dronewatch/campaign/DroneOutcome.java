@@ -10,9 +10,9 @@ public enum DroneOutcome {
     DETECTED(true, false, Optional.empty()),
     /** With an alert, where no response time is required. */
     ALERTED(true, true, Optional.empty()),
-    /** With an alert that leaves less than the time that the response requires. */
+    /** With an alert that leaves less time than the response requires. */
     LATE(true, true, Optional.of(false)),
-    /** With an alert that leaves the time that the response requires. */
+    /** With an alert that leaves enough time for the response. */
     IN_TIME(true, true, Optional.of(true));
 
     private final boolean isDetected;

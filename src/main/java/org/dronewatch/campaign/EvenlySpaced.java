@@ -9,11 +9,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Evenly spaced values, each with the same probability: stated by their number, or by the distance between two of them.
+ * Evenly spaced values, each with the same probability: specified by their number, or by the step from each value to
+ * the next.
  *
  * @param from the least value
  * @param to the greatest value; with {@code step}, values are no greater than this
- * @param count number of values, the first and the last included, 2 to 10,000
+ * @param count number of values, including the first and the last, 2 to 10,000
  * @param step distance from each value to the next, above 0
  */
 public record EvenlySpaced(

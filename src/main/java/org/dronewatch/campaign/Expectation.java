@@ -9,12 +9,13 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.statistics.Proportion;
 
 /**
- * What a campaign is expected to show: that the interval of a probability lies above a limit. That is the 95 %
- * confidence interval or, of the probability that decided how many cases were run, the one that the rule guarantees.
+ * What a campaign is expected to show: that the interval for a probability does not reach below a limit. The interval
+ * is the 95 % confidence interval or, for the probability that decided how many cases were run, the one that the rule
+ * guarantees.
  *
- * @param of the outcome whose probability it is
+ * @param of the outcome whose probability is meant
  * @param variant the variant; the first by default
- * @param low the least lower bound of the interval
+ * @param low the limit: the smallest lower bound that meets the expectation
  */
 public record Expectation(
         Outcome of, Optional<String> variant, @In(value = Quantity.NUMBER, from = 0, to = 1) double low) {
@@ -24,13 +25,13 @@ public record Expectation(
         Limits.check(Expectation.class, of, variant, low);
     }
 
-    /** An expectation of the first variant. */
+    /** An expectation about the first variant. */
     @Defaults({"of", "low"})
     public static Expectation of(Outcome of, double low) {
         return new Expectation(of, Optional.empty(), low);
     }
 
-    /** The variant whose cases it is about. */
+    /** The variant that the expectation is about. */
     public String variantIn(CampaignPlan plan) {
         return variant.orElseGet(() -> plan.variants().get(0));
     }
@@ -40,12 +41,12 @@ public record Expectation(
         return summary.variants().get(variantIn(plan)).proportion(of);
     }
 
-    /** Whether the campaign shows it. */
+    /** Whether the campaign meets the expectation. */
     public boolean isMet(CampaignPlan plan, CampaignSummary summary) {
         return interval(plan, summary).map(one -> one.low() >= low).orElse(false);
     }
 
-    /** The interval by which it is judged; empty if the outcome makes no sense in any case. */
+    /** The interval by which the expectation is judged; empty if the outcome makes no sense in any case. */
     public Optional<Proportion.Interval> interval(CampaignPlan plan, CampaignSummary summary) {
         return proportion(plan, summary).map(one -> plan.settings()
                 .until()

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Why cases could not be run. Reasons that differ only in their numbers count as one, and of many reasons only the
- * first are kept. For one thread.
+ * Why cases could not be run. Reasons that differ only in their numbers count as one, and if there are many reasons,
+ * only the first are kept. For one thread.
  */
 public final class FailedCases {
     private static final int MOST_REASONS = 10;
@@ -18,9 +18,9 @@ public final class FailedCases {
     /**
      * A reason.
      *
-     * @param words of one of the cases
-     * @param example number of this case
-     * @param cases how many cases failed like it
+     * @param words the reason in words, as given for one of the cases
+     * @param example number of that case
+     * @param cases how many cases failed for this reason
      */
     public record Reason(String words, int example, int cases) {
         Reason with(int number, String others) {

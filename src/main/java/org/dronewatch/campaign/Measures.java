@@ -49,10 +49,10 @@ public final class Measures {
     }
 
     /**
-     * The quantile of the cases, by nearest rank: the least value that at least this share of them does not exceed.
+     * The quantile of the cases, by nearest rank: the least value that at least this fraction of them does not exceed.
      *
-     * @param share above 0, up to 1
-     * @return empty without cases, and where the case of that rank lacks the quantity
+     * @param share the fraction, above 0, up to 1
+     * @return the quantile; empty if there are no cases, or if the case of that rank lacks the quantity
      */
     public OptionalDouble quantile(double share) {
         if (count == 0) {

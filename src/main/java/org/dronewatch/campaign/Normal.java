@@ -9,7 +9,7 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Normally distributed values; those beyond a limit are left out, and the others are correspondingly likelier.
+ * Normally distributed values; those beyond a limit do not occur, and the others are correspondingly likelier.
  *
  * @param mean mean of the distribution without limits
  * @param deviation its standard deviation, above 0

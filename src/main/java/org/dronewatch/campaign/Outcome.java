@@ -19,12 +19,12 @@ public enum Outcome {
         this.met = met;
     }
 
-    /** Whether the question makes sense for a case: a case that failed has no outcome. */
+    /** Whether the outcome is known for a case: a case that failed has none. */
     public boolean isKnown(CaseResult result) {
         return !result.isFailed() && known.test(result);
     }
 
-    /** Whether a case has it: false for a case in which it is not known. */
+    /** Whether a case has this outcome; false if it is not known. */
     public boolean isMetBy(CaseResult result) {
         return isKnown(result) && met.test(result);
     }

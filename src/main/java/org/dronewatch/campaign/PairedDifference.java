@@ -7,9 +7,9 @@ import org.dronewatch.statistics.Proportion;
  * Two variants on the same cases, compared by an outcome that each case has or lacks. Only the cases in which the
  * variants differ decide.
  *
- * @param onlyA cases in which only the first variant has the outcome
- * @param onlyB cases in which only the second has it
- * @param of all cases, at least the sum of both
+ * @param onlyA number of cases in which only the first variant has the outcome
+ * @param onlyB number of cases in which only the second has it
+ * @param of number of all cases, at least the sum of both
  */
 public record PairedDifference(int onlyA, int onlyB, int of) {
     /** Checks the limits. */
@@ -19,7 +19,10 @@ public record PairedDifference(int onlyA, int onlyB, int of) {
         }
     }
 
-    /** The first variant's share of cases with the outcome, less the second's; NaN without cases. */
+    /**
+     * The proportion of cases in which the first variant has the outcome, less that of the second; NaN if there are no
+     * cases.
+     */
     public double difference() {
         return (double) (onlyA - onlyB) / of;
     }
@@ -27,7 +30,7 @@ public record PairedDifference(int onlyA, int onlyB, int of) {
     /**
      * The probability that, if both variants were equally good, the discordant cases would be divided as unevenly as
      * they are or more so: McNemar's test in its exact form, two-sided (McNemar, Psychometrika 12, 1947; each
-     * discordant case favours either variant with probability 1/2). 1 without discordant cases.
+     * discordant case favours either variant with probability 1/2). It is 1 if there are no discordant cases.
      */
     public double pValue() {
         int discordant = onlyA + onlyB;
@@ -40,12 +43,12 @@ public record PairedDifference(int onlyA, int onlyB, int of) {
     }
 
     /**
-     * An interval of the difference of the probabilities: Wald's, with half a case added to each of the four cells of
-     * the table of both outcomes (Agresti and Min, Statistics in Medicine 24, 2005), which has the stated confidence
-     * even with few discordant cases.
+     * A confidence interval for the difference of the two probabilities: the Wald interval, with half a case added to
+     * each of the four cells of the table of both outcomes (Agresti and Min, Statistics in Medicine 24, 2005), which
+     * has the stated confidence even with few discordant cases.
      *
-     * @param confidence such as 0.95, above 0 and below 1
-     * @return within -1 to 1
+     * @param confidence the confidence, such as 0.95, above 0 and below 1
+     * @return the interval, within -1 to 1
      */
     public Proportion.Interval interval(double confidence) {
         double n = of + 2.0;

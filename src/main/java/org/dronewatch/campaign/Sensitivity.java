@@ -21,12 +21,12 @@ public final class Sensitivity {
     /**
      * The influence of one factor, by one of the methods.
      *
-     * @param path of the setting; {@link SensitivityCases#CHANCE} for chance
-     * @param index by Sobol's method
-     * @param effect by Morris's method
+     * @param path path of the setting; {@link SensitivityCases#CHANCE} for chance
+     * @param index its Sobol indices; empty for the other method
+     * @param effect its elementary effects by Morris's method; empty for the other method
      */
     public record Influence(String path, Optional<SobolIndex> index, Optional<MorrisEffect> effect) {
-        /** Whether it is that of chance. */
+        /** Whether this is the influence of chance. */
         public boolean isChance() {
             return path.equals(SensitivityCases.CHANCE);
         }
@@ -54,12 +54,12 @@ public final class Sensitivity {
         return cases.settings();
     }
 
-    /** The variant whose result it is. */
+    /** The variant whose results are explained. */
     public String variant() {
         return cases.variants().get(0);
     }
 
-    /** Whether all cases were added. */
+    /** Whether all cases have been added. */
     public boolean isComplete() {
         return added == cases.size();
     }
@@ -93,7 +93,7 @@ public final class Sensitivity {
         return whole;
     }
 
-    /** The influences, in the order of the campaign and chance last; empty if the result does not vary. */
+    /** The influences, in the order of the campaign, with chance last; empty if the result does not vary. */
     public List<Influence> influences() {
         Map<Integer, double[]> whole = whole();
         List<Influence> influences = new ArrayList<>();

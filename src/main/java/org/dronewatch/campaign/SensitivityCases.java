@@ -11,10 +11,10 @@ import org.dronewatch.setting.InputException;
 /**
  * The additional cases used to estimate how much each setting that varies contributes to the variation of a result.
  * Chance is the last factor: the seed has a first and a second value like any setting, so that its influence can be
- * compared with theirs.
+ * compared with that of the settings.
  */
 public final class SensitivityCases implements Cases {
-    /** The path of chance. */
+    /** The path that stands for chance. */
     public static final String CHANCE = "run.seed";
 
     private static final String FIRST = "sensitivity first";

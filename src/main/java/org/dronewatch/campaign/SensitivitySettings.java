@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * How to determine which of the settings that vary matter, and which do not.
  *
- * @param method how; {@code none} to switch it off
+ * @param method the method; {@code none} to switch it off
  * @param base number of groups of further cases, 2 to 100,000
  * @param output the quantity whose variation is to be explained
  * @param variant the variant; the first by default
@@ -28,7 +28,7 @@ public record SensitivitySettings(
         NONE,
         /** By elementary effects, each group having one case more than there are factors. */
         MORRIS,
-        /** By shares of the variance, each group having two cases more than there are factors. */
+        /** By fractions of the variance, each group having two cases more than there are factors. */
         SOBOL
     }
 

@@ -3,8 +3,8 @@ package org.dronewatch.campaign;
 /**
  * A part of a campaign that one of several machines runs: every n-th chunk of its cases.
  *
- * @param number from 1
- * @param of how many there are, 1 to 100,000
+ * @param number number of the shard, from 1
+ * @param of number of shards, 1 to 100,000
  */
 public record Shard(int number, int of) {
     /** The whole campaign. */
@@ -20,7 +20,7 @@ public record Shard(int number, int of) {
     }
 
     /**
-     * Reads a shard as in {@code 2/4}.
+     * Reads a shard written as in {@code 2/4}.
      *
      * @throws IllegalArgumentException when it is not a shard
      */
@@ -37,7 +37,7 @@ public record Shard(int number, int of) {
         return chunk % of == number - 1;
     }
 
-    /** Whether it is the whole campaign. */
+    /** Whether this is the whole campaign. */
     public boolean isAll() {
         return of == 1;
     }

@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.statistics.Proportion;
 
-/** Where a campaign ends: after a fixed number of cases, or when its rule stops. They are added in their order. */
+/**
+ * Decides when a campaign ends: after a fixed number of cases, or when its rule is met. Cases are added in their order.
+ */
 public final class Stopping {
     private final int most;
     private final int variants;
@@ -14,7 +16,7 @@ public final class Stopping {
     private int count;
     private int known;
 
-    /** The end of a campaign. */
+    /** Decides when a campaign ends. */
     public Stopping(CampaignPlan plan) {
         this.most = plan.size();
         this.variants = plan.variants().size();
@@ -22,7 +24,7 @@ public final class Stopping {
         this.observed = plan.observed();
     }
 
-    /** The end of cases whose number is fixed. */
+    /** Ends after a fixed number of cases: all that are given. */
     public Stopping(Cases cases) {
         this.most = cases.size();
         this.variants = cases.variants().size();
@@ -40,7 +42,7 @@ public final class Stopping {
         return until.map(one -> one.rule().stops(proportion())).orElse(false);
     }
 
-    /** The cases so far that have the outcome of the rule, of those in which it makes sense. */
+    /** Of the cases so far in which the outcome of the rule makes sense, the proportion that has it. */
     public Proportion proportion() {
         return new Proportion(count, known);
     }
@@ -48,8 +50,8 @@ public final class Stopping {
     /**
      * Adds results, up to the end of the campaign.
      *
-     * @param results by case, then variant
-     * @return how many of the cases belong to the campaign
+     * @param results the results, by case, then by variant
+     * @return how many of these cases belong to the campaign
      */
     public int add(List<CaseResult> results) {
         int added = 0;

@@ -3,14 +3,14 @@ package org.dronewatch.campaign;
 import java.util.List;
 import java.util.Optional;
 
-/** The results of a campaign whose cases are not kept: they are summed up as they arrive. For one thread. */
+/** The results of a campaign whose cases are not kept: they are summarised as they arrive. For one thread. */
 public final class SummedCases implements CampaignRun.Chunks {
     private final CampaignSummary summary;
     private final Stopping stopping;
     private final int variants;
     private int next;
 
-    /** No cases yet. */
+    /** A result without any cases yet. */
     public SummedCases(CampaignPlan plan) {
         this.summary = new CampaignSummary(plan.variants());
         this.stopping = new Stopping(plan);

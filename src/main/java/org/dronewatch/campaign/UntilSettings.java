@@ -10,10 +10,10 @@ import org.dronewatch.setting.Quantity;
 /**
  * How precisely a probability is to be known: cases are run until it is.
  *
- * @param of the outcome whose probability it is
+ * @param of the outcome whose probability is meant
  * @param variant the variant; may be omitted if there is only one
  * @param halfWidth half the width of the interval, 0.002 to 0.5
- * @param confidence of the interval, 0.5 to 0.999
+ * @param confidence confidence of the interval, 0.5 to 0.999
  */
 public record UntilSettings(
         Outcome of,
@@ -32,7 +32,7 @@ public record UntilSettings(
         return new UntilSettings(of, Optional.empty(), halfWidth, SequentialRule.CONFIDENCE);
     }
 
-    /** The rule by which it is decided. */
+    /** The rule that decides when the probability is known precisely enough. */
     public SequentialRule rule() {
         return new SequentialRule(halfWidth, confidence);
     }

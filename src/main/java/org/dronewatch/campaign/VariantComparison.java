@@ -53,12 +53,12 @@ public final class VariantComparison {
         return b;
     }
 
-    /** What they are compared by. */
+    /** The outcome by which they are compared. */
     public Outcome outcome() {
         return outcome;
     }
 
-    /** Whether there are cases in which the outcome makes sense for both. */
+    /** Whether there are cases in which the outcome makes sense for both variants. */
     public boolean isKnown() {
         return both > 0;
     }
@@ -68,7 +68,7 @@ public final class VariantComparison {
         return new PairedDifference(onlyA, onlyB, both);
     }
 
-    /** The variant that alone has the outcome in one of the cases of {@link #deciding()}. */
+    /** The variant that has the outcome in one of the cases of {@link #deciding()}, in which the other one does not. */
     public String betterIn(int number) {
         return decidedForA.contains(number) ? a : b;
     }

@@ -72,12 +72,12 @@ public final class VariantSummary {
         return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
     }
 
-    /** All cases, including those that failed. */
+    /** The number of all cases, including those that failed. */
     public int cases() {
         return cases;
     }
 
-    /** The cases that could not be run: they are not included in anything else. */
+    /** The number of cases that could not be run; they are not included in any other result. */
     public int failed() {
         return failed;
     }
@@ -88,19 +88,19 @@ public final class VariantSummary {
     }
 
     /**
-     * The cases whose run ended while a drone without an alert was still coming closer to what is protected: they count
-     * as they are, but a longer run might have another outcome.
+     * The number of cases whose run ended while a drone for which there was no alert was still coming closer to what is
+     * protected: they count as they are, but a longer run might have had another outcome.
      */
     public int cutShort() {
         return cutShort;
     }
 
-    /** The number of cases that have an outcome, of those in which it makes sense; empty if there are none. */
+    /** Of the cases in which an outcome makes sense, the proportion that has it; empty if there are none. */
     public Optional<Proportion> proportion(Outcome outcome) {
         return proportion(outcomes, outcome);
     }
 
-    /** The same for the attacks that begin in a sector; empty, too, without such an attack. */
+    /** The same for the attacks that begin in a sector; also empty if there is no such attack. */
     public Optional<Proportion> proportion(Outcome outcome, int sector) {
         return proportion(sectors.get(sector), outcome);
     }
@@ -114,17 +114,19 @@ public final class VariantSummary {
         return Collections.unmodifiableSet(drones.keySet());
     }
 
-    /** The same for one attacking drone, of the cases in which there is this drone. */
+    /** The same for one attacking drone, among the cases in which it takes part. */
     public Optional<Proportion> proportion(Outcome outcome, String drone) {
         return proportion(drones.getOrDefault(drone, Map.of()), outcome);
     }
 
-    /** The number of cases in which each sensor was the first to detect, by its name; in the order of the names. */
+    /**
+     * The number of cases in which each sensor was the first to detect a drone, by its name; in the order of the names.
+     */
     public Map<String, Integer> firstSensors() {
         return Collections.unmodifiableMap(firstSensors);
     }
 
-    /** The distances from that sensor at that time, m. */
+    /** The range of the first detection in each case, m. */
     public Measures ranges() {
         return ranges;
     }

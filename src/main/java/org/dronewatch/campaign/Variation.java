@@ -11,14 +11,14 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How a setting varies from case to case: by exactly one of these. Values are written as in a scene file, with a unit
- * or without.
+ * How a setting varies from case to case: exactly one of the components is given. Values are written as in a scene
+ * file, with a unit or without.
  *
- * @param values one of these, each with the same probability; 1 to 10,000
+ * @param values 1 to 10,000 values, each with the same probability
  * @param range evenly spaced values, each with the same probability
- * @param uniform any value in a range, all equally likely
- * @param normal normally distributed, within a range
- * @param triangular likeliest at a mode, and less likely in proportion to the distance from it
+ * @param uniform any value in a range, with a uniform distribution
+ * @param normal normally distributed values, within a range
+ * @param triangular values likeliest at a mode, with a density that falls linearly to either side
  */
 public record Variation(
         Optional<List<String>> values,

@@ -1,2 +1,2 @@
-/** Many runs of a scene with values drawn at random, and what may be concluded from them. */
+/** Many runs of a scene with values drawn at random, and what can be concluded from them. */
 package org.dronewatch.campaign;

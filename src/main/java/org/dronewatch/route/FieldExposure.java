@@ -15,11 +15,11 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * The rates of detection that follow from a detection field of single looks, in one mode of flight: those of the
- * nearest cell, up to half the distance to the next lower and the next higher height ({@link SensorRates}). Where the
- * field is not open, rates are 0: no route leads there.
+ * nearest cell, where each height represents the air up to halfway to the next lower and the next higher height
+ * ({@link SensorRates}). Where a drone cannot be, the rates are 0: no route leads there.
  */
 public final class FieldExposure implements ExposureField {
-    /** The value at which the probability of a look is capped, so that all exposures are finite. */
+    /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */
     public static final double HIGHEST = 1.0 - 1e-6;
 
     /** Into as many parts pieces are divided where a radar may be blind to a part of a cell. */
@@ -43,7 +43,7 @@ public final class FieldExposure implements ExposureField {
      * The exposure to all sensors of a field.
      *
      * @param flown the mode of flight with its field of single looks, with all {@linkplain Course#all courses}
-     * @param settings of its scene
+     * @param settings settings of the scene
      * @throws IllegalArgumentException if the field has no compass headings
      */
     public static FieldExposure of(ModeField flown, SceneSettings settings) {
@@ -78,7 +78,7 @@ public final class FieldExposure implements ExposureField {
                         .toList());
     }
 
-    /** {@inheritDoc} On a level course at the speed of the mode or, gliding, on the best glide. */
+    /** {@inheritDoc} It is the rate on a level course at the speed of the mode or, for a glide, on the best glide. */
     @Override
     public double rate(double x, double y, double z, double heading, int number) {
         return rate(x, y, z, mode.motion(heading), number);
@@ -96,7 +96,7 @@ public final class FieldExposure implements ExposureField {
         return sum;
     }
 
-    /** {@inheritDoc} The leg is cut where it leaves a cell. */
+    /** {@inheritDoc} The leg is split where it passes from one cell into another. */
     @Override
     public double mean(Position from, Position to, LegMotion motion, int number, double longest) {
         double finest = longest / PARTS / from.distance(to);
@@ -182,7 +182,10 @@ public final class FieldExposure implements ExposureField {
         return dominant;
     }
 
-    /** The least of the rates on all courses but hovering, in all cells that the box touches and that are open. */
+    /**
+     * The least of the rates on all courses except hovering, in all cells that the box touches and in which a drone can
+     * be.
+     */
     @Override
     public double least(Position low, Position high, int number) {
         double least = Double.POSITIVE_INFINITY;

@@ -8,11 +8,13 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
-/** A mode in which a drone may fly on a route. The modes are in the order in which it may change. */
+/**
+ * A mode in which a drone may fly on a route. The drone may change modes only in the order in which they are listed.
+ */
 public enum FlightMode {
     /** With its motors running, at cruise speed. */
     POWERED,
-    /** With its motors off: it only sinks, quiet and cold. */
+    /** With its motors off, quiet and cold: it can only descend. */
     GLIDE;
 
     /** All modes in which a drone can fly. */
@@ -31,9 +33,9 @@ public enum FlightMode {
     }
 
     /**
-     * This mode with the field by which the drone is detected in it.
+     * This mode with the detection field for a drone that flies in it.
      *
-     * @param field of single looks on its courses
+     * @param field field of single looks on the courses of this mode
      * @throws IllegalArgumentException if the drone cannot fly in this mode
      */
     public ModeField with(DetectionField field, DroneSettings drone) {

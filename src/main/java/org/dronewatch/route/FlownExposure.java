@@ -7,22 +7,23 @@ import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
- * How exposed a drone is on a route as it is flown: by every look that the sensors take, where it is taken, and not by
- * cells of a field. The route begins at several moments of the slowest scan, each as likely as the others:
+ * How exposed a drone is on a route as it is flown: to every look that the sensors take, assessed where it is taken
+ * rather than in the cells of a field. The route begins at several moments of the slowest scan, all equally likely:
  * probabilities are means over them.
  *
- * @param flights for each of these moments, at least one, the looks that may detect the drone, in the order of time
- * @param bySensor the exposure to each sensor along the whole route, {@linkplain #ofMean over all these flights},
- *     in the order of the scene
+ * @param flights for each of these moments, of which there is at least one, the looks that may detect the drone, in
+ *     order of time
+ * @param bySensor the exposure to each sensor along the whole route, {@linkplain #ofMean over all these flights}, in
+ *     the order of the scene
  */
 public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySensor) {
     /**
      * What a look adds to the exposure.
      *
-     * @param before time of the sensor's previous look, or of the start of the route if that is later, s since
-     *     the start
-     * @param time of the look, s since the route begins
-     * @param exposure that it adds, {@code -ln(1 - p)} for an independent look, above 0
+     * @param before time of the sensor's previous look, or of the start of the route if that is later, s since the
+     *     start
+     * @param time time of the look, s since the start
+     * @param exposure exposure that the look adds, {@code -ln(1 - p)} for an independent look, above 0
      */
     public record Step(double before, double time, double exposure) {
         private double by(double until) {
@@ -37,7 +38,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     /**
      * Copies the lists and the map.
      *
-     * @throws IllegalArgumentException without a flight
+     * @throws IllegalArgumentException if there is no flight
      */
     public FlownExposure {
         flights = flights.stream().map(List::copyOf).toList();
@@ -48,8 +49,8 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     }
 
     /**
-     * The exposure to all looks up to a time, inclusive, s: {@code -ln} of the mean probability that they all miss the
-     * drone.
+     * The exposure to all looks up to and including a time, s: {@code -ln} of the mean probability that they all miss
+     * the drone.
      */
     public double until(double time) {
         return ofMean(flights.stream()
@@ -85,7 +86,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     /**
      * The exposure that gives the mean probability of several flights, {@code -ln(mean of exp(-E))}.
      *
-     * @param exposures E of each, at least one; they may be large
+     * @param exposures E of each flight, at least one; they may be large
      */
     public static double ofMean(double[] exposures) {
         double least = Double.POSITIVE_INFINITY;
@@ -99,7 +100,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         return least - Math.log(missed / exposures.length);
     }
 
-    /** The probability that the drone is detected up to a time, inclusive, 0 to 1. */
+    /** The probability that the drone is detected by a look up to and including a time, s, 0 to 1. */
     public double detection(double until) {
         return -Math.expm1(-until(until));
     }

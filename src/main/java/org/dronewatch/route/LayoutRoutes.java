@@ -12,7 +12,7 @@ import org.dronewatch.run.Stage;
 
 /**
  * The weakest routes past any layout of sensors, each of which has been assessed by itself: rates of independent
- * sensors add. Routes lead to the protected zone, as those of {@link SiteRoutes}. One thread at a time.
+ * sensors add. Routes lead to the protected zone, like those of {@link SiteRoutes}. For one thread at a time.
  */
 public final class LayoutRoutes {
     private final RouteSite site;
@@ -21,11 +21,11 @@ public final class LayoutRoutes {
     /**
      * The routes of a site.
      *
-     * @param sensors at least one, with distinct names
-     * @param stage of their scene, which has a protected zone; the time of the response is that of its alerts
+     * @param sensors the sensors, at least one, with distinct names
+     * @param stage stage of their scene, which has a protected zone; the response time is that of its alerts
      * @param drone name of the drone
-     * @throws IllegalArgumentException if there is no sensor, the drone cannot be anywhere on the edge, or it cannot
-     *     be anywhere in the zone
+     * @throws IllegalArgumentException if there is no sensor, the drone cannot be anywhere on the edge, or it cannot be
+     *     anywhere in the zone
      */
     public LayoutRoutes(Collection<SensorFields> sensors, Stage stage, String drone) {
         SensorFields first = sensors.stream()
@@ -44,7 +44,7 @@ public final class LayoutRoutes {
     /**
      * Searches for the weakest routes past some of the sensors.
      *
-     * @param names of these sensors, in the order of the layout; none if the drone meets no sensor at all
+     * @param names names of these sensors, in the order of the layout; empty if the drone meets no sensor at all
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public SiteRoutes past(List<String> names) {
@@ -53,10 +53,11 @@ public final class LayoutRoutes {
     }
 
     /**
-     * The exposure to a sensor, whether it is in the layout or not, along a route: as far as a detection counts.
+     * The exposure to a sensor, whether it is in the layout or not, along the part of a route on which a detection
+     * counts.
      *
-     * @param routes of which it is one
-     * @param sensor its name
+     * @param routes the routes to which it belongs
+     * @param sensor name of the sensor
      */
     public double exposure(SiteRoutes routes, WeakestRoute route, String sensor) {
         return routes.counted(route, exposures.get(sensor));

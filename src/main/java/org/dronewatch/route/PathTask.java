@@ -6,7 +6,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * One task of a path to what is protected, such as a leg of a flight.
  *
- * @param probability that the intruder is detected during this task, 0 to 1
+ * @param probability probability that the intruder is detected during this task, 0 to 1
  * @param mean expected duration, 0 or more, s
  * @param deviation standard deviation of the duration, 0 or more, s
  */

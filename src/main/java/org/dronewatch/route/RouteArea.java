@@ -17,12 +17,12 @@ public final class RouteArea {
     private RouteArea() {}
 
     /**
-     * The side of a square around the middle of the protected zone, or of the sensors: 250 m more on each side than a
-     * drone covers during the response to a detection, measured from the farthest corner of the zones; but no more than
-     * the model of the site.
+     * The side of a square around the middle of the protected zone or, without one, around the mean position of the
+     * sensors. On each side, the square reaches past the distance of the farthest corner of the zones by the distance
+     * that a drone covers during the response to a detection, plus 250 m, but not beyond the model of the site.
      *
      * @param drone name of the drone
-     * @return m
+     * @return the length of the side, m
      * @throws org.dronewatch.setting.InputException when there is neither a zone nor a sensor
      */
     public static double side(SceneSettings settings, Stage stage, String drone) {

@@ -7,10 +7,11 @@ import org.dronewatch.geometry.Position;
  *
  * @param time since the start, s
  * @param distance along the path from its start, m
- * @param position m
+ * @param position its position, m
  * @param above height above the ground, m
- * @param mode number of the mode in which the drone flies on from here; at the end, of that in which it arrived
- * @param exposure of the route so far
+ * @param mode number of the mode in which the drone flies on from here; at the end of the route, of the mode in which
+ *     it arrives
+ * @param exposure exposure along the route so far
  * @param isCorner whether the route begins, turns or ends here
  */
 public record RoutePoint(

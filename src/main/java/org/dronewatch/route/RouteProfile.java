@@ -11,9 +11,9 @@ import org.dronewatch.route.search.RouteProblem;
 
 /**
  * A route as it is flown, from its start to its end: where the drone is at each time, at what height above the ground,
- * and how exposed it has been so far, whether a detection there is in time or not.
+ * and how exposed it has been so far, whether or not a detection would still be in time.
  *
- * @param points in the order of time, at least one; straight between two of them
+ * @param points its points in order of time, at least one; the route is straight between two of them
  */
 public record RouteProfile(List<RoutePoint> points) {
     /**
@@ -88,7 +88,7 @@ public record RouteProfile(List<RoutePoint> points) {
         return points.get(points.size() - 1);
     }
 
-    /** The exposure along the whole of it. */
+    /** The exposure along the whole route. */
     public double exposure() {
         return end().exposure();
     }

@@ -10,12 +10,13 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.RouteMode;
 
 /**
- * The weakest route of a site from each sector; or, after an interruption, from as many as were completed.
+ * The weakest route of a site from each sector; or, after an interruption, from those sectors that were completed.
  *
- * @param routes in the order of the sectors; none for a sector from which no route leads
- * @param modes in which the drone flies, by their numbers
- * @param target where they lead: the middle of the protected zone or of the sensors, m
- * @param response the time that a response takes, 0 if none is required, s
+ * @param routes the routes in the order of their sectors; sectors from which no route leads are left out
+ * @param modes modes in which the drone flies, in the order of their numbers
+ * @param target where the routes lead: the middle of the protected zone or, without one, the mean position of the
+ *     sensors, m
+ * @param response the time that a response takes, s; 0 if none is required
  * @param isComplete whether all sectors were searched
  */
 public record RouteSurvey(
@@ -29,7 +30,7 @@ public record RouteSurvey(
     /**
      * The routes from all sectors.
      *
-     * @param response the time that a response takes, 0 if none is required, s
+     * @param response the time that a response takes, s; 0 if none is required
      * @param searched receives each sector that was searched
      * @param stopped called if this thread has been interrupted and at least one sector is complete; should clear its
      *     interrupt status
@@ -55,16 +56,16 @@ public record RouteSurvey(
     /**
      * The same routes, or some of them, once they have been flown.
      *
-     * @param isWhole whether these are all
+     * @param isWhole whether these are all of the routes
      */
     public RouteSurvey with(List<SectorRoute> flown, boolean isWhole) {
         return new RouteSurvey(flown, modes, target, response, isComplete && isWhole);
     }
 
     /**
-     * The weakest of all: with the least probability of a detection that counts and, among equals, with the least along
-     * the whole route, the least exposure that counts in the search, and the shortest time. Routes that end where they
-     * begin do not count; empty without any other.
+     * The weakest of all routes: the one with the least probability of a timely detection; in a tie, the one with the
+     * least probability of any detection along the whole route, then the least exposure that counts in the search, then
+     * the shortest time. Routes that end where they begin do not count; empty if there are no others.
      */
     public Optional<SectorRoute> weakest() {
         return routes.stream()

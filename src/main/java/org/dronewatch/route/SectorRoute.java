@@ -12,14 +12,14 @@ import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The weakest route from a sector, and what the sensors see of it: as the search estimates it or, once every look along
- * it has been assessed, as it is flown.
+ * The weakest route from a sector, and how exposed it is to the sensors: as estimated by the search or, once every look
+ * along it has been assessed, as flown.
  *
  * @param sector its number, from 0 for the north clockwise
- * @param route with the bracket of the exposure that counts
+ * @param route the route, with bounds on the exposure that counts
  * @param searched profile of the whole route, with the exposure in the cells of the search
  * @param bySensor the same exposure along the whole route to each sensor, in the order of the scene
- * @param causes for how long each cause is the dominant one along the route, according to the search, s
+ * @param causes how long each cause is the dominant one along the route, according to the search, s
  * @param flown the exposure to all looks along the route; empty if they have not been assessed
  */
 public record SectorRoute(
@@ -38,12 +38,12 @@ public record SectorRoute(
         causes = Collections.unmodifiableMap(new LinkedHashMap<>(causes));
     }
 
-    /** The same route, of which every look has been assessed. */
+    /** The same route after every look along it has been assessed. */
     public SectorRoute with(FlownExposure exposure) {
         return new SectorRoute(sector, route, searched, bySensor, causes, Optional.of(exposure));
     }
 
-    /** The profile of the whole route, with the exposure as it is flown if that is known. */
+    /** The profile of the whole route, with the exposure as flown if that is known. */
     public RouteProfile profile() {
         return flown.map(searched::with).orElse(searched);
     }
@@ -75,10 +75,10 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the search would also misjudge the route if it knew each look's place exactly, because a slow sensor may
-     * look before the drone comes into sight or after it has gone.
+     * Whether the search would misjudge the route even if it knew exactly what a look at each point of the route
+     * detects, because a slow sensor may look before the drone comes into sight or after it has gone.
      *
-     * @param response as above
+     * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudgedForScans(double response) {
         return flown.isPresent()
@@ -91,10 +91,10 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the search would also misjudge the route if sensors looked all the time, because it knows cells only at
-     * their middle.
+     * Whether the search would misjudge the route even if the sensors looked all the time, because it knows only the
+     * middle of each cell.
      *
-     * @param response as above
+     * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudgedForCells(double response) {
         return flown.isPresent()
@@ -109,12 +109,12 @@ public record SectorRoute(
         return Math.abs(looks.detectionByFastLooks(until) - estimate) > MISJUDGED / 2;
     }
 
-    /** The probability that it is detected up to a time, inclusive, s since it begins; 0 to 1. */
+    /** The probability that the drone is detected up to and including a time, s since the start; 0 to 1. */
     public double detectionUntil(double time) {
         return flown.map(looks -> looks.detection(time)).orElseGet(() -> -Math.expm1(-searched.exposureUntil(time)));
     }
 
-    /** By sensor, the exposure along the whole route: as it is flown if that is known. */
+    /** By sensor, the exposure along the whole route, as flown if that is known. */
     public Map<String, Double> sensors() {
         return flown.map(FlownExposure::bySensor).orElse(bySensor);
     }
@@ -124,12 +124,12 @@ public record SectorRoute(
         return bearing(sector);
     }
 
-    /** The same of any sector, by its number. */
+    /** The same for any sector, given by its number. */
     public static double bearing(int sector) {
         return 2.0 * Math.PI * sector / SiteRoutes.SECTORS;
     }
 
-    /** Where it begins, turns and ends. */
+    /** The points at which the route begins, turns and ends. */
     public List<RoutePoint> corners() {
         List<RoutePoint> corners =
                 searched.points().stream().filter(RoutePoint::isCorner).toList();
@@ -142,7 +142,7 @@ public record SectorRoute(
                 .toList();
     }
 
-    /** The last moment at which a detection leaves the time that a response takes, s since the start; 0 or more. */
+    /** The last moment at which a detection still leaves enough time for the response, s since the start; 0 or more. */
     public double critical(double response) {
         return Math.max(0.0, searched.end().time() - response);
     }
@@ -170,7 +170,9 @@ public record SectorRoute(
         return all > 0.0 ? sensors().get(sensor) / all : 0.0;
     }
 
-    /** What keeps the sensors from detecting the drone for most of the time; empty if it is always detected. */
+    /**
+     * The cause that keeps the sensors from detecting the drone for the longest time; empty if it is always detected.
+     */
     public Optional<Cause> dominantCause() {
         return causes.entrySet().stream()
                 .filter(one -> one.getKey() != Cause.DETECTED && one.getValue() > 0.0)

@@ -1,6 +1,6 @@
 package org.dronewatch.route;
 
-/** When during a task of a path the intruder is detected, if it is detected in this task. */
+/** At which point of a task the intruder is detected, if it is detected during that task. */
 public enum Sensing {
     /** As the task begins. */
     BEGIN(1.0),

@@ -6,14 +6,14 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * One sensor by itself, and how it detects a drone in each mode of flight.
  *
- * @param settings of a scene in which it is the only enabled sensor
- * @param modes at least one; in the same order and over the same grid for all sensors that are compared
+ * @param settings settings of a scene in which it is the only enabled sensor
+ * @param modes the modes, at least one; in the same order and over the same grid for all sensors that are compared
  */
 public record SensorFields(SceneSettings settings, List<ModeField> modes) {
     /**
      * Copies the list.
      *
-     * @throws IllegalArgumentException unless there are modes, each with a field of one sensor
+     * @throws IllegalArgumentException unless there is at least one mode, and each has a field of one sensor
      */
     public SensorFields {
         modes = List.copyOf(modes);

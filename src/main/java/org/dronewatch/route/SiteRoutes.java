@@ -25,10 +25,11 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at any of the
- * field's heights up to the drone's ceiling, to the protected zone or, without one, to the middle of the sensors. A
- * route is complete when it reaches the zone; if there is no zone, or it contains the middle of no cell, when it is
- * within one cell's length of the zone or, in plan view, of the middle of the sensors, at the height that is nearest to
- * theirs. It meets nothing solid. One thread at a time.
+ * field's heights up to the drone's ceiling, to the protected zone or, without one, to the mean position of the
+ * sensors. A route is complete when it reaches the zone. If the zone contains the middle of no cell, a route is
+ * complete within one cell's length of the zone; if there is no zone, within one cell's length, in plan view, of the
+ * mean position of the sensors, at the height nearest to theirs. Routes pass through nothing solid. For one thread at a
+ * time.
  */
 public final class SiteRoutes {
     /** The number of sectors from which routes come: the first is centred on north, the others follow clockwise. */
@@ -64,8 +65,8 @@ public final class SiteRoutes {
     /**
      * Searches for all routes from the edge.
      *
-     * @param field of single looks at the drone, on all courses
-     * @param settings of its scene; the time of the response is that of the alerts
+     * @param field field of single looks at the drone, on all courses
+     * @param settings settings of its scene; the response time is that of the alerts
      * @param stage its world and drones
      * @param drone name of the drone
      * @throws IllegalArgumentException if there is nowhere on the edge, or nowhere in the zone, where the drone can be
@@ -90,10 +91,10 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes of a drone that may fly in several modes: it begins in the first of them, and may change
-     * to the next one, once and at any post, such as from power to gliding.
+     * Searches for all routes of a drone that may fly in several modes: it begins in the first of them and may change
+     * to the next one, such as from power to gliding, once and at any post.
      *
-     * @param modes at least one, with fields over the same grid
+     * @param modes the modes, at least one, with fields over the same grid
      * @throws IllegalArgumentException if there is no mode, or as above
      */
     public static SiteRoutes of(
@@ -107,7 +108,7 @@ public final class SiteRoutes {
                 .past(SiteExposure.of(modes, settings), field.sensors());
     }
 
-    /** The weakest route from the starts in a sector; empty if none leads from there within the endurance. */
+    /** The weakest route that begins in a sector; empty if none leads from there within the endurance of the drone. */
     public Optional<WeakestRoute> from(int sector) {
         return within(starts(sector));
     }
@@ -131,12 +132,12 @@ public final class SiteRoutes {
                 .flatMap(route -> endurance.allows(route) ? Optional.of(route) : endurance.from(starts, route));
     }
 
-    /** Where the routes lead: the middle of the zone or of the sensors, m. */
+    /** Where the routes lead: the middle of the zone or, without one, the mean position of the sensors, m. */
     public Position target() {
         return middle;
     }
 
-    /** The modes in which the drone flies, by their numbers. */
+    /** The modes in which the drone flies, in the order of their numbers. */
     public List<RouteMode> modes() {
         return problem.modes();
     }
@@ -146,12 +147,12 @@ public final class SiteRoutes {
         return routes.timeToGo();
     }
 
-    /** A route as it is flown, with the exposure along the whole of it. */
+    /** The profile of a route as it is flown, with the exposure along the whole route. */
     public RouteProfile profile(WeakestRoute route) {
         return RouteProfile.of(route.path(), problem);
     }
 
-    /** A route with what the sensors see of it. */
+    /** A route with how exposed it is to the sensors. */
     public SectorRoute describe(int sector, WeakestRoute route) {
         RouteProfile profile = profile(route);
         Map<Cause, Double> causes = new EnumMap<>(Cause.class);
@@ -169,12 +170,14 @@ public final class SiteRoutes {
         return Math.floorMod((int) Math.rint(bearing / (2.0 * Math.PI) * SECTORS), SECTORS);
     }
 
-    /** A route as a flight, for a scene that runs; empty if it is shorter than a leg can be. */
+    /**
+     * A route as a flight, for a scene that can be run; empty if the route is shorter than the shortest possible leg.
+     */
     public Optional<RouteFlight> flight(WeakestRoute route) {
         return route.path().flight(problem.modes());
     }
 
-    /** By sensor, the exposure along the whole of a route, even where a detection comes too late. */
+    /** By sensor, the exposure along a whole route, even where a detection would come too late. */
     public Map<String, Double> bySensor(WeakestRoute route) {
         Map<String, Double> bySensor = new LinkedHashMap<>();
         sensors.forEach(sensor -> bySensor.put(

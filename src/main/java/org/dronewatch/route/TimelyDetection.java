@@ -11,8 +11,8 @@ import org.dronewatch.setting.Quantity;
  * Physical Protection Systems, 2nd edition 2008, chapter 13). Durations are independent and normally distributed. The
  * misses of different tasks count as independent, which they are not where sensors look past the same obstacle.
  *
- * @param tasks from the first to the last, at least one
- * @param sensing when during a task the intruder is detected
+ * @param tasks tasks of the path, from the first to the last, at least one
+ * @param sensing at which point of a task the intruder is detected
  * @param communication probability that a detection leads to a response, 0 to 1
  * @param response how long the response takes
  */
@@ -33,11 +33,11 @@ public record TimelyDetection(List<PathTask> tasks, Sensing sensing, double comm
     }
 
     /**
-     * The probability that the intruder is interrupted: detected, and with enough time left for the response,
-     * {@code P_I = P_C sum_i PD_i prod_{j<i} (1 - PD_j) Phi((TR_i - RFT) / sqrt(var TR_i + var RFT))}. Without any
-     * spread, a detection is in time if the time left is at least that of the response.
+     * The probability that the intruder is interrupted: detected, and with enough time left for the response, {@code
+     * P_I = P_C sum_i PD_i prod_{j<i} (1 - PD_j) Phi((TR_i - RFT) / sqrt(var TR_i + var RFT))}. Without any spread, a
+     * detection is in time if the time left is at least the response time.
      *
-     * @return 0 to 1
+     * @return the probability, 0 to 1
      */
     public double interruption() {
         double sum = 0.0;

@@ -1,5 +1,5 @@
 /**
- * The weakest routes of a site: how exposed a drone is follows from a detection field and from every look along a
- * route, and so does whether it is detected in time.
+ * The weakest routes of a site: how exposed a drone is along them, and whether it is detected in time, first estimated
+ * from a detection field and then from every look along the route.
  */
 package org.dronewatch.route;

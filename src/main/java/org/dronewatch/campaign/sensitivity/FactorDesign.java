@@ -21,7 +21,7 @@ public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
     /**
      * The value of a factor in an evaluation as a quantile of its distribution, 0 or more and below 1.
      *
-     * @param evaluation from 0, below {@link #size()}
+     * @param evaluation number of the evaluation, from 0, below {@link #size()}
      */
     double quantile(int evaluation, int factor);
 

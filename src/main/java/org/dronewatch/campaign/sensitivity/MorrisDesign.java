@@ -11,8 +11,8 @@ import java.util.stream.IntStream;
  *
  * @param factors number of factors, 1 or more
  * @param base number of groups, 2 or more
- * @param values decide the first values
- * @param order decide the order: the factor with the least number changes first
+ * @param values random numbers that determine the first values
+ * @param order random numbers that determine the order: the factor with the smallest one changes first
  */
 public record MorrisDesign(int factors, int base, Uniform01 values, Uniform01 order) implements FactorDesign {
     /** By how much a factor changes, as a part of its distribution. */

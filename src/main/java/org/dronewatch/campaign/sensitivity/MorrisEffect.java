@@ -1,7 +1,7 @@
 package org.dronewatch.campaign.sensitivity;
 
 /**
- * The elementary effects of one factor: the change of a result, scaled to the whole range of the factor.
+ * The elementary effects of one factor: how much a result changes, scaled to the whole range of the factor.
  *
  * @param magnitude mean of their absolute values, in units of the result: mu* (Campolongo et al., Environmental
  *     Modelling and Software 22, 2007)

@@ -12,14 +12,14 @@ public final class MorrisEstimate {
     /**
      * Prepares the estimate.
      *
-     * @param groups the results of each group by its number; groups without all results may be left out
+     * @param groups the results of each group by its number; incomplete groups may be left out
      */
     public MorrisEstimate(MorrisDesign design, Map<Integer, double[]> groups) {
         this.design = design;
         this.groups = Map.copyOf(groups);
     }
 
-    /** The effects of all factors in their order; empty with fewer than two groups. */
+    /** The effects of all factors in their order; empty if there are fewer than two groups. */
     public List<MorrisEffect> effects() {
         List<MorrisEffect> effects = new ArrayList<>();
         for (int factor = 0; factor < design.factors() && groups.size() > 1; factor++) {

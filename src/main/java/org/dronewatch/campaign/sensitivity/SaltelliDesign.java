@@ -1,13 +1,13 @@
 package org.dronewatch.campaign.sensitivity;
 
 /**
- * Saltelli's design for Sobol indices (Saltelli et al., Computer Physics Communications 181, 2010): in each group all
- * factors have their first value, then all their second, then each of them alone has its second; the values are
- * independent random numbers.
+ * Saltelli's design for Sobol indices (Saltelli et al., Computer Physics Communications 181, 2010): in each group,
+ * first all factors have their first value, then all have their second, and then each factor in turn is the only one
+ * with its second value; the values are independent random numbers.
  *
  * @param factors number of factors, 1 or more
  * @param base number of groups, 2 or more
- * @param values the quantiles
+ * @param values random numbers that are the quantiles
  */
 public record SaltelliDesign(int factors, int base, Uniform01 values) implements FactorDesign {
     /** Evaluations of a group besides one for each factor. */

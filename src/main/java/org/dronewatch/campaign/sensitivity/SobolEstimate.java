@@ -6,12 +6,13 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Sobol indices from the results of a {@link SaltelliDesign}, with the results a of the first and b of the second
- * values and c where factor i alone has its second. The first-order index is mean((b - m) (c - a)) / V (Saltelli et
- * al., Computer Physics Communications 181, 2010, table 2, estimator b) and the total index mean((a - c)^2) / (2 V)
- * (Jansen, Computer Physics Communications 117, 1999), where m and V are the mean and the variance of all a and b.
- * Both are exactly 0 for a factor without influence. Subtracting m does not change what the first
- * estimates, since the mean of c - a is 0, but it keeps a large mean from making it noisy.
+ * Sobol indices from the results of a {@link SaltelliDesign}, where a are the results with all first values, b those
+ * with all second values, and c those in which factor i alone has its second value. The first-order index is mean((b -
+ * m) (c - a)) / V (Saltelli et al., Computer Physics Communications 181, 2010, table 2, estimator b) and the total
+ * index mean((a - c)^2) / (2 V) (Jansen, Computer Physics Communications 117, 1999), where m and V are the mean and the
+ * variance of all a and b. Both are exactly 0 for a factor without influence. Subtracting m does not change what the
+ * first-order index estimates, since the expectation of c - a is 0, but it keeps a large mean from making the estimate
+ * noisy.
  */
 public final class SobolEstimate {
     private static final double CONFIDENCE = 0.95;
@@ -23,7 +24,7 @@ public final class SobolEstimate {
     /**
      * Prepares the estimate.
      *
-     * @param groups the results of each group, in the order of the design; groups without all results may be left out
+     * @param groups the results of each group, in the order of the design; incomplete groups may be left out
      */
     public SobolEstimate(List<double[]> groups) {
         this.groups = groups.stream().map(double[]::clone).toArray(double[][]::new);
@@ -33,8 +34,8 @@ public final class SobolEstimate {
     /**
      * The indices of all factors in their order.
      *
-     * @param seed of the bootstrap
-     * @return empty if the result does not vary, or with fewer than two groups
+     * @param seed seed of the bootstrap
+     * @return the indices; empty if the result does not vary, or if there are fewer than two groups
      */
     public List<SobolIndex> indices(long seed) {
         int[] all = new int[groups.length];

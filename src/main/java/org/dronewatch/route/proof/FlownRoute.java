@@ -18,15 +18,17 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
- * taken. The route begins at several moments of the slowest scan, each as likely as the others ({@link RouteBegins}):
- * all figures are means over them. Positioners only search, since what they follow depends on chance. Immutable and
- * thread-safe.
+ * taken. The route begins at several moments of the slowest scan, all equally likely ({@link RouteBegins}): all figures
+ * are means over them. Positioners only search, since what they follow depends on chance. Immutable and thread-safe.
  */
 public final class FlownRoute {
-    /** The standard deviation of the time that is left, and of the response, as a fraction of the mean: assumed. */
+    /** The assumed standard deviation, as a fraction of the mean, of the time that is left and of the response time. */
     public static final double SPREAD = 0.3;
 
-    /** A probability that is estimated from random rays is the mean of this many estimates, of 32 traces each. */
+    /**
+     * The number of estimates, of 32 traces each, whose mean is used for a probability that is estimated from random
+     * rays.
+     */
     public static final int ESTIMATES = 16;
 
     private final ModelCache models;
@@ -48,9 +50,9 @@ public final class FlownRoute {
     /**
      * Assesses all looks along a route, on the {@link Workers} of the calling thread.
      *
-     * @param scene with one drone, which flies a route, such as a {@link RouteScene}; its cues are ignored
-     * @param models of the scene
-     * @throws IllegalArgumentException if the scene has not exactly one drone, or it flies no route
+     * @param scene scene with one drone, which flies a route, such as a {@link RouteScene}; its cues are ignored
+     * @param models models of the scene
+     * @throws IllegalArgumentException if the scene does not have exactly one drone, or the drone flies no route
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models) {
@@ -60,8 +62,8 @@ public final class FlownRoute {
     /**
      * The same with more or fewer estimates.
      *
-     * @param estimates of a look's probability, where it is estimated from random rays, as those of microphones in the
-     *     level model are; at least 1, and shared among the moments at which the route begins
+     * @param estimates number of estimates of a look's probability, where it is estimated from random rays, as it is
+     *     for microphones with the level model; at least 1, shared among the moments at which the route begins
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models, int estimates) {
         int drones = scene.individualDrones().size();
@@ -79,7 +81,7 @@ public final class FlownRoute {
                 .orElseThrow();
     }
 
-    /** The same by sensor, as if each were the only one. */
+    /** The same for each sensor, as if it were the only one. */
     public Map<String, Double> bySensor() {
         return bySensor(MissedLooks.Wait.UNSEEN);
     }
@@ -100,8 +102,8 @@ public final class FlownRoute {
     }
 
     /**
-     * The exposure to all looks. A probability of a look counts as {@link org.dronewatch.route.FieldExposure#HIGHEST}
-     * at most, as in the search.
+     * The exposure to all looks. The probability of a look is capped at
+     * {@link org.dronewatch.route.FieldExposure#HIGHEST}, as in the search.
      */
     public FlownExposure exposure() {
         List<LookExposure> each = flights.stream()
@@ -115,13 +117,14 @@ public final class FlownRoute {
 
     /**
      * The probability of a timely detection, by the EASI model ({@link TimelyDetection}): that the scene's rule raises
-     * an alert early enough before the end of the route for the response. All of the flight that is left after an alert
-     * is one task, which lasts for as long as planned on average, with a standard deviation of 30 %, and so does
+     * an alert early enough before the end of the route for the response. The whole remainder of the flight after an
+     * alert is one task. Its mean duration is the planned one, its standard deviation 30 % of that, and likewise for
      * the response.
      *
      * @param response time that the response takes, 0 or more, s
      * @return empty where it cannot be computed from single looks: if the rule needs several sensors, combines
-     *     probabilities, or asks for detections in several looks of an observer or in more than twelve
+     *     probabilities, or requires detections in several looks by an observer or in more than twelve looks by another
+     *     sensor
      */
     public OptionalDouble interruption(double response) {
         ResponseTime force = new ResponseTime(response, SPREAD * response);
@@ -141,12 +144,12 @@ public final class FlownRoute {
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the same for any number of them.
      * Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of {@link RouteBegins} in
      * turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run, observers also search for
-     * the drone while it waits until its route begins: if they could see it there, this prediction is higher than
+     * the drone while it waits for its route to begin: if they could see it there, the prediction is higher than
      * {@link #detection}.
      *
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread
-     * @throws IllegalStateException if a plain run gives something else, which would be an error of this library
+     * @throws IllegalStateException if a plain run gives a different result, which would be a bug in this library
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public RouteProof prove(int runs, IntConsumer progress) {

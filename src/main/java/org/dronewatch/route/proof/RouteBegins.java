@@ -12,12 +12,12 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * When a route begins. Nobody knows at which moment of a scan an attacker comes, and between two looks of a slow sensor
- * a drone flies a long way. So the route begins at several moments, spread evenly over the longest period after which a
- * sensor looks the same way again: of its looks, or of the search of its positioner.
+ * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers a long distance
+ * between two looks of a slow sensor. So the route begins at several moments, spread evenly over the longest period of
+ * any sensor: the period of its looks or, on a positioner, that of its search.
  */
 public final class RouteBegins {
-    /** The greatest number of moments. */
+    /** The maximum number of moments. */
     public static final int MOST = 8;
 
     /** Between two looks this far apart or less, a drone hardly leaves a cell of the search, s. */
@@ -25,7 +25,7 @@ public final class RouteBegins {
 
     private RouteBegins() {}
 
-    /** The moments, from 0, s since the start of the run; 0 alone if all sensors look often. */
+    /** The moments, s since the start of the run, beginning with 0; only 0 if all sensors look often. */
     public static List<Double> of(Collection<SensorSettings<?>> sensors) {
         double period = period(sensors);
         int count = period > SHORT ? MOST : 1;

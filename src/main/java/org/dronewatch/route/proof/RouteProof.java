@@ -19,14 +19,15 @@ import org.dronewatch.statistics.Proportion;
  * A route proved by flight: how often runs of its scene detect the drone, and how often they should. The prediction is
  * {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance is drawn once
  * per encounter, the mean over all draws. Positioners only search in these runs, since what they follow depends on
- * chance. The looks of programs that find spots in the images of thermal cameras share frames, so that they are not
- * independent: for these, the prediction is too high.
+ * chance. Where a program looks for spots in the images of a thermal camera, successive looks share frames and so are
+ * not independent: for such cameras, the prediction is too high.
  *
- * @param predicted mean probability that a run detects the drone, 0 to 1
- * @param bySensor the same by sensor, as if it were the only one
- * @param detections runs that detected it, of all runs
+ * @param predicted predicted mean probability that a run detects the drone, 0 to 1
+ * @param bySensor the same for each sensor, as if it were the only one
+ * @param detections proportion of all runs that detected it
  * @param plain the number of these runs, evenly spread, that were repeated as plain runs
- * @param cued those of the first of these runs that, repeated with all cues, detected it; empty if none were
+ * @param cued proportion of runs that detected it when the first of these runs were repeated with all cues; empty if
+ *     none were repeated
  */
 public record RouteProof(
         double predicted, Map<String, Double> bySensor, Proportion detections, int plain, Optional<Proportion> cued) {
@@ -48,12 +49,12 @@ public record RouteProof(
      * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the same for any number of them. Run
      * {@code i} has the seed {@link #seed}. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
      *
-     * @param scene with one drone, such as a {@link RouteScene}; its cues are ignored
-     * @param models of the scene
+     * @param scene scene with one drone, such as a {@link RouteScene}; its cues are ignored
+     * @param models models of the scene
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread
-     * @throws IllegalArgumentException if the scene has not exactly one drone, or there is no run
-     * @throws IllegalStateException if a plain run gives something else, which would be an error of this library
+     * @throws IllegalArgumentException if the scene does not have exactly one drone, or there is no run
+     * @throws IllegalStateException if a plain run gives a different result, which would be a bug in this library
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static RouteProof of(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
@@ -76,11 +77,11 @@ public record RouteProof(
     }
 
     /**
-     * The number of runs with the same seeds, and the same moments at which the route begins, that detect the drone
-     * with all cues: positioners follow what their own
-     * sensors see, and other sensors, or false alarms, cue them. Each is a plain run.
+     * How many runs with the same seeds, and the same moments at which the route begins, detect the drone with all
+     * cues: positioners follow what their own sensors see, and other sensors, or false alarms, cue them. Each is a
+     * plain run.
      *
-     * @param scene parameters as above
+     * @param scene the scene; this and the other parameters are as above
      */
     public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
         List<SceneSettings> begun = RouteBegins.of(scene.enabledSensors().values()).stream()
@@ -97,7 +98,7 @@ public record RouteProof(
         return new Proportion(count, runs);
     }
 
-    /** The same proof, with what {@link #withCues} has counted. */
+    /** The same proof with the result of {@link #withCues}. */
     public RouteProof with(Proportion flownWithCues) {
         return new RouteProof(predicted, bySensor, detections, plain, Optional.of(flownWithCues));
     }
@@ -117,14 +118,14 @@ public record RouteProof(
         return Draws.derivedSeed(scene.run().seed(), "run", run);
     }
 
-    /** Wilson's interval of the probability, with a confidence of 99 %. */
+    /** The Wilson interval for the probability, with a confidence of 99 %. */
     public Proportion.Interval interval() {
         return detections.wilson(CONFIDENCE);
     }
 
     /**
-     * Whether the prediction lies in this interval or in the exact one: where less than one detection is expected, a
-     * single one is less rare than Wilson's interval implies.
+     * Whether the prediction lies in this interval or in the exact one: if less than one detection is expected, a
+     * single detection is less rare than the Wilson interval implies.
      */
     public boolean agrees() {
         boolean isInside = predicted >= interval().low() - ROUNDING

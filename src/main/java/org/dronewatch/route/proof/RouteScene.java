@@ -11,7 +11,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
 
-/** A route as a scene that runs: the drone flies it, alone, and the run ends when it arrives. */
+/** A route as a scene that can be run: the drone flies it alone, and the run ends when it arrives. */
 public final class RouteScene {
     private RouteScene() {}
 
@@ -19,7 +19,7 @@ public final class RouteScene {
      * A scene in which only this drone flies, on this flight, until it arrives. It is the same drone with the same
      * name, so that sensors draw the same random numbers; of a swarm, only this member flies.
      *
-     * @param drone its name in {@link SceneSettings#individualDrones()}
+     * @param drone name of the drone in {@link SceneSettings#individualDrones()}
      * @throws IllegalArgumentException if there is no such drone
      */
     public static SceneSettings of(SceneSettings scene, String drone, RouteFlight flight) {
@@ -53,11 +53,11 @@ public final class RouteScene {
     }
 
     /**
-     * A scene in which such drones fly several routes at the same time, until the last arrives. It is for watching and
-     * does not check the routes, since positioners turn to one drone at a time.
+     * A scene in which copies of a drone fly several routes at the same time, until the last one arrives. It is for
+     * watching, not for checking the routes, since positioners turn to one drone at a time.
      *
-     * @param drone the name of the drone that flies each of them
-     * @param flights at least one, by the names of the drones that fly them
+     * @param drone name of the drone of which a copy flies each route
+     * @param flights the flights, at least one, by the names of the copies that fly them
      * @throws IllegalArgumentException if there is no such drone
      */
     public static SceneSettings with(SceneSettings scene, String drone, Map<String, RouteFlight> flights) {

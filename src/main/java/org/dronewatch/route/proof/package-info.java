@@ -1,2 +1,2 @@
-/** Routes as scenes that run, and how often runs of them detect the drone. */
+/** Routes as scenes that can be run, and how often runs of them detect the drone. */
 package org.dronewatch.route.proof;

@@ -7,11 +7,11 @@ import java.util.function.DoubleFunction;
 import org.dronewatch.geometry.Position;
 
 /**
- * The weakest route of a drone that cannot fly for longer than some time under power: found by a price of time, a
- * Lagrange multiplier, that is raised until the route is short enough, and then bisected. For every price, the least
- * sum of exposure and price, less the price of the whole time, is a lower bound of the exposure of all routes that
- * are short enough (the dual bound). Of routes with the same sum, those between the shortest and the least exposed are
- * not found, so that a gap may remain.
+ * The weakest route of a drone that can fly under power only for a limited time. It is found by means of a price of
+ * time, a Lagrange multiplier, which is raised until the route is short enough and then refined by bisection. For every
+ * price, the least sum of exposure and priced time, less the price of the longest time allowed, is a lower bound on the
+ * exposure along all routes that are short enough (the dual bound). Of several routes with the same sum, those between
+ * the shortest and the least exposed are not found, so a gap may remain.
  */
 public final class EnduranceLimit {
     /** The exposure for which the whole time counts at the first price. */
@@ -61,7 +61,7 @@ public final class EnduranceLimit {
     /**
      * The weakest route that is short enough; empty if there is none.
      *
-     * @param unlimited the weakest without the limit
+     * @param unlimited the weakest route without the limit
      */
     public Optional<WeakestRoute> from(BitSet starts, WeakestRoute unlimited) {
         lower = unlimited.lower();

@@ -7,9 +7,9 @@ import org.dronewatch.geometry.Position;
 
 /**
  * How exposed a drone is at a position: the rate at which it is detected, given that it has not been yet. Its integral
- * along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A sensor
- * that looks f times a second, and in each look detects with the probability p independently of the others, has the
- * rate {@code -f ln(1 - p)}.
+ * along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A sensor that
+ * looks f times a second and detects the drone in each look with probability p, independently of the other looks, has
+ * the rate {@code -f ln(1 - p)}.
  *
  * <p>Implementations are immutable and thread-safe.
  */
@@ -17,21 +17,21 @@ public interface ExposureField {
     /**
      * The rate at a position, 1/s, 0 or more and finite wherever a drone may be.
      *
-     * @param x east, m
-     * @param y north, m
-     * @param z up, m
-     * @param heading clockwise from north, rad
+     * @param x east coordinate, m
+     * @param y north coordinate, m
+     * @param z height in the world, m
+     * @param heading heading, clockwise from north, rad
      * @param mode number of the drone's {@link RouteMode}
      */
     double rate(double x, double y, double z, double heading, int mode);
 
     /**
-     * The rate on a leg, 1/s, where speed or climb matter, too: by default, they do not.
+     * The rate on a leg, 1/s, which may also depend on the speed and the rate of climb; by default, it does not.
      *
-     * @param x east, m
-     * @param y north, m
-     * @param z up, m
-     * @param motion of the drone
+     * @param x east coordinate, m
+     * @param y north coordinate, m
+     * @param z height in the world, m
+     * @param motion motion of the drone
      * @param mode number of the drone's {@link RouteMode}
      */
     default double rate(double x, double y, double z, LegMotion motion, int mode) {
@@ -39,12 +39,12 @@ public interface ExposureField {
     }
 
     /**
-     * The mean rate on a straight leg, 1/s: by default by Gauss's rule with three points on pieces of equal length. A
-     * field whose rates jump states it exactly, so that no route is led through what lies between the points.
+     * The mean rate on a straight leg, 1/s: by default, by three-point Gaussian quadrature on pieces of equal length. A
+     * field with discontinuous rates must compute it exactly, so that no route can exploit what the points miss.
      *
      * @param from where the leg begins, m
-     * @param to where it ends, elsewhere, m
-     * @param motion of the drone
+     * @param to where the leg ends, m; a different point
+     * @param motion motion of the drone
      * @param mode number of the drone's {@link RouteMode}
      * @param longest the greatest length of a piece, above 0, m
      */
@@ -53,11 +53,11 @@ public interface ExposureField {
     }
 
     /**
-     * A lower bound of the rates at all positions in a box, on all headings, 1/s, 0 or more; the tighter it is, the
-     * tighter is the lower bound of a weakest route.
+     * A lower bound on the rates at all positions in a box and on all headings, 1/s, 0 or more; the tighter it is, the
+     * tighter the lower bound on the exposure along the weakest route.
      *
      * @param low the corner of the box with the least coordinates, m
-     * @param high the corner with the greatest, m
+     * @param high the corner with the greatest coordinates, m
      * @param mode number of the drone's {@link RouteMode}
      */
     double least(Position low, Position high, int mode);

@@ -2,7 +2,7 @@ package org.dronewatch.route.search;
 
 import org.dronewatch.geometry.Position;
 
-/** Gauss's rule for an integral over a straight piece: three points, exact for polynomials up to the fifth degree. */
+/** Gaussian quadrature along a straight piece of a path: three points, exact for polynomials up to the fifth degree. */
 public final class GaussRule {
     /** The number of points. */
     public static final int POINTS = 3;
@@ -15,13 +15,13 @@ public final class GaussRule {
      * Where a point lies on the piece.
      *
      * @param point its number, from 0
-     * @return 0 to 1
+     * @return the fraction of the piece, 0 to 1
      */
     public static double at(int point) {
         return 0.5 + (point - 1) * OFF_CENTRE;
     }
 
-    /** The weight of a point; those of all points add up to 1. */
+    /** The weight of a point; the weights of all points add up to 1. */
     public static double weight(int point) {
         return point == 1 ? 4.0 / 9.0 : 5.0 / 18.0;
     }

@@ -7,8 +7,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The directions in plan in which a route may leave a post, clockwise from north: each leads to another post without
- * passing a third. The shortest path over them is longer than the straight line by at most {@link #stretch()}.
+ * The directions in plan view in which a route may leave a post, clockwise from north: each leads to another post
+ * without passing through a third. The shortest path along them is longer than the straight line by a factor of at most
+ * {@link #stretch()}.
  */
 public final class PlanDirections {
     /** Steps in one octant by the number of all directions, without those along an axis and a diagonal. */
@@ -88,7 +89,10 @@ public final class PlanDirections {
         return widest;
     }
 
-    /** {@code 1 / cos(half the largest angle)}: 1.0824, 1.0275, 1.0131 and 1.0034 for 8, 16, 32 and 48 directions. */
+    /**
+     * {@code 1 / cos(half the largest angle between neighbouring directions)}: 1.0824, 1.0275, 1.0131 and 1.0034 for 8,
+     * 16, 32 and 48 directions.
+     */
     public double stretch() {
         return 1.0 / Math.cos(0.5 * widest());
     }

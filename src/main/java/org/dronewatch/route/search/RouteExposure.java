@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * The exposure along a path, {@code E = integral of the rate over the time}: exact in fields that are constant in each
- * cell, otherwise by Gauss's rule on pieces that are not longer than half the distance between neighbouring posts.
+ * cell, otherwise by Gaussian quadrature on pieces no longer than half the distance between neighbouring posts.
  * Immutable and thread-safe.
  */
 public final class RouteExposure {
@@ -13,13 +13,13 @@ public final class RouteExposure {
     private final RouteMode[] modes;
     private final double step;
 
-    /** The integral in a problem. */
+    /** The exposure in the field of a problem. */
     public RouteExposure(RouteProblem problem) {
         this(problem.field(), problem.modes(), 0.5 * problem.grid().spacing());
     }
 
     /**
-     * An integral.
+     * The exposure in a field.
      *
      * @param step the greatest length of a piece, above 0, m
      */

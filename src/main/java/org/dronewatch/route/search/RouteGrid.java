@@ -23,12 +23,12 @@ public final class RouteGrid {
      *
      * @param west east coordinate of the first column, m
      * @param south north coordinate of the first row, m
-     * @param spacing between neighbouring posts, above 0, m
-     * @param columns 2 or more
-     * @param rows 2 or more
-     * @param heights of the levels above the ground, ascending, m
-     * @param ground its height by row and column, m
-     * @param closed the posts where a drone cannot be
+     * @param spacing distance between neighbouring posts, above 0, m
+     * @param columns number of columns, 2 or more
+     * @param rows number of rows, 2 or more
+     * @param heights heights of the levels above the ground, ascending, m
+     * @param ground height of the ground by row and column, m
+     * @param closed the posts at which a drone cannot be
      * @throws IllegalArgumentException if a value is out of range
      */
     public RouteGrid(
@@ -74,7 +74,10 @@ public final class RouteGrid {
         return (level * rows + row) * columns + column;
     }
 
-    /** The nearest post at the level nearest in height above the ground; for points outside, one at the edge. */
+    /**
+     * The nearest post at the level that is nearest in height above the ground; for a point outside the grid, a post at
+     * its edge.
+     */
     public int nearest(Position at) {
         double column = clamp((at.x() - west) / spacing, columns);
         double row = clamp((at.y() - south) / spacing, rows);
@@ -128,7 +131,7 @@ public final class RouteGrid {
         return south + post / columns % rows * spacing;
     }
 
-    /** Height of a post in the world, m. */
+    /** Height coordinate of a post in the world, m. */
     public double z(int post) {
         return ground[post % (columns * rows)] + heights[post / (columns * rows)];
     }

@@ -3,14 +3,14 @@ package org.dronewatch.route.search;
 import org.dronewatch.drone.FlightLimits;
 
 /**
- * A way in which a drone flies, such as under power or gliding.
+ * A mode in which a drone flies, such as under power or gliding.
  *
- * @param name such as {@code powered}
- * @param speed along the path, above 0, m/s
- * @param climb largest rate of climb, above 0; may be infinite, m/s
- * @param sink largest rate of descent, above 0; may be infinite, m/s
- * @param steepest the greatest slope of the path, rise over horizontal distance; negative for a glider, infinite for no
- *     limit
+ * @param name name of the mode, such as {@code powered}
+ * @param speed speed along the path, above 0, m/s
+ * @param climb greatest rate of climb, above 0, m/s; may be infinite
+ * @param sink greatest rate of descent, above 0, m/s; may be infinite
+ * @param steepest the greatest slope of the path, height gained over horizontal distance; negative for a glide,
+ *     infinite for no limit
  */
 public record RouteMode(String name, double speed, double climb, double sink, double steepest) {
     /** Slopes count as equal within this, so that the best glide between two posts is not lost to rounding. */
@@ -55,24 +55,24 @@ public record RouteMode(String name, double speed, double climb, double sink, do
                 -1.0 / limits.glideRatio());
     }
 
-    /** The motion on a heading, clockwise from north, rad: level or, gliding, on the best glide. */
+    /** The motion on a heading, clockwise from north, rad: level or, for a glide, on the best glide. */
     public LegMotion motion(double heading) {
         double slope = isGlide() ? steepest : 0.0;
         double level = speed / Math.sqrt(1.0 + slope * slope);
         return new LegMotion(heading, level * StrictMath.sin(heading), level * StrictMath.cos(heading), slope * level);
     }
 
-    /** Whether it can only descend. */
+    /** Whether the drone can only descend in this mode. */
     public boolean isGlide() {
         return steepest < 0.0;
     }
 
     /**
-     * The shortest time for a straight leg, s; infinite where the leg is too steep. A leg that rises or sinks more
-     * than the rates allow at this speed is flown more slowly.
+     * The shortest time for a straight leg, s; infinite where the leg is too steep. A leg that climbs or descends
+     * faster than the limits allow at this speed is flown more slowly.
      *
-     * @param horizontal its horizontal length, m
-     * @param rise from its beginning to its end, m
+     * @param horizontal horizontal length of the leg, m
+     * @param rise height gained from its beginning to its end, m
      */
     public double time(double horizontal, double rise) {
         if (rise > steepest * horizontal + ROUNDING * (horizontal + Math.abs(rise))) {

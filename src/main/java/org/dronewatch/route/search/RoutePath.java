@@ -11,7 +11,7 @@ import org.dronewatch.geometry.Position;
 /**
  * A path of straight legs.
  *
- * @param points from the first to the last, at least one, m
+ * @param points its points from the first to the last, at least one, m
  * @param modes for each leg, the number of the mode in which it is flown
  */
 public record RoutePath(List<Position> points, List<Integer> modes) {
@@ -29,7 +29,7 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
         }
     }
 
-    /** The length, m. */
+    /** The length of the path, m. */
     public double length() {
         double length = 0.0;
         for (int i = 0; i < modes.size(); i++) {
@@ -42,7 +42,7 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
      * The flight along this path, each leg in the time that the search assumes.
      *
      * @param of the modes in which the drone may fly, as in the search
-     * @return empty for a path that is shorter than a leg can be
+     * @return the flight; empty for a path that is shorter than the shortest possible leg
      */
     public Optional<RouteFlight> flight(List<RouteMode> of) {
         List<RouteLeg> legs = new ArrayList<>();

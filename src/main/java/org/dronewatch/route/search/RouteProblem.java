@@ -8,13 +8,13 @@ import java.util.List;
  *
  * @param grid the posts between which routes lead
  * @param field how exposed the drone is
- * @param modes in which the drone may fly, in this order: it may change to the next one, once and at any post, but not
- *     back
+ * @param modes modes in which the drone may fly, in this order: it may change to the next one, once and at any post,
+ *     but not back
  * @param turnRadius the smallest radius of a turn, 0 for none, m
- * @param directions in plan, in which routes may leave a post
+ * @param directions directions in plan view in which routes may leave a post
  * @param starts posts at which a route may begin
- * @param goals posts at which it ends
- * @param passage between which points the drone can fly straight; closed posts are not passed in any case
+ * @param goals posts at which it may end
+ * @param passage decides between which points the drone can fly straight; it never passes closed posts
  */
 public record RouteProblem(
         RouteGrid grid,
@@ -41,7 +41,7 @@ public record RouteProblem(
         }
     }
 
-    /** The same where nothing but closed posts is solid. */
+    /** The same if nothing is solid except the closed posts. */
     public RouteProblem(
             RouteGrid grid,
             ExposureField field,

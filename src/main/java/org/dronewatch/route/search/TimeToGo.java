@@ -3,8 +3,8 @@ package org.dronewatch.route.search;
 import java.util.OptionalDouble;
 
 /**
- * The least time that a drone needs from each post of a grid to the end of a route: where this is less than the time of
- * a response, an alert must already have come. Immutable and thread-safe.
+ * The least time that a drone needs from each post of a grid to the end of a route: where this is less than the time
+ * that a response takes, an alert must already have been raised. Immutable and thread-safe.
  */
 public final class TimeToGo {
     private final RouteGrid grid;
@@ -17,7 +17,7 @@ public final class TimeToGo {
         this.least = least.clone();
     }
 
-    /** The posts; those of a site are in the middle of its cells, with the rows from the south. */
+    /** The posts; for a site, they are in the middle of its cells, with rows counted from the south. */
     public RouteGrid grid() {
         return grid;
     }

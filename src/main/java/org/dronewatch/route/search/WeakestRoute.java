@@ -1,11 +1,13 @@
 package org.dronewatch.route.search;
 
 /**
- * The least exposed route that was found, with a bracket of the exposure of the least exposed route that there is.
+ * The least exposed route that was found, with an interval that contains the exposure along the least exposed route
+ * that exists.
  *
  * @param path the route, m
- * @param exposure along it, as far as it counts: the upper end of the bracket
- * @param lower a certified lower bound of the exposure of all routes from the same starts
+ * @param exposure exposure along it, on the part that counts: the upper end of the interval
+ * @param lower a certified lower bound on the exposure along all routes from the same starts: the lower end of the
+ *     interval
  * @param seconds how long the route takes, s
  */
 public record WeakestRoute(RoutePath path, double exposure, double lower, double seconds) {

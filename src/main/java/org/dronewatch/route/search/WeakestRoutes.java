@@ -12,8 +12,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 
 /**
- * The least exposed routes from anywhere to the goals. They are searched for over the posts of a grid, then smoothed:
- * posts no longer matter to the route that is found, whose exposure is integrated anew. Immutable and thread-safe.
+ * The least exposed routes from anywhere to the goals. They are searched for over the posts of a grid and then
+ * smoothed: a smoothed route need not pass through posts, and its exposure is integrated again. Immutable and
+ * thread-safe.
  */
 public final class WeakestRoutes {
     /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */
@@ -58,8 +59,8 @@ public final class WeakestRoutes {
     /**
      * Searches for routes to the goals.
      *
-     * @param reached the posts of all cubes of the grid in which a route may end, for the lower bound: the goals
-     *     themselves if routes end at a post
+     * @param reached the posts of all cubes of the grid in which a route may end, for the lower bound; the goals
+     *     themselves if routes end at posts
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached) {
@@ -67,16 +68,17 @@ public final class WeakestRoutes {
     }
 
     /**
-     * The same, where time has a price, so that of several equally exposed routes the fastest is found: without one, a
-     * drone may fly about for hours where nothing detects it.
+     * The same, but time has a price, so that the fastest of several equally exposed routes is found: without a price,
+     * a drone may fly about for hours where nothing detects it.
      *
-     * @param price what a second counts for in the search, but not in the exposure that is stated, 0 or more, 1/s
+     * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
+     *     more, 1/s
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
         return of(problem, reached, price, RouteEnd.AT_POST);
     }
 
-    /** The same, where a route may arrive between posts. */
+    /** The same, but a route may arrive between posts. */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
         RouteProblem priced = problem.withField(problem.field().plus(price));
         return new WeakestRoutes(
@@ -89,12 +91,12 @@ public final class WeakestRoutes {
     }
 
     /**
-     * Searches for routes that are least exposed for as long as a detection is in time: until less than the time of a
-     * response is left to the goals, even at full speed. From there on, the drone takes the fastest route, since a
-     * detection comes too late, whatever the exposure.
+     * Searches for routes that are least exposed for as long as a detection is in time, that is, until the goals are
+     * less than the response time away even at full speed. From there on, the drone takes the fastest route, whatever
+     * the exposure, since a detection would come too late.
      *
      * @param reached as above
-     * @param response above 0, s
+     * @param response the response time, above 0, s
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response) {
@@ -102,7 +104,7 @@ public final class WeakestRoutes {
     }
 
     /**
-     * The same, where time has a price.
+     * The same, but time has a price.
      *
      * @param price as above
      */
@@ -110,7 +112,7 @@ public final class WeakestRoutes {
         return inTime(problem, reached, response, price, RouteEnd.AT_POST);
     }
 
-    /** The same, where a route may arrive between posts. */
+    /** The same, but a route may arrive between posts. */
     public static WeakestRoutes inTime(
             RouteProblem problem, BitSet reached, double response, double price, RouteEnd arrival) {
         RouteProblem fastest = problem.withField(new Clock());
@@ -191,7 +193,7 @@ public final class WeakestRoutes {
         return ExposureBound.of(priced, ends).from(starts);
     }
 
-    /** The least times to the goals: over the posts or, where no turn needs room, straight. */
+    /** The least times to the goals: along the posts or, if turns need no room, in a straight line. */
     public TimeToGo timeToGo() {
         RouteTree fastest = onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock())));
         double[] least = new double[problem.grid().size()];
@@ -199,7 +201,7 @@ public final class WeakestRoutes {
         return new TimeToGo(problem.grid(), least);
     }
 
-    /** The least exposure of a route over the posts alone, before it is smoothed; infinite without a route. */
+    /** The least exposure along a route over the posts alone, before it is smoothed; infinite if there is no route. */
     public double overPosts(int post) {
         return tree.cost(post);
     }
