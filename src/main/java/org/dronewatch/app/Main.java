@@ -131,7 +131,7 @@ public final class Main implements Runnable {
     }
 
     /**
-     * Runs a command. Java errors, such as lack of memory, also become a line and an exit code.
+     * Runs a command. Java errors, such as running out of memory, also end in a one-line message and an exit code.
      *
      * @param out destination of results
      * @param err destination of messages
@@ -233,7 +233,7 @@ public final class Main implements Runnable {
         return problem instanceof InputException ? BAD_INPUT : FAILED;
     }
 
-    /** Fails, and lists the commands: there is no subcommand. */
+    /** Fails, and lists the commands: none has been given. */
     @Override
     public void run() {
         throw new ParameterException(
