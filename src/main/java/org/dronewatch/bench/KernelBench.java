@@ -50,7 +50,7 @@ public final class KernelBench {
     }
 
     /**
-     * Measures one set of rays, after warm-up passes for a second, at least one.
+     * Measures one set of rays, after warming up for a second, with at least one pass.
      *
      * @param passes number of measured passes, 1 or more
      * @param progress is called after the warm-up, and after each measured pass

@@ -23,7 +23,7 @@ public record RaySet(String name, float[] rays, int width, Query query) {
         OCCLUDED
     }
 
-    /** Rays for each of which the nearest triangle is searched for. */
+    /** Rays along each of which the nearest triangle is to be found. */
     public RaySet(String name, float[] rays, int width) {
         this(name, rays, width, Query.NEAREST);
     }

@@ -3,7 +3,9 @@ package org.dronewatch.bench;
 import java.util.List;
 import org.dronewatch.geometry.TriangleMesh;
 
-/** Hilly ground with any number of triangles, the same for the same number. It is 1 km square, with z up. */
+/**
+ * Hilly ground with any number of triangles; always the same ground for the same number. It is 1 km square, with z up.
+ */
 public final class RollingTerrain {
     private static final double SIZE = 1000.0;
     private static final double HEIGHT = 60.0;

@@ -7,11 +7,14 @@ import org.dronewatch.kdtree.SequentialTraversal;
 
 /** The traversals of a tree that can be measured. */
 public enum TraversalKind {
-    /** The fastest for the set: tiles for a picture, fans for segments, vectors for other sets if they can be used. */
+    /**
+     * The fastest for the set: tiles for a picture, fans for segments, and vector instructions, if they can be used,
+     * for other sets.
+     */
     FASTEST,
     /** Tiles of a picture; one ray at a time for other sets. */
     TILES,
-    /** Segments with a common origin together; for other sets, as BVH. */
+    /** Segments with a common origin, traced together; for other sets, as BVH. */
     FAN,
     /** One ray at a time, ordered, with a stack. */
     STACK,
