@@ -12,13 +12,13 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
 
 /**
- * The buildings of a real place, from a map: OpenStreetMap (.osm, also in .gz, or .osm.pbf), outlines in GeoJSON, or a
- * city model in CityJSON. Buildings stand on the scene's terrain, around its geographic origin, {@code world.origin},
- * which such a scene must state.
+ * The buildings of a real place, from a map: OpenStreetMap (.osm, .osm.gz or .osm.pbf), outlines in GeoJSON, or a city
+ * model in CityJSON. Buildings stand on the scene's terrain, around its geographic origin, {@code world.origin}, which
+ * such a scene must state.
  *
  * @param file the map, or {@code packaged:NAME} for one in the library
- * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it if the
- *     coordinates are longitude and latitude, or if the file states its system
+ * @param crs coordinate reference system of GeoJSON or CityJSON by its EPSG code; omit it if the coordinates are
+ *     longitude and latitude, or if the file states its system
  * @param radius distance from the origin within which buildings are included, 10 m to 20 km
  * @param height height of buildings for which the map states neither a height nor levels, 1 to 200 m
  * @param levelHeight height of a level, for buildings for which the map states only the number of levels, 1 to 20 m
@@ -100,7 +100,7 @@ public record BuildingSettings(
         return SettingsForm.with(this, "verticalOffset", metres);
     }
 
-    /** These settings with the woods of the map as canopies of a height, m. */
+    /** These settings with the woods of the map as canopies of a given height, m. */
     public BuildingSettings withWoodHeight(double metres) {
         return SettingsForm.with(this, "woodHeight", Optional.of(metres));
     }

@@ -19,7 +19,7 @@ import org.dronewatch.setting.file.FileHash;
  * @param area area of their outlines, without courtyards, m2
  * @param assumed number of those with an assumed height
  * @param file the map, with the hash of its bytes as read
- * @param landCover land cover of the ground, if it was asked for
+ * @param landCover land cover of the ground, if it was requested
  * @param description description of the map, in lines for the report
  * @param warnings about suspicious content, one line each
  */

@@ -18,8 +18,8 @@ public record CityModel(double[] vertices, List<Solid> solids) {
      * The surfaces of a building, which should enclose it.
      *
      * @param id its identifier in the model
-     * @param surfaces each with its outline, counter-clockwise as seen from outside, and its openings: numbers of
-     *     vertices
+     * @param surfaces each with its outline, counter-clockwise as seen from outside, and its openings, given by the
+     *     numbers of their vertices
      */
     public record Solid(String id, List<List<int[]>> surfaces) {
         /** Copies the list: later changes by the caller have no effect. */

@@ -27,7 +27,7 @@ public record MapFeature(String id, List<double[]> outers, List<double[]> inners
         return building.equals("no") && ("wood".equals(tags.get("natural")) || "forest".equals(tags.get("landuse")));
     }
 
-    /** All outlines, courtyards among them. */
+    /** All outlines, including those of courtyards. */
     public Stream<double[]> rings() {
         return Stream.concat(outers.stream(), inners.stream());
     }

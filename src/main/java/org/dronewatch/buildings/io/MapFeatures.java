@@ -11,10 +11,10 @@ import org.dronewatch.setting.file.FileHash;
  *
  * @param features outlines of buildings and parts of buildings, in the order of the file
  * @param model buildings with their walls and roofs instead, from a city model
- * @param land what covers the ground, if it was asked for
+ * @param land what covers the ground, if it was requested
  * @param leftOut features that could not be used, and their number, in words
  * @param format format of the file, in words
- * @param system in which its coordinates are
+ * @param system coordinate system of the file
  * @param hash hash of the file
  */
 public record MapFeatures(

@@ -57,7 +57,8 @@ public final class MapFiles {
      *
      * @param directory directory against which relative paths are resolved, that of a scene file or empty for the
      *     working directory
-     * @param progress receives a line before a file that takes seconds, unless it is watched as a {@link LongTask}
+     * @param progress receives a line before each file that takes seconds to read, unless it is watched as a
+     *     {@link LongTask}
      */
     public MapFiles(Path directory, Consumer<String> progress) {
         this.directory = directory;
@@ -69,7 +70,7 @@ public final class MapFiles {
      *
      * @param name name of the file
      * @param area features elsewhere may be left out
-     * @throws InputException in one line when the file is missing, of no known format, or damaged
+     * @throws InputException in one line when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area) {
         return read(name, area, false);
@@ -80,9 +81,9 @@ public final class MapFiles {
      *
      * @param name of the file
      * @param area features elsewhere may be left out
-     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas that do so are then not
-     *     buildings
-     * @throws InputException in one line when the file is missing, of no known format, or damaged
+     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas of land cover are then not
+     *     taken for buildings
+     * @throws InputException in one line when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area, boolean withLand) {
         Source source = source(name);
@@ -140,7 +141,7 @@ public final class MapFiles {
      * Whether the scene has to state the coordinate system of a map, since neither its format nor the file does.
      *
      * @param name of the file
-     * @throws InputException in one line when the file is missing, of no known format, or damaged
+     * @throws InputException in one line when the file is missing, damaged or in no known format
      */
     public boolean needsCrs(String name) {
         try {

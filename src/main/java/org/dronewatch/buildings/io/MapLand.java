@@ -11,7 +11,7 @@ import java.util.Set;
  *     closed
  */
 public record MapLand(List<MapShape> shapes) {
-    /** Nothing: not asked for, or not stated by the map. */
+    /** Nothing: not requested, or not stated by the map. */
     public static final MapLand NONE = new MapLand(List.of());
 
     /** Keys of OpenStreetMap of which at least one is set on everything that says what covers the ground. */

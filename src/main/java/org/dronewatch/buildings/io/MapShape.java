@@ -9,8 +9,8 @@ import java.util.Map;
  *
  * @param id its identifier on the map, such as {@code way/4713}
  * @param isClosed whether its lines are closed, so that it may be an area
- * @param lines x and y of each corner in turn, in the map's coordinates; closed ones without repeating the first
- *     corner, courtyards and islands among them
+ * @param lines x and y of each corner in turn, in the map's coordinates; closed ones, including those around courtyards
+ *     and islands, without repeating the first corner
  * @param tags what the map states about it, by key
  */
 public record MapShape(String id, boolean isClosed, List<double[]> lines, Map<String, String> tags) {

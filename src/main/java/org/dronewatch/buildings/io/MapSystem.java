@@ -24,7 +24,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
     /** Longitude and latitude in degrees by OGC's own name, as GeoJSON of ogr2ogr and QGIS states them. */
     private static final Pattern CRS84 = Pattern.compile(".*CRS84");
 
-    /** What formats say about coordinates. */
+    /** What formats specify about coordinates. */
     public enum Rule {
         /** Always longitude and latitude (WGS 84). */
         ALWAYS_DEGREES,

@@ -5,9 +5,9 @@ import java.util.List;
 /**
  * What covers a piece of ground. Its material is a name in the table of acoustic surfaces with a variant after a colon,
  * so that a scene can give roads, for instance, a different surface from that of car parks. CNOSSOS-EU (Directive (EU)
- * 2015/996, table 2.5.a) puts forest floors, pasture and normal uncompacted ground, compacted fields and park areas,
- * gravel roads, asphalt and water into classes by their flow resistivity; which surface stands for which tag is a
- * choice of this program.
+ * 2015/996, table 2.5.a) classifies forest floors, pasture and normal uncompacted ground, compacted fields and park
+ * areas, gravel roads, asphalt and water by their flow resistivity; which surface represents which tag is a choice of
+ * this program.
  */
 public enum LandClass {
     /** Not stated by the map: the ground keeps its material. */

@@ -40,7 +40,7 @@ public final class LandRaster {
         this.codes = codes;
     }
 
-    /** The code of the class at a point, m; that of {@link LandClass#NONE} outside of the raster. */
+    /** The code of the class at a point, m; that of {@link LandClass#NONE} outside the raster. */
     public int code(double x, double y) {
         double column = Math.floor((x + half) * perMetre);
         double row = Math.floor((y + half) * perMetre);
@@ -81,7 +81,7 @@ public final class LandRaster {
         return side;
     }
 
-    /** The lengths of runs of cells of one class, and the class of each, in turn. */
+    /** Runs of adjacent cells of the same class, row by row: for each, its length and the code of its class. */
     public int[] runs() {
         int[] runs = new int[1024];
         int count = 0;
