@@ -4,8 +4,8 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Four rays, unrelated to each other, that are traced together. Each hits what it would hit alone (see
- * {@link TracingIndex#newIncoherentRayTracer()}), at the same distance; from inside a convex room, at a distance that
- * may differ by rounding. What it hits does not depend on the other rays. For the use of one thread.
+ * {@link TracingIndex#newIncoherentRayTracer()}), at the same distance; inside a convex room, the distance may differ
+ * by rounding. What it hits does not depend on the other rays. For the use of one thread.
  */
 public abstract class RayPacket {
     /** Number of rays. */
@@ -39,7 +39,7 @@ public abstract class RayPacket {
     public abstract void set(int ray, double ox, double oy, double oz, double dx, double dy, double dz);
 
     /**
-     * Finds the nearest triangle along the first rays.
+     * Finds the nearest triangle along each of the first rays.
      *
      * @param count their number, 1 to 4
      */

@@ -5,9 +5,9 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Finds out which of many segments with a common origin are hidden: the lines of sight from a sensor to many places.
+ * Determines which of many segments with a common origin are hidden: the lines of sight from a sensor to many places.
  * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends
- * of a segment that begins or ends on a triangle: rounding decides there, in single rays too. Segments of similar
+ * of a segment that begins or ends on a triangle: rounding decides there, for single rays too. Segments of similar
  * directions are traced together, in whatever order they are given; those for which single precision leaves a doubt are
  * traced again, one by one. For the use of one thread.
  */
@@ -27,7 +27,7 @@ public final class SegmentFan {
      * Segments in a tree.
      *
      * @param single traces one segment
-     * @param byVectors whether the processor's vectors can be used
+     * @param byVectors whether the processor's vector instructions can be used
      */
     SegmentFan(KDTree tree, RayTracer single, boolean byVectors) {
         this.single = single;
@@ -43,16 +43,16 @@ public final class SegmentFan {
     }
 
     /**
-     * Finds out which segments are hidden.
+     * Determines which segments are hidden.
      *
      * @param originX of the origin of all segments, m
      * @param originY of the origin, m
      * @param originZ of the origin, m
      * @param vectors of the segments from the origin to their ends: x, y and z of each, m
      * @param count number of segments
-     * @param skipped at both ends of each segment triangles within this distance do not count, m; 0 or more, and
-     *     more than 0 for ends on surfaces
-     * @param hidden receives for each segment whether any triangle hides it; none hides one without length
+     * @param skipped triangles within this distance of either end of a segment do not count, m; 0 or more, and more
+     *     than 0 for ends on surfaces
+     * @param hidden receives for each segment whether any triangle hides it; a segment without length is never hidden
      */
     public void trace(
             double originX,

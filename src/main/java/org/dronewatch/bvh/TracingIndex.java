@@ -37,7 +37,7 @@ public final class TracingIndex {
     }
 
     /**
-     * Builds the index of a mesh; with a mesh without triangles, no ray hits anything.
+     * Builds the index of a mesh; if the mesh has no triangles, no ray hits anything.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */
@@ -73,18 +73,18 @@ public final class TracingIndex {
         return newRayTracer(tree);
     }
 
-    /** A new ray tracer for single rays in another tree, such as a drone's, by the same traversal. */
+    /** A new ray tracer for single rays in another tree, such as a drone's, with the same traversal. */
     public RayTracer newRayTracer(KDTree other) {
         return traversal == RayTraversal.SEQUENTIAL ? new SequentialTraversal(other) : new StackTraversal(other);
     }
 
     /**
      * A new ray tracer for incoherent rays, which are unrelated to each other, such as those of diffuse sound, for the
-     * use of one thread. Where the processor's vectors can be used ({@code --add-modules jdk.incubator.vector}) it is
-     * three to four times as fast in large models, once the BVH has been built (in parallel if threads are available);
-     * otherwise this returns the same tracer as {@link #newRayTracer()}. Both find the same hits; where triangles meet
-     * at the very point that a ray hits, they may report different triangles, and distances that differ in the last
-     * bit.
+     * use of one thread. Where the processor's vector instructions can be used
+     * ({@code --add-modules jdk.incubator.vector}), it is three to four times as fast in large models, once the BVH has
+     * been built (in parallel if threads are available); otherwise this returns the same tracer as
+     * {@link #newRayTracer()}. Both find the same hits; where triangles meet at the very point that a ray hits, they
+     * may report different triangles, and distances that differ in the last bit.
      *
      * @throws CancellationException when the thread is interrupted while the BVH is built
      */
@@ -97,9 +97,9 @@ public final class TracingIndex {
 
     /**
      * A new packet of incoherent rays that are traced together, or empty where that is not faster: it is faster in
-     * meshes of a few triangles where the processor's vectors can be used, and in convex rooms of a few triangles
-     * always. In these, distances may differ from those of single rays by rounding, but not with the processor or the
-     * traversal.
+     * meshes of a few triangles where the processor's vector instructions can be used, and always in convex rooms of a
+     * few triangles. In such rooms, distances may differ from those of single rays by rounding, but do not depend on
+     * the processor or the traversal.
      */
     public Optional<RayPacket> newRayPacket() {
         if (few.isEmpty()) {
@@ -119,15 +119,15 @@ public final class TracingIndex {
 
     /**
      * A new tracer of segments with a common origin, for the use of one thread. It is faster than single rays where the
-     * processor's vectors can be used; the answers are the same.
+     * processor's vector instructions can be used; the answers are the same.
      */
     public SegmentFan newSegmentFan() {
         return new SegmentFan(tree, newRayTracer(), traversal == RayTraversal.FASTEST && suitsVectors());
     }
 
     /**
-     * Whether incoherent rays have a BVH: only if the processor's vectors can be used, and the mesh has more than a few
-     * triangles, all of them near enough to the origin to be bounded in single precision.
+     * Whether incoherent rays have a BVH: only if the processor's vector instructions can be used, and the mesh has
+     * more than a few triangles, all of them near enough to the origin to be bounded in single precision.
      */
     public boolean hasBvh() {
         return suitsVectors() && few.isEmpty();
