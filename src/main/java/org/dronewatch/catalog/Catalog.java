@@ -217,9 +217,9 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The entry of the library that a sensor corresponds to: the one all of whose settings it has; if there are
-     * several, the one with the most settings. Its position, aim and detection function do not matter, nor do settings
-     * that the entry does not state.
+     * The library entry to which a sensor corresponds: one with which it agrees in every setting that the entry states;
+     * if there are several, the one that states the most. The sensor's position, aim and detection function do not
+     * matter.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();

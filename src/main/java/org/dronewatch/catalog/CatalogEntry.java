@@ -80,7 +80,7 @@ public record CatalogEntry(
             return read(quadrotor, drone, DroneSettings.class);
         }
 
-        /** The world in which the range holds, with a given ground. */
+        /** The world in which the range holds, with the given ground. */
         public WorldSettings worldOf(ModelSettings ground) {
             return read(Map.of("models", List.of(ground)), world, WorldSettings.class);
         }

@@ -6,7 +6,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Choices;
 import org.dronewatch.setting.file.Kinds;
 
-/** The kinds of sensors that files may name: those of the library, then those of others on the class path. */
+/** The kinds of sensors that files may name: those of the library, then those of other jars on the class path. */
 public final class SensorKinds {
     private SensorKinds() {}
 

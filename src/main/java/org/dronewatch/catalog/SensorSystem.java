@@ -12,8 +12,8 @@ import org.dronewatch.setting.file.Node;
  * @param title its manufacturer's name for it
  * @param source source of the description
  * @param note omissions and assumptions
- * @param parts each sensor as in a scene file, without a position, by the end of its name: the part {@code radar} of a
- *     system {@code gate} is the sensor {@code gate-radar}
+ * @param parts each sensor as in a scene file, without a position, by the suffix of its name: the part {@code radar} of
+ *     a system {@code gate} is the sensor {@code gate-radar}
  */
 public record SensorSystem(String title, String source, String note, Node.Mapping parts) {
     /** Checks that no component is missing. */
