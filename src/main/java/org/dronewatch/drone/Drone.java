@@ -17,7 +17,7 @@ import org.jogamp.vecmath.Vector3d;
  * A drone at one time: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving it
  * changes the matrix only, and returns a new drone that shares the tree. Immutable and thread-safe.
  *
- * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, as
+ * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, like
  * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
  */
 public final class Drone {
@@ -198,7 +198,7 @@ public final class Drone {
 
     /**
      * An upper bound on the distance of its mesh from its origin, m: the reach of its model box times the largest
-     * stretch of the matrix.
+     * stretch factor of the matrix.
      */
     public double reach() {
         AABB box = tree.bounds();
@@ -212,7 +212,7 @@ public final class Drone {
         return Math.sqrt(a * a + b * b + c * c);
     }
 
-    /** An upper bound on the distance of its mesh from its origin at whatever attitude, m. */
+    /** An upper bound on the distance of its mesh from its origin at any attitude, m. */
     public double radius() {
         AABB box = tree.bounds();
         double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));

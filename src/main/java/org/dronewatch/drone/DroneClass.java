@@ -3,7 +3,7 @@ package org.dronewatch.drone;
 /**
  * A class of drones with a measured distribution of the radar cross-section: log-normal from look to look. The figures
  * are those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is that of the cross-section in m2, not that of its
- * decibels.
+ * value in decibels.
  */
 public enum DroneClass {
     /** A small unmanned aircraft, such as the quadrotor of the library: 0.0524 m2 (-12.81 dBsm), spread 3.74 dB. */

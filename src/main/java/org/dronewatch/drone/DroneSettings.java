@@ -55,8 +55,8 @@ import org.dronewatch.world.World;
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; omit it for none
  * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
- * @param performance limits of its flight, as far as they are known; if it is omitted, they are typical of its
- *     airframe, and flights are not checked against them
+ * @param performance limits of its flight, as far as they are known; if it is omitted, limits typical of its airframe
+ *     apply, and flights are not checked against them
  * @param swarm number and formation of a swarm of such drones; omit it for a single drone
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */
@@ -230,7 +230,7 @@ public record DroneSettings(
         return SettingsForm.with(this, "airframe", other);
     }
 
-    /** These settings, tilting in accelerations and turns, or always level. */
+    /** These settings with a drone that tilts when it accelerates and turns, or that always stays level. */
     public DroneSettings withLean(boolean leaning) {
         return SettingsForm.with(this, "lean", leaning);
     }
@@ -261,11 +261,11 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another type of drone, spectrum and loudness: one from the library's table, with
-     * its directivity if that was measured, or a sound that you define.
+     * These settings with the sound of another type of drone, both spectrum and loudness: one from the library's table,
+     * with its directivity if that was measured, or a sound that you define.
      *
-     * @throws IllegalArgumentException if its level is not 0 to 200 dB, or a band's not -200 to 200 dB, or a sound that
-     *     you define has a name that is in the table
+     * @throws IllegalArgumentException if its level is not between 0 and 200 dB, that of a band is not between -200 and
+     *     200 dB, or a sound that you define has a name that is in the table
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));
@@ -341,8 +341,8 @@ public record DroneSettings(
     }
 
     /**
-     * Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's loudness, as radiated by a drone of
-     * steady emission with its motors running.
+     * Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's loudness, as radiated by a drone
+     * with steady emission and its motors running.
      */
     public List<Double> soundPower() {
         return soundPower(soundPowerLevel);
@@ -371,7 +371,7 @@ public record DroneSettings(
         return leaning(flight.create(speed, acceleration, ground));
     }
 
-    /** A path with this drone's tilt, if it tilts. */
+    /** A path with this drone's tilt added, if it tilts. */
     public FlightPath leaning(FlightPath path) {
         return lean ? airframe.leaning(path) : path;
     }

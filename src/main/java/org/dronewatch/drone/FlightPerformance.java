@@ -9,15 +9,15 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * A drone's flight performance, as far as it is known; limits that are not stated are
- * {@linkplain FlightLimits#typical typical} of its type of airframe. A flight that exceeds it gives a warning, but is
- * flown as described; missions from files climb and descend at these rates unless they state others.
+ * {@linkplain FlightLimits#typical typical} of its type of airframe. A flight that exceeds a limit causes a warning,
+ * but is flown as described; missions from files climb and descend at these rates unless they state others.
  *
- * @param climb largest rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors, 5 m/s
- *     for fixed-wing drones and hybrids
- * @param sink largest rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors, 5 m/s
- *     for fixed-wing drones and hybrids
- * @param turnRate largest rate at which the course turns, above 0 and at most 3600 deg/s; typically that of a bank of
- *     45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
+ * @param climb largest rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors, 5 m/s for
+ *     fixed-wing drones and hybrids
+ * @param sink largest rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors, 5 m/s for
+ *     fixed-wing drones and hybrids
+ * @param turnRate largest rate at which the course turns, above 0 and at most 3600 deg/s; typically that at a bank
+ *     angle of 45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
  * @param ceiling greatest height above the surface below it, above 0 and at most 20,000 m; typically 500 m
  * @param endurance longest flight under power, above 0 and at most 604,800 s; typically 30 minutes for multirotors, an
@@ -56,17 +56,17 @@ public record FlightPerformance(
         Limits.check(FlightPerformance.class, climb, sink, turnRate, hover, ceiling, endurance, glideRatio, glideSpeed);
     }
 
-    /** This performance with another largest rate of climb, m/s. */
+    /** This performance with another maximum rate of climb, m/s. */
     public FlightPerformance withClimb(double metresPerSecond) {
         return SettingsForm.with(this, "climb", Optional.of(metresPerSecond));
     }
 
-    /** This performance with another largest rate of descent, m/s. */
+    /** This performance with another maximum rate of descent, m/s. */
     public FlightPerformance withSink(double metresPerSecond) {
         return SettingsForm.with(this, "sink", Optional.of(metresPerSecond));
     }
 
-    /** This performance with another largest rate of turn, rad/s. */
+    /** This performance with another maximum rate of turn, rad/s. */
     public FlightPerformance withTurnRate(double radiansPerSecond) {
         return SettingsForm.with(this, "turnRate", Optional.of(radiansPerSecond));
     }

@@ -32,9 +32,10 @@ public record RadarSignature(
     private static final double USUAL_AREA = 0.01;
 
     /**
-     * The value usual in data sheets: 0.01 m2, steady, the same for all aspects. That is less than the mean of each of
-     * five drones from Phantom 3 to Matrice 600, -8.1 to -19.1 dBsm at 24 GHz (IEICE Communications Express 9, 2020),
-     * and the echo of a real drone fluctuates, as that of a {@link DroneClass} does.
+     * The value usual in data sheets: 0.01 m2, steady, the same for all aspects. That is less than the mean
+     * cross-section of any of five measured drones, from the Phantom 3 to the Matrice 600: -8.1 to -19.1 dBsm at 24 GHz
+     * (IEICE Communications Express 9, 2020). The echo of a real drone also fluctuates, as that of a {@link DroneClass}
+     * does.
      */
     @Defaults
     public static final RadarSignature DEFAULT = new RadarSignature(
@@ -50,13 +51,16 @@ public record RadarSignature(
     public enum Fluctuation {
         /** No fluctuation: Swerling's case 0. */
         STEADY,
-        /** Many similar scatterers, from look to look: exponentially distributed, case 1. */
+        /** Many similar scatterers, fluctuating from look to look: exponentially distributed, case 1. */
         SWERLING_1,
-        /** Many similar scatterers, from pulse to pulse: exponentially distributed, case 2. */
+        /** Many similar scatterers, fluctuating from pulse to pulse: exponentially distributed, case 2. */
         SWERLING_2,
-        /** One large scatterer with many small ones, from look to look: chi-square, four degrees of freedom, case 3. */
+        /**
+         * One large scatterer with many small ones, fluctuating from look to look: chi-square with four degrees of
+         * freedom, case 3.
+         */
         SWERLING_3,
-        /** One large scatterer with many small ones, from pulse to pulse: case 4. */
+        /** One large scatterer with many small ones, fluctuating from pulse to pulse: case 4. */
         SWERLING_4
     }
 
@@ -107,7 +111,7 @@ public record RadarSignature(
         return SettingsForm.with(this, "aspects", gains);
     }
 
-    /** This signature with a log-normal distribution, standard deviation in dB. */
+    /** This signature with a log-normal distribution of this standard deviation, dB. */
     public RadarSignature withSpread(double decibels) {
         return SettingsForm.with(this, "spread", Optional.of(decibels));
     }

@@ -36,11 +36,11 @@ public record RadioLink(
 
     /** A type of control of a drone. */
     public enum Control {
-        /** A pilot by radio, to whom the drone sends video and telemetry. */
+        /** A pilot who controls the drone by radio, and to whom it sends video and telemetry. */
         RADIO,
         /** No pilot: it flies as programmed, and transmits nothing. */
         AUTONOMOUS,
-        /** A pilot, over an optical fibre that the drone pays out: it transmits nothing either. */
+        /** A pilot who controls the drone over an optical fibre that it pays out: it transmits nothing either. */
         FIBRE
     }
 
@@ -84,7 +84,7 @@ public record RadioLink(
         return SettingsForm.with(this, "emission", other);
     }
 
-    /** This link in bursts. */
+    /** This link with its transmission in bursts. */
     public RadioLink withBursts(Bursts other) {
         return SettingsForm.with(this, "bursts", Optional.of(other));
     }

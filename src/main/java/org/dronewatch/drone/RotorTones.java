@@ -18,8 +18,9 @@ import org.dronewatch.sound.Tone;
  * @param rotorSpeed rate of rotation of a rotor, above 0 and at most 1000 Hz; also in {@code rpm}, as in
  *     {@code 6150 rpm}
  * @param blades number of blades of a rotor, 1 to 12; two on most quadrotors
- * @param shares the fraction of its octave band's power in each line, from the blade-passing frequency on, 0 to 1; up
- *     to 50 lines, and those within one octave add up to at most 1. Lines outside the eight octave bands are not heard
+ * @param shares for each line, from the blade-passing frequency on, its fraction of the power of its octave band, 0 to
+ *     1; up to 50 lines, and those within one octave band add up to at most 1. Lines outside the eight octave bands are
+ *     not heard
  */
 public record RotorTones(
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rotorSpeed,
@@ -34,8 +35,8 @@ public record RotorTones(
     /**
      * Checks the limits and copies the list.
      *
-     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave have more than its whole
-     *     power
+     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave band have more than its
+     *     whole power
      */
     public RotorTones {
         Limits.check(RotorTones.class, rotorSpeed, blades, shares);
@@ -58,7 +59,7 @@ public record RotorTones(
 
     /**
      * Two blades and six lines: half of the octave band's power at the blade-passing frequency and less in each
-     * harmonic, which is assumed.
+     * harmonic. These fractions are assumed.
      */
     @Defaults("rotorSpeed")
     public static RotorTones of(double rotorSpeed) {

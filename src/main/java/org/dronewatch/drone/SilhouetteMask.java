@@ -12,10 +12,10 @@ public final class SilhouetteMask {
     /** A texel no point of which is covered. */
     public static final byte OUTSIDE = 0;
 
-    /** A texel that may be covered or not, or in part; from the middle of the directions, its centre is not. */
+    /** A texel that may be covered or not, or in part; seen from the middle of the directions, its centre is not. */
     public static final byte UNLIKELY = 1;
 
-    /** A texel that may be covered or not, or in part; from the middle of the directions, its centre is. */
+    /** A texel that may be covered or not, or in part; seen from the middle of the directions, its centre is. */
     public static final byte LIKELY = 2;
 
     /** A texel all of whose points are covered. */

@@ -7,7 +7,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
- * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made only when it
+ * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made only once it
  * has been requested in place of several pictures, or of a large one: a few small pictures cost less than a mask.
  * Thread-safe.
  */

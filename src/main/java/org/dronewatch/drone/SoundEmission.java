@@ -23,8 +23,8 @@ public interface SoundEmission {
     BandLevels soundPower(Drone drone);
 
     /**
-     * The source level for the level model, dB: that of the settings, quieter by the glide reduction with the motors
-     * off, unless overridden. Always finite.
+     * The source level for the level model, dB: unless overridden, that of the settings, less the glide reduction when
+     * the motors are off. Always finite.
      *
      * @param drone as it was when the sound left it
      */
@@ -33,8 +33,8 @@ public interface SoundEmission {
     }
 
     /**
-     * The tones in its sound, which are part of its sound power: those of the settings, none with the motors off,
-     * unless overridden.
+     * The tones in its sound, which are part of its sound power: unless overridden, those of the settings, and none
+     * when the motors are off.
      *
      * @param drone as it was when the sound left it
      */
