@@ -28,9 +28,9 @@ public final class AlertLog {
     }
 
     /**
-     * Adds the sensors' looks of one time.
+     * Adds the looks that the sensors took at one time.
      *
-     * @return the alerts that they raise. An alert for several loose contacts has the number of the last of them
+     * @return the alerts that they raise. An alert for several loose contacts has the number of the latest of them
      */
     public List<Alert> add(List<ContactLook> looks) {
         for (ContactLook look : looks) {

@@ -11,7 +11,7 @@ import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
-/** A rule for when the sensors' looks at a contact raise an alert. */
+/** A rule that determines when the sensors' looks at a contact raise an alert. */
 public sealed interface AlertRule {
 
     /**
@@ -38,7 +38,7 @@ public sealed interface AlertRule {
      * @param count number of sensors, 1 to 1000
      * @param within time within which they must detect it, 0 to 3600 s
      * @param gate maximum difference between the bearings of two sensors' false alarms that count as one drone, 0 to
-     *     180 degrees, rad; a sensor that measures no bearing agrees with any. It has no effect on drones
+     *     180 degrees, rad; a sensor that measures no bearing agrees with any. The gate has no effect on drones
      */
     record SeveralSensors(
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
@@ -81,8 +81,8 @@ public sealed interface AlertRule {
     }
 
     /**
-     * An alert as soon as the probability that at least one of the sensors detects the drone in its last look is high
-     * enough: {@code 1 - (1-p1)(1-p2)...}. This assumes that the sensors' misses are independent; if one hill or one
+     * An alert as soon as {@code 1 - (1-p1)(1-p2)...}, the probability that at least one of the sensors detects the
+     * drone in its last look, is high enough. This assumes that the sensors' misses are independent; if one hill or one
      * bank of fog hides the drone from all of them, the rule is too optimistic. The probability of a sensor with a
      * fixed threshold is 0 or 1.
      *

@@ -47,7 +47,7 @@ public record AlertSettings(
         return SettingsForm.with(this, "rule", other);
     }
 
-    /** These settings with a number of detections required out of a number of looks of a sensor. */
+    /** These settings with another confirmation: {@code hits} detections in a sensor's last {@code looks} looks. */
     public AlertSettings withConfirmation(int hits, int looks) {
         return SettingsForm.with(this, "confirm", new Confirmation(hits, looks));
     }

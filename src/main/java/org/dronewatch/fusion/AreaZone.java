@@ -84,7 +84,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return names;
     }
 
-    /** The corners of its outline; those of a circle lie on it. */
+    /** The corners of its outline; a circle is approximated by a polygon whose corners lie on it. */
     public List<GroundPoint> outline() {
         if (!settings.area().isEmpty()) {
             return settings.area();
@@ -106,7 +106,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return Math.hypot(above, beside(position.x(), position.y()));
     }
 
-    /** Whether it lies above or below a point in plan view. */
+    /** Whether a point in plan view lies within its outline. */
     public boolean covers(double x, double y) {
         return beside(x, y) == 0.0;
     }

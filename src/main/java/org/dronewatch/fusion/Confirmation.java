@@ -5,8 +5,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The confirmation required of a sensor before its detections count: a number of detections in a number of its last
- * looks.
+ * The confirmation required of a sensor before its detections count: at least {@code hits} detections in its last
+ * {@code looks} looks.
  *
  * @param hits number of looks that must detect the drone, 1 to 100
  * @param looks number of most recent looks considered, not fewer than hits, 1 to 100
@@ -28,7 +28,7 @@ public record Confirmation(
     /**
      * The probability that the last looks confirm a contact, if each detects it with the same probability,
      * independently of the others: the upper tail of the binomial distribution, {@code sum over k from hits to looks of
-     * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
+     * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks, 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
      *
      * @param ofOneLook 0 to 1
      */
@@ -43,7 +43,7 @@ public record Confirmation(
     /**
      * The probability that a look confirms a contact that was not confirmed at the look before: this look is a hit,
      * exactly {@code hits - 1} of the {@code looks - 1} looks before it were hits, and the look before those was a
-     * miss, {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}.
+     * miss. It is {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}.
      *
      * @param ofOneLook the probability that a look detects it, independently of the others, 0 to 1
      */

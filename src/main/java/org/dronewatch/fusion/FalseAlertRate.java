@@ -15,18 +15,18 @@ import org.dronewatch.world.Weather;
 /**
  * False alerts per day that result from a rule, in closed form.
  *
- * <p>Assumptions: false alarms begin independently of each other, from look to look, from cell to cell, and from
- * sensor to sensor. Those of one sensor confirm each other only if they lie in the same cell. Those of
- * several sensors count together if they agree in time and in bearing, whatever their range, their elevation, and the
- * distance between the sensors; a sensor without a bearing, or on a positioner, agrees with all. One alert is counted
- * for each contact, however long it lasts.
+ * <p>Assumptions: false alarms begin independently of each other, from look to look, from cell to cell, and from sensor
+ * to sensor. Those of one sensor confirm each other only if they lie in the same cell. Those of several sensors count
+ * together if they agree in time and in bearing, whatever their range, their elevation, and the distance between the
+ * sensors; a sensor without a bearing, or on a positioner, agrees with all. One alert is counted for each contact,
+ * however long it lasts.
  *
  * <p>Let s be the probability that a false alarm begins in a given cell in a given look, K the number of cells, f the
- * looks per second, M of N the confirmation. False alarms of one look are confirmed
+ * looks per second, and M of N the confirmation. False alarms of one look are confirmed
  * {@code K f C(N-1, M-1) s^M (1-s)^(N-M+1)} times a second: the rate of looks that confirm one not confirmed by the
- * look before. Those that last for L looks, M or more, confirm themselves, {@code K f s (1-s)^(N+L-1)} times a second.
- * If L is above one but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1 looks:
- * {@code K f s P(Poisson(s' (N+L-1)) >= J-1)}, with s' = -ln(1-s), is an upper bound.
+ * look before. Those that last for L looks confirm themselves if L is M or more, {@code K f s (1-s)^(N+L-1)} times a
+ * second. If L is above one but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1
+ * looks: {@code K f s P(Poisson(s' (N+L-1)) >= J-1)}, with s' = -ln(1-s), is an upper bound.
  *
  * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
  * since the old ones never end. The rate is then taken at the formula's maximum: at {@code s = M / (N+1)} for false
@@ -56,7 +56,7 @@ public record FalseAlertRate(
         merging = List.copyOf(merging);
     }
 
-    /** The rate with an alert rule and a scene's sensors, in some weather. */
+    /** The rate with an alert rule and a scene's sensors, in given weather. */
     public static FalseAlertRate of(AlertSettings alert, Map<String, SensorSettings<?>> sensors, Weather weather) {
         Map<String, Confirmed> known = new LinkedHashMap<>();
         List<String> unknown = new ArrayList<>();
@@ -102,8 +102,8 @@ public record FalseAlertRate(
     }
 
     /**
-     * {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b}; {@code unknown};
-     * {@code 2000 per day; a raises false alarms most of the time}.
+     * The rate in words: {@code 2.4 per day}; {@code at most 2.4 per day}; {@code 2.4 per day from a; unknown from b};
+     * {@code unknown}; {@code 2000 per day; a raises false alarms most of the time}.
      */
     public String inWords() {
         if (isUnknown()) {

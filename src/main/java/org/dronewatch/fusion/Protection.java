@@ -23,7 +23,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
     }
 
     /**
-     * The protected zones of settings, in a world.
+     * The protected zones that settings describe, placed in a world.
      *
      * @throws org.dronewatch.setting.InputException in one line when there is no ground below an area
      */
@@ -38,7 +38,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
         return zone.isEmpty() && areas.isEmpty();
     }
 
-    /** The distance from a point to the nearest zone, 0 inside; infinite if nothing is protected, m. */
+    /** The distance from a point to the nearest zone, m: 0 inside it; infinite if nothing is protected. */
     public double distance(Position position) {
         double nearest = zone.map(ball -> ball.distance(position)).orElse(Double.POSITIVE_INFINITY);
         for (AreaZone area : areas) {
@@ -62,7 +62,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
     /**
      * The position along a straight segment at which a zone is first reached.
      *
-     * @return fraction of the segment, 0 when it begins inside one; empty when it stays outside all
+     * @return fraction of the segment, 0 when it begins inside one; empty when it stays outside all zones
      */
     public OptionalDouble entry(Position from, Position to) {
         OptionalDouble first = zone.map(ball -> ball.entry(from, to)).orElse(OptionalDouble.empty());
