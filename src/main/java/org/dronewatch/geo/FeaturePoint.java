@@ -10,8 +10,8 @@ import org.dronewatch.setting.Limits;
  * coordinates.
  *
  * @param feature name of a point in a GeoJSON or KML file
- * @param file the GeoJSON or KML file; by default the one beside the scene file with the same name, ending in {@code
- *     .geojson} or {@code .kml}
+ * @param file the GeoJSON or KML file; by default the one beside the scene file, with the same name but ending in
+ *     {@code .geojson} or {@code .kml}
  */
 public record FeaturePoint(String feature, @FileName Optional<String> file) {
     /** Checks that there is a name. */

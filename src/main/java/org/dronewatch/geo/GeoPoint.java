@@ -9,7 +9,7 @@ import java.util.List;
  *
  * @param longitude east of Greenwich, degrees
  * @param latitude north of the equator, degrees
- * @param height above the sea, or above the level of the scene's origin if the height of that is not known, m
+ * @param height above the sea, or above the level of the scene's origin if the origin's height is not known, m
  */
 public record GeoPoint(double longitude, double latitude, double height) {
     /** A millimetre on the ground. */
@@ -30,7 +30,7 @@ public record GeoPoint(double longitude, double latitude, double height) {
                 rounded(height, DECIMALS_OF_METRES));
     }
 
-    /** A finite number with at most this number of decimals, without trailing zeros. */
+    /** A finite number, rounded to at most this number of decimals, without trailing zeros. */
     public static BigDecimal rounded(double value, int decimals) {
         BigDecimal shortest = BigDecimal.valueOf(value)
                 .setScale(decimals, RoundingMode.HALF_EVEN)

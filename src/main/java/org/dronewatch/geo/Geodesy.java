@@ -50,8 +50,8 @@ public final class Geodesy {
      *
      * @param latitude north of the equator, rad
      * @param theLongitude longitude east of Greenwich, rad
-     * @param above height above the ellipsoid, on which the origin lies at its own height, or at 0 if that is not
-     *     known, m
+     * @param above height above the ellipsoid, m; the origin is taken to lie at its own height above it, or at 0 if
+     *     that is not known
      */
     public Position inWorld(double latitude, double theLongitude, double above) {
         double sin = Math.sin(latitude);
@@ -68,7 +68,7 @@ public final class Geodesy {
     }
 
     /**
-     * The point on a map of a position in the world frame; its height is z above that of the origin.
+     * The map point of a position in the world frame; its height is z plus the height of the origin.
      *
      * <p>Longitudes continue from that of the origin: beyond the date line they exceed 180 or fall below -180 degrees,
      * so that lines and areas are not split. Points near the poles are correct, but areas around a pole are not areas
@@ -82,10 +82,10 @@ public final class Geodesy {
     }
 
     /**
-     * The point on earth of a position in the world frame, with its height above the ellipsoid on which the origin lies
-     * at its own height, or at 0 if that is not known. The inverse of {@link #inWorld} to a micrometre within 100 km;
-     * longitudes continue from that of the origin. The formula for the height is Bowring's (The accuracy of geodetic
-     * latitude and height equations, Survey Review 28, 1985).
+     * The point on earth of a position in the world frame, with its height above the ellipsoid; the origin is taken to
+     * lie at its own height above it, or at 0 if that is not known. The inverse of {@link #inWorld} to a micrometre
+     * within 100 km; longitudes continue from that of the origin. The formula for the height is Bowring's (The accuracy
+     * of geodetic latitude and height equations, Survey Review 28, 1985).
      *
      * @param position position, m
      */

@@ -41,7 +41,7 @@ public record MapExtent(double west, double east, double south, double north) {
             north = Math.max(north, y);
         }
 
-        /** What was added so far. */
+        /** The extent of the points added so far. */
         public MapExtent extent() {
             return new MapExtent(west, east, south, north);
         }
@@ -60,7 +60,7 @@ public record MapExtent(double west, double east, double south, double north) {
      * Where the points are, as the end of a sentence: in latitude and longitude and, for a grid, in its coordinates as
      * well.
      *
-     * @param map from which the points are
+     * @param map from which the points come
      */
     public String inWords(MapTransform map) {
         if (isEmpty()) {
@@ -108,10 +108,10 @@ public record MapExtent(double west, double east, double south, double north) {
     }
 
     /**
-     * Why a site may lie outside: its coordinates or those of the file are swapped, are of another system, or have no
-     * reference to the earth. Begins with a semicolon; empty if nothing suggests a mistake.
+     * Why a site may lie outside: its coordinates or those of the file are swapped, belong to another system, or have
+     * no reference to the earth. Begins with a semicolon; empty if nothing suggests a mistake.
      *
-     * @param map from which the points are
+     * @param map from which the points come
      * @param origin of the site
      * @param near distance from the site that counts as close, m
      * @param whose latitude and longitude may be swapped, in words
