@@ -1,9 +1,9 @@
 package org.dronewatch.geometry;
 
 /**
- * The segment in which a plane intersects a triangle. A plane through corners is treated as if it were an infinitesimal
- * distance beside them, so that it intersects each triangle in one segment or not at all, and the segments of triangles
- * that share an edge share an end there, to the last bit. One per thread.
+ * The segment in which a plane intersects a triangle. A plane through corners is treated as if it lay an infinitesimal
+ * distance to one side of them, so that it intersects each triangle in one segment or not at all, and the segments of
+ * triangles that share an edge share an end there, to the last bit. One per thread.
  */
 public final class CutTriangle {
     private final Corners corners;
@@ -95,7 +95,8 @@ public final class CutTriangle {
     }
 
     /**
-     * An order of points by which a side is followed in the same direction whichever triangle it belongs to.
+     * Whether point p comes after point q in an order by which a side is followed in the same direction whichever
+     * triangle it belongs to.
      *
      * @param p three coordinates
      * @param q three coordinates

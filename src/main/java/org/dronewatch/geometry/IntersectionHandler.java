@@ -54,8 +54,8 @@ public final class IntersectionHandler {
      * The part of a ray inside a box, by the slab method (Kay and Kajiya 1986; Williams et al. 2005). A ray within a
      * face of the box counts as inside.
      *
-     * @param interval receives the ray parameters of entry and exit in its first two elements; an origin inside the box
-     *     enters at the ray's tMin
+     * @param interval receives the ray parameters of entry and exit in its first two elements; a ray that starts inside
+     *     the box enters it at its tMin
      * @return whether the ray meets the box within its own range; if not, the interval is unchanged
      */
     public static boolean rayBox(Ray ray, AABB box, double[] interval) {

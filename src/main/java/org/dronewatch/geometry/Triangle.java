@@ -15,7 +15,7 @@ public record Triangle(Position a, Position b, Position c, int id, int material)
 
     /**
      * The cross product of the edges a-b and a-c: perpendicular to the triangle, on the side from which a, b, c run
-     * counter-clockwise, as long as twice the area.
+     * counter-clockwise; its length is twice the area.
      */
     public Vector3d areaNormal() {
         Vector3d normal = new Vector3d();

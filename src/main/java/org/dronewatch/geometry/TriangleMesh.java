@@ -22,10 +22,10 @@ public final class TriangleMesh {
      * @param vertices x, y, z of each vertex in turn, m
      * @param corners three vertex numbers per triangle, from 0
      * @param materials one material number per triangle, an index into the names
-     * @param sourceNumbers one number per triangle: its index in the source file, which also counts dropped ones
+     * @param sourceNumbers one number per triangle: its index in the source file, which also counts dropped triangles
      * @param materialNames the names of the materials
-     * @throws IllegalArgumentException when lengths do not fit, an index is out of range or a coordinate is not finite
-     *     or beyond {@link #MAX_COORDINATE}
+     * @throws IllegalArgumentException when the lengths of the arrays do not match, an index is out of range or a
+     *     coordinate is not finite or beyond {@link #MAX_COORDINATE}
      */
     public TriangleMesh(
             float[] vertices, int[] corners, int[] materials, int[] sourceNumbers, List<String> materialNames) {
@@ -139,7 +139,7 @@ public final class TriangleMesh {
         return vertices[3 * vertex + axis];
     }
 
-    /** The vertex number of one corner of a triangle: corners of the same number are the same vertex. */
+    /** The vertex number of one corner of a triangle: corners with the same number are the same vertex. */
     public int vertexIndex(int triangle, int corner) {
         return corners[3 * triangle + corner];
     }
