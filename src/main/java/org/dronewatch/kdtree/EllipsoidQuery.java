@@ -75,13 +75,13 @@ public final class EllipsoidQuery {
         return count;
     }
 
-    /** The number in the mesh of one of them, 0 to {@link #count()} - 1. */
+    /** The number in the mesh of one of the triangles found, which are counted from 0 to {@link #count()} - 1. */
     public int triangle(int i) {
         return tree.triangles().numbers()[found[i]];
     }
 
     /**
-     * A coordinate of one of them, m: nearer at hand than in the mesh.
+     * A coordinate of one of the triangles found, m: faster to read here than in the mesh.
      *
      * @param i 0 to {@link #count()} - 1
      * @param corner 0 to 2

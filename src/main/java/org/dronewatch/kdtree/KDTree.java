@@ -48,7 +48,7 @@ public final class KDTree {
     }
 
     /**
-     * Builds the tree of a mesh; with a mesh without triangles, no ray hits anything.
+     * Builds the tree of a mesh; if the mesh has no triangles, no ray hits anything.
      *
      * @throws CancellationException when the thread is interrupted meanwhile
      */

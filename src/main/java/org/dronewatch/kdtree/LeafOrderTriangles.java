@@ -63,7 +63,7 @@ public final class LeafOrderTriangles {
         return numbers;
     }
 
-    /** Their number. */
+    /** The number of triangles. */
     public int count() {
         return numbers.length;
     }

@@ -38,7 +38,7 @@ public abstract class RayTracer {
     }
 
     /**
-     * Finds the nearest triangle along a ray. Of several with the same corners it reports the one with the lowest
+     * Finds the nearest triangle along a ray. Of several with the same corners, it reports the one with the lowest
      * number. If a ray hits an edge or a corner shared by several, the one reported may depend on the tracer.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more
@@ -65,8 +65,8 @@ public abstract class RayTracer {
     }
 
     /**
-     * Whether any triangle lies strictly between two ray parameters. Since computed points lie on a surface only up to
-     * rounding, leave a margin at both ends between points on surfaces.
+     * Whether any triangle lies strictly between two ray parameters. Since rounding moves computed points slightly off
+     * their surface, leave a margin at both ends between points on surfaces.
      */
     public final boolean isOccluded(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
@@ -134,31 +134,31 @@ public abstract class RayTracer {
 
     /**
      * Rejects edge-on triangles: whether the ray misses a triangle although all edge functions have the same sign; for
-     * the kernel's packages, which check their hits with it. Corners relative to the ray, sheared so that the ray is at
-     * the origin.
+     * the kernel's packages, which check their hits with it. The corners are relative to the ray, sheared so that the
+     * ray is at the origin.
      */
     protected static boolean isBeside(double ax, double ay, double bx, double by, double cx, double cy) {
         return TriangleIntersection.isBeside(ax, ay, bx, by, cx, cy);
     }
 
     /**
-     * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for the kernel's packages,
-     * if a tracer stores hits without them.
+     * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for tracers in the kernel's
+     * packages that store hits without them.
      */
     protected void findBarycentrics() {
         throw new IllegalStateException("hits are kept with their barycentrics");
     }
 
     /**
-     * Stores a hit of the current ray that was found by the arithmetic of the kernel's test, without its barycentrics;
-     * for the kernel's packages.
+     * Stores a hit of the current ray that was found with the same arithmetic as the kernel's triangle test, without
+     * its barycentrics; for the kernel's packages.
      */
     protected final void setHit(int triangle, double distance) {
         intersection.setHit(triangle, distance);
         lacksBarycentrics = true;
     }
 
-    /** Adds the weights of the second and third corner to the hit of the current ray; for the kernel's packages. */
+    /** Adds the weights of the second and third corners to the hit of the current ray; for the kernel's packages. */
     protected final void setBarycentrics(double u, double v) {
         intersection.setBarycentrics(u, v);
         lacksBarycentrics = false;

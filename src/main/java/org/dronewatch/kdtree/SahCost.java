@@ -22,10 +22,10 @@ public record SahCost(
     public static final double MOST = 1000.0;
 
     /**
-     * Costs 4 and 1.5. Measured, not derived from counts of operations: a step waits for its node and for an
-     * unpredictable branch, while a triangle test is plain arithmetic; and the tiles of cameras test a triangle once
-     * for many pixels. With 3 instead of 4, single rays are up to 10 % faster, tiles slower by as much, and trees take
-     * 25 % longer to build; 6 has the opposite effects.
+     * Costs 4 and 1.5. Measured, not derived from operation counts: a step waits for its node and for an unpredictable
+     * branch, while a triangle test is plain arithmetic; and the tiles of cameras test a triangle once for many pixels.
+     * With 3 instead of 4, single rays are up to 10 % faster, tiles slower by as much, and trees take 25 % longer to
+     * build; 6 has the opposite effects.
      */
     public static final SahCost DEFAULT = new SahCost(4.0, 1.5);
 

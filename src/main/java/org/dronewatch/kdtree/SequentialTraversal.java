@@ -12,13 +12,13 @@ package org.dronewatch.kdtree;
  * the ray.
  *
  * <p>The leaves along a ray, and their order, depend on the tree and the ray alone. A child lies along the ray if the
- * ray's range inside it, widened by more than the roundings of its ends, is not empty; of two children the one on the
- * ray's side of the plane comes first, or the left one if the ray runs inside the plane. So cells that the ray merely
- * touches are included, and each descent leads to a later leaf in one fixed order: no leaf is visited twice, and the
- * traversal terminates.
+ * ray's range inside it, widened by more than the rounding errors of its ends, is not empty; of two children, the one
+ * on the ray's side of the plane comes first, or the left one if the ray runs inside the plane. So cells that the ray
+ * merely touches are included, and each descent leads to a later leaf in one fixed order: no leaf is visited twice, and
+ * the traversal terminates.
  *
- * <p>A hit ends the ray at its distance. All leaves up to there are tested, so the hit is exactly the nearest of all,
- * and among equally near ones that with the lowest number.
+ * <p>A hit ends the ray at its distance. All leaves up to there are tested, so the hit is exactly the nearest of all
+ * and, among equally near ones, that with the lowest number.
  */
 public final class SequentialTraversal extends KDTraversal {
     /** The index of no node. */

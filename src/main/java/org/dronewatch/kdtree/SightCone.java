@@ -3,7 +3,7 @@ package org.dronewatch.kdtree;
 import org.dronewatch.geometry.Position;
 
 /**
- * Finds out whether all lines of sight from a point to a sphere are clear of the triangles of a tree, by a single
+ * Determines whether all lines of sight from a point to a sphere are clear of the triangles of a tree, by a single
  * descent: whether no triangle comes near a pyramid that contains them. Remembers the last answer. One per thread.
  */
 public final class SightCone {
@@ -42,11 +42,11 @@ public final class SightCone {
     }
 
     /**
-     * Whether certainly no triangle comes near a line of sight, up to the far side of the sphere.
+     * Whether it is certain that no triangle comes near a line of sight, up to the far side of the sphere.
      *
      * @param at the middle of the sphere, m
      * @param radius of the sphere, m
-     * @return false if one may, and where the point is close to the sphere
+     * @return false if one may, or if the point is close to the sphere
      */
     public boolean isClear(Position at, double radius) {
         if (!at.equals(asked) || radius != askedRadius) {

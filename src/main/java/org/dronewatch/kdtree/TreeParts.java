@@ -5,8 +5,8 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * What has to be stored of a tree so that it need not be built again; the rest follows from its mesh. The arrays are
- * shared with the tree, and not written to.
+ * The parts of a tree that have to be stored so that it need not be built again; the rest follows from its mesh. The
+ * arrays are shared with the tree, and not written to.
  *
  * @param nodes packed nodes, the root first, each left child next to its parent
  * @param leafTriangles indices of triangles in leaf order, leaf by leaf
@@ -21,8 +21,8 @@ public record TreeParts(long[] nodes, int[] leafTriangles, int[] numbers, int de
     }
 
     /**
-     * The tree over a mesh. No traversal of it leaves its arrays or fails to end, whatever the parts contain; that they
-     * are those of the mesh cannot be checked.
+     * The tree over a mesh. No traversal of it leaves its arrays or fails to end, whatever the parts contain; whether
+     * they belong to the mesh cannot be checked.
      *
      * @param costs with which it was built
      * @throws IllegalArgumentException if the parts do not form a tree over as many triangles as the mesh has
