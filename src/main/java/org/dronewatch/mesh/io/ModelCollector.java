@@ -10,7 +10,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.HeapBudget;
 
 /**
- * Collects the contents of a file for a {@link MeshReader}, and makes a model of them: places vertices, cuts polygons
+ * Collects the contents of a file for a {@link MeshReader}, and makes a model from them: places vertices, cuts polygons
  * into triangles, drops and counts triangles without area, and checks all limits. One thread at a time.
  */
 public final class ModelCollector {
@@ -54,7 +54,7 @@ public final class ModelCollector {
      *
      * @return its index, from 0 on
      * @throws InputException when it is not finite, placed too far from the origin, does not fit into memory, or lies
-     *     where the model's grid has no coordinates
+     *     outside the domain of the model's grid
      */
     public int addVertex(double x, double y, double z) {
         budget.take(VERTEX);
@@ -74,12 +74,12 @@ public final class ModelCollector {
     }
 
     /**
-     * Adds a plane polygon.
+     * Adds a planar polygon.
      *
      * @param material its name; not empty
      * @param corners three or more indices of vertices that were added before
-     * @throws InputException when there are fewer corners, a vertex is missing, or there are too many triangles, in all
-     *     or for the memory that Java may use
+     * @throws InputException when there are fewer corners, a vertex is missing, or there are too many triangles, in
+     *     total or for the memory that Java may use
      */
     public void addFace(String material, int... corners) {
         if (corners.length < 3) {

@@ -22,7 +22,7 @@ import org.dronewatch.setting.file.LinkOut;
 
 /**
  * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte
- * order mark at their beginning is left out.
+ * order mark at their beginning is skipped.
  */
 public final class ModelFile {
     /** The largest model that is read, in bytes. */
@@ -118,10 +118,11 @@ public final class ModelFile {
     }
 
     /**
-     * A file in the same directory or below it: a model never reads files elsewhere, not even by links. Backslashes
-     * separate directories, as on Windows.
+     * A file in the same directory or below it: a model never reads files elsewhere, not even through symbolic links.
+     * Backslashes separate directories, as on Windows.
      *
-     * @throws InputException with the last part of a sentence when the name leads elsewhere or there is no such file
+     * @throws InputException whose message is the last part of a sentence, when the name leads elsewhere or there is no
+     *     such file
      */
     public ModelFile beside(String sibling) {
         return beside(sibling, MAX_BYTES_BESIDE);

@@ -14,10 +14,10 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * A model file and its placement. The model is first moved so that the file's {@code origin} is at zero, then rotated
- * to stand upright, scaled, rotated to its heading, and moved to its position, all in double precision. With a {@code
- * crs}, the coordinates after scaling are those of a national grid: they are transformed to the scene's frame by way of
- * latitude and longitude, which takes care of the angle between grid north and true north, the scale of the grid, and
- * the curvature of the earth; {@code position} then moves the model from there.
+ * to stand upright, scaled, rotated to its heading, and moved to its position, all in double precision. With a
+ * {@code crs}, the coordinates after scaling are those of a national grid: they are transformed to the scene's frame by
+ * way of latitude and longitude, which accounts for the angle between grid north and true north, the scale of the grid,
+ * and the curvature of the earth; {@code position} then moves the model from there.
  *
  * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model of the library
  * @param upAxis axis of the file that points up
@@ -31,7 +31,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which states the
  *     direction of north
  * @param role its role on the site, by which reports name the obstacles that hide drones; heights in the wind's profile
- *     are measured from models of terrain, if there are any; of no effect for a drone's model
+ *     are measured from models of terrain, if there are any; without effect on a drone's model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
@@ -87,7 +87,7 @@ public record ModelSettings(
         return of(PACKAGED + name);
     }
 
-    /** These settings with another axis up. */
+    /** These settings with another up axis. */
     public ModelSettings withUpAxis(UpAxis axis) {
         return SettingsForm.with(this, "upAxis", axis);
     }

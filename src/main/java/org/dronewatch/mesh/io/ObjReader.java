@@ -13,7 +13,7 @@ import org.dronewatch.setting.file.FileHash;
  * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, in fans where these
  * cover them; triangles without area are dropped and counted; lines, curves, normals, texture coordinates and
  * everything else in the format are skipped and counted. An invalid statement causes an {@link InputException} that
- * names file and line.
+ * names the file and the line.
  */
 public final class ObjReader implements MeshReader {
     @Override
