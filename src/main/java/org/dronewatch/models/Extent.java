@@ -3,7 +3,7 @@ package org.dronewatch.models;
 import java.util.List;
 
 /**
- * An axis-parallel box, metres.
+ * An axis-aligned box, metres.
  *
  * @param min corner with the least coordinates
  * @param max corner with the greatest coordinates

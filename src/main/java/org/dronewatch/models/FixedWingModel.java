@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * A fixed-wing aircraft of about three kilograms, invented in the class of hand-launched survey aircraft of 1.5 to 2 m
- * wingspan: a slender fuselage with a two-bladed tractor propeller, a high wing with dihedral, a tail, and a camera
- * below. Its nose points to -z; every part is a closed solid.
+ * A fixed-wing aircraft of about three kilograms, a fictitious member of the class of hand-launched survey aircraft of
+ * 1.5 to 2 m wingspan: a slender fuselage with a two-bladed tractor propeller, a high wing with dihedral, a tail, and a
+ * camera below. Its nose points to -z; every part is a closed solid.
  */
 public final class FixedWingModel {
     /** Span, metres. */

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * A hybrid of glider and multirotor of about four kilograms, invented in the class of unmanned sailplanes of 2 m
- * wingspan that take off vertically: a slender fuselage, a long narrow wing, a T-tail, and four lift rotors on two
- * booms below the wing. While it glides the rotors stand still, their blades in line with the booms. Its nose points to
- * -z; every part is a closed solid.
+ * A hybrid of glider and multirotor of about four kilograms, a fictitious member of the class of unmanned sailplanes of
+ * 2 m wingspan that take off vertically: a slender fuselage, a long narrow wing, a T-tail, and four lift rotors on two
+ * booms below the wing. While it glides, the rotors stand still, their blades in line with the booms. Its nose points
+ * to -z; every part is a closed solid.
  */
 public final class HybridGliderModel {
     /** Span, metres. */

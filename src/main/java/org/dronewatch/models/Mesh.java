@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * A finished model: shared vertices, named parts and faces with materials. Coordinates are metres, y up, and already
- * rounded to the decimals the file carries, so that a figure taken from the mesh is a figure of the file.
+ * rounded to the decimals the file carries, so that figures taken from the mesh hold for the file, too.
  *
  * @param name model name, also the stem of its files
  * @param decimals digits after the decimal point in the file
@@ -84,7 +84,7 @@ public record Mesh(String name, int decimals, List<Point> vertices, List<Part> p
                 .toList();
     }
 
-    /** Smallest axis-parallel box around the vertices. */
+    /** Smallest axis-aligned box around the vertices. */
     public Extent extent() {
         return Extent.of(vertices);
     }

@@ -32,7 +32,7 @@ public enum ModelCatalogue {
         return maker.get();
     }
 
-    /** The model's files by name: an OBJ and its MTL, the same to the byte every time. */
+    /** The model's files by name: an OBJ and its MTL, identical byte for byte every time. */
     public static Map<String, byte[]> files(Mesh mesh) {
         Map<String, byte[]> files = new LinkedHashMap<>();
         files.put(mesh.name() + ".obj", ObjWriter.obj(mesh).getBytes(StandardCharsets.US_ASCII));

@@ -3,7 +3,7 @@ package org.dronewatch.models;
 import java.util.List;
 
 /**
- * Writes a {@link Mesh} as OBJ and MTL text that is the same to the byte wherever and whenever it is written: fixed
+ * Writes a {@link Mesh} as OBJ and MTL text that is identical byte for byte wherever and whenever it is written: fixed
  * decimals, line feeds, no dates, no negative zero.
  */
 public final class ObjWriter {

@@ -1,7 +1,7 @@
 package org.dronewatch.models;
 
 /**
- * A position or direction in a model's own frame: metres, y up, right handed, as OBJ files usually have it.
+ * A position or direction in a model's own frame: metres, y up, right-handed, as is usual in OBJ files.
  *
  * @param x metres to the right (east)
  * @param y metres up
@@ -19,7 +19,7 @@ public record Point(double x, double y, double z) {
         return new Point(x - other.x, y - other.y, z - other.z);
     }
 
-    /** Vector stretched by a factor. */
+    /** Vector scaled by a factor. */
     public Point times(double factor) {
         return new Point(x * factor, y * factor, z * factor);
     }

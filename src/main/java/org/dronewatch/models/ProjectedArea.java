@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * Area that a mesh covers when seen from far away along an axis. The outline is cut into thin strips; in each strip the
- * exact spans of all triangles along its middle line are joined, so that overlapping parts count once.
+ * exact spans of all triangles along its middle line are merged, so that overlapping parts count once.
  */
 public final class ProjectedArea {
     /** A direction of view along one of the model's axes. */
