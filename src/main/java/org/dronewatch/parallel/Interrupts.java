@@ -13,7 +13,8 @@ public final class Interrupts {
     /**
      * Runs a task that may be ended by an interrupt of this thread.
      *
-     * @throws CancellationException when this thread is interrupted, before or meanwhile; its interrupt status is kept
+     * @throws CancellationException when this thread is interrupted, before or during the task; its interrupt status is
+     *     kept
      */
     public static <T> T surfacing(Supplier<T> work) {
         Workers.checkInterrupted();

@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /**
- * A step of loading that may take seconds, for whoever watches the calling thread: a command with a terminal shows a
- * progress bar. If nobody watches, one line announces it. Thread-safe: several workers may advance it.
+ * A step of loading that may take seconds, reported to a watcher of the calling thread: a command with a terminal shows
+ * a progress bar. If nobody watches, one line announces it. Thread-safe: several workers may advance it.
  */
 public final class LongTask implements AutoCloseable {
     /** How many times at most a task of known length is reported. */
@@ -24,19 +24,19 @@ public final class LongTask implements AutoCloseable {
     /** The work done, in parts of steps. */
     private final AtomicLong done = new AtomicLong();
 
-    /** Shows how far tasks have come; called by the thread that began the task, and by its workers. */
+    /** Shows the progress of tasks; called by the thread that began the task, and by its workers. */
     public interface Watcher {
         /**
-         * A task begins.
+         * Called when a task begins.
          *
          * @param steps that it has; negative if that is not known
          */
         void started(String what, long steps);
 
-        /** How many steps are done. */
+        /** Called with the number of steps done so far. */
         void advanced(long steps);
 
-        /** It has ended, or failed. */
+        /** Called when the task has ended or failed. */
         void ended();
     }
 
@@ -54,7 +54,7 @@ public final class LongTask implements AutoCloseable {
         }
     }
 
-    /** A task that nobody needs to hear of. */
+    /** A task that is reported to nobody. */
     public static LongTask silent() {
         return new LongTask(null, Long.MAX_VALUE);
     }
@@ -80,7 +80,7 @@ public final class LongTask implements AutoCloseable {
         return new LongTask(watcher, steps < 0 ? SOME : Math.max(1, steps / REPORTS));
     }
 
-    /** Some steps are done, or parts of steps. */
+    /** Records that a number of steps, not necessarily whole, have been done. */
     public void advance(double steps) {
         if (watcher != null) {
             long parts = (long) (steps * PARTS);
@@ -91,7 +91,7 @@ public final class LongTask implements AutoCloseable {
         }
     }
 
-    /** It is done, or failed. */
+    /** Records that the task is done or has failed. */
     @Override
     public void close() {
         if (watcher != null) {

@@ -3,7 +3,7 @@ package org.dronewatch.parallel;
 import jdk.incubator.vector.FloatVector;
 
 /**
- * How wide the processor's vectors are. A separate class, since it can only be loaded where the vector module is
+ * The width of the processor's vectors. A separate class, since it can only be loaded where the vector module is
  * present.
  */
 final class VectorWidth {

@@ -12,14 +12,14 @@ import java.util.function.ObjIntConsumer;
 import java.util.function.Supplier;
 
 /**
- * A pool of threads that work for one caller. Code within {@link #call} may distribute loops over them by
- * {@link #forEach}, at any depth and without a reference to the pool: to build a kd-tree, to render an image, to
- * evaluate the sensors of a site. Outside {@link #call}, the same loops run on the thread that calls them.
+ * A pool of threads that work for one caller. Code within {@link #call} may distribute loops over them with
+ * {@link #forEach}, at any depth and without a reference to the pool, for instance to build a kd-tree, render an image
+ * or evaluate the sensors of a site. Outside {@link #call}, the same loops run on the thread that calls them.
  *
  * <p>The thread that starts a loop works on it itself and waits only for parts in progress on other threads, so nested
  * loops cannot deadlock.
  *
- * <p>An interrupt of the caller's thread ends its loops, at any depth and on all threads, as a
+ * <p>An interrupt of the caller's thread ends its loops, at any depth and on all threads, with a
  * {@link CancellationException}. The caller's thread stays interrupted.
  */
 public final class Workers implements AutoCloseable {
@@ -67,7 +67,7 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Runs a task on the caller's thread, supported by these threads, and returns its result.
+     * Runs a task on the caller's thread, assisted by these threads, and returns its result.
      *
      * @throws RuntimeException as thrown by the task, unchanged, as are errors; a checked exception becomes the cause
      *     of an {@link IllegalStateException}
