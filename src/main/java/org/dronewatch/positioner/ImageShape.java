@@ -1,8 +1,8 @@
 package org.dronewatch.positioner;
 
 /**
- * The proportions of a camera's image: the tangents of half its fields of view, relative to that of the field of view
- * in its settings.
+ * The proportions of a camera's image: the tangents of half its horizontal and vertical fields of view, relative to the
+ * tangent of half the field of view in its settings.
  *
  * @param width of the horizontal field
  * @param height of the vertical field

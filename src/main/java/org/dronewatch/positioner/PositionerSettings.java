@@ -17,10 +17,10 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * A motorised mount with unlimited pan and limited tilt. It searches until a sensor that cues it reports the position
  * or direction of a drone; then it slews there as fast as it can, and follows the drone. It keeps following the first
- * drone until that has not been seen for the time {@code hold}.
+ * drone until that drone has not been seen for the time {@code hold}.
  *
- * @param cues names of the sensors that cue it; they must measure directions, as radars, cameras and arrays of
- *     microphones do
+ * @param cues names of the sensors that cue it; they must measure directions, as radars, cameras and microphone arrays
+ *     do
  * @param panSpeed pan rate, above 0 and at most 600 degrees per second, rad/s
  * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
  * @param minTilt lowest elevation, -pi/2 to pi/2, rad
@@ -30,7 +30,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param lockPixels pixels on a drone that its own camera needs to track it, 1 or more; a camera that takes light and
  *     weather into account must also detect it
  * @param search pattern of its search until it is cued
- * @param zoom how its lens zooms; omit it for a fixed one
+ * @param zoom how its lens zooms; omit it for a fixed lens
  * @param rangeSearch search along the line of sight of a cueing sensor elsewhere that measures direction but no range
  */
 public record PositionerSettings(

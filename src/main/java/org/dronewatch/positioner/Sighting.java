@@ -25,12 +25,12 @@ public record Sighting(
         double error,
         OptionalDouble size) {
 
-    /** A sighting of an unstated error and size. */
+    /** A sighting whose error and size are not stated. */
     public Sighting(Position from, Direction direction, OptionalDouble range, boolean hasElevation) {
         this(from, direction, range, hasElevation, 0.0, OptionalDouble.empty());
     }
 
-    /** A sighting with a measured elevation, of an unstated error and size. */
+    /** A sighting with a measured elevation, whose error and size are not stated. */
     public Sighting(Position from, Direction direction, OptionalDouble range) {
         this(from, direction, range, true);
     }
