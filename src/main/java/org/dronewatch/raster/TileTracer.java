@@ -7,7 +7,7 @@ import org.dronewatch.parallel.VectorInstructions;
 
 /**
  * A rasteriser of image tiles: finds the nearest triangle for each pixel of a tile. All rays of a tile have the same
- * origin, and their directions lie on a regular grid: so the tree is descended once for the whole tile, with the
+ * origin, and their directions lie on a regular grid, so the tree is descended once for the whole tile, with the
  * interval of ray parameters in which any of its rays is inside a cell, and each triangle on the path is rasterised
  * into the tile; the nearest surface wins. One per thread.
  *
@@ -44,7 +44,7 @@ public final class TileTracer {
     /**
      * A tracer of a tree for the use of one thread.
      *
-     * @param warmup counts pixels of large models; after it, vectors are used
+     * @param warmup counts pixels of large models; once it is over, vector instructions are used
      */
     public TileTracer(KDTree tree, RasterWarmup warmup) {
         this(tree, RasterMode.of(tree.mesh().triangleCount()), warmup);
