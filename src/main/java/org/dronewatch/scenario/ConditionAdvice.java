@@ -21,7 +21,7 @@ import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Warns of weather, light and sounds of drones that have no effect, because the models of a scene's sensors do not take
+ * Warns of weather, light and drone sounds that have no effect, because the models of a scene's sensors do not take
  * them into account.
  */
 public final class ConditionAdvice {

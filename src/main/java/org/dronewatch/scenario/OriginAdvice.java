@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
  * @param origin of the scene
  */
 public record OriginAdvice(Origin origin) {
-    /** Gives a line for each of the two that was probably written without a unit. */
+    /** Gives one line for each coordinate that was probably written without a unit. */
     public void giveTo(Consumer<String> target) {
         giveTo("latitude", origin.latitude(), target);
         giveTo("longitude", origin.longitude(), target);

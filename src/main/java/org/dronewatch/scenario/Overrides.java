@@ -15,8 +15,8 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.SettingsPath;
 
 /**
- * Changes single settings of a scene: a value by its path, or a whole sensor, or system of sensors, by its name in the
- * catalogue.
+ * Changes individual settings of a scene: a value by its path, or a whole sensor, or system of sensors, by its name in
+ * the catalogue.
  */
 public final class Overrides {
     private static final String SENSORS = "sensors.";
@@ -32,7 +32,7 @@ public final class Overrides {
     }
 
     /**
-     * The scene with one more setting changed, which may put a system in the place of a sensor, or vice versa.
+     * The scene with one more setting changed, which may put a system in place of a sensor, or vice versa.
      *
      * @throws InputException when the path leads nowhere or the value does not fit
      */

@@ -39,7 +39,7 @@ public final class PlaceForms {
     private PlaceForms() {}
 
     /**
-     * Kinds of settings, with the forms of positions.
+     * Kinds of settings, with the forms in which positions may be given.
      *
      * @param places places of the scene; empty when they cannot be known, since the site's own settings are wrong
      * @param maps gives the features of a map by the name of its file, or of the one with the scene's name
@@ -79,7 +79,7 @@ public final class PlaceForms {
      * separated by a comma.
      *
      * @param option its name in messages
-     * @param directory the directory of relative file names
+     * @param directory directory against which relative file names are resolved
      * @param maps gives the features of a map
      * @throws InputException in one line when it is not a place, or has no position
      */

@@ -11,7 +11,7 @@ import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
 
 /**
- * A condition such as night or rain: changes of a scene's settings under a name.
+ * A condition such as night or rain: a name for changes to a scene's settings.
  *
  * @param name of the condition
  * @param changes one or more, in the order of the file
@@ -20,17 +20,17 @@ public record SceneCondition(String name, List<Change> changes) {
     /** Maximum number of conditions in a file. */
     public static final int MOST = 12;
 
-    /** The name of the scene without a condition, which none may have. */
+    /** The name of the scene without a condition, which no condition may have. */
     public static final String AS_IT_IS = "as it is";
 
     /** The longest name. */
     private static final int LONGEST_NAME = 40;
 
     /**
-     * A setting that has another value.
+     * A change of one setting to another value.
      *
      * @param path of the setting, as for {@code --set}
-     * @param value its text
+     * @param value the new value, as text
      * @param mark its location
      */
     public record Change(String path, String value, Mark mark) {}
@@ -41,7 +41,8 @@ public record SceneCondition(String name, List<Change> changes) {
     }
 
     /**
-     * The conditions of a YAML file: under each name, values by the paths of settings, in one piece or nested.
+     * The conditions of a YAML file: under each name, values by the paths of settings, which may be written in full or
+     * nested.
      *
      * @throws InputException in one line, with file, line and column, when the file is not of this form; whether a
      *     scene has the settings is not checked

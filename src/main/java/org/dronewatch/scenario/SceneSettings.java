@@ -192,7 +192,7 @@ public record SceneSettings(
         return Collections.unmodifiableSet(birds);
     }
 
-    /** An empty site that runs for a minute. */
+    /** A scene in this world, without drones or sensors, that runs for a minute. */
     @Defaults("world")
     public static SceneSettings of(WorldSettings world) {
         return new SceneSettings(

@@ -10,7 +10,7 @@ public final class SensorAdvice {
     private SensorAdvice() {}
 
     /**
-     * One line for each implausible setting of each sensor that is used; the same line only once.
+     * One line for each implausible setting of each sensor that is used; each line only once.
      *
      * @param runs the settings of all runs of a scene
      */

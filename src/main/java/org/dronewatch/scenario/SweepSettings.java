@@ -18,7 +18,7 @@ public sealed interface SweepSettings {
     /**
      * Its values, written as for {@code --set}.
      *
-     * @param quantity what the setting is measured in
+     * @param quantity quantity that the setting states
      * @throws IllegalArgumentException if a value is not a valid value of that quantity
      */
     List<String> values(Quantity quantity);
