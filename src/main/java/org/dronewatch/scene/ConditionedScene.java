@@ -16,10 +16,10 @@ import org.dronewatch.setting.InputException;
 public record ConditionedScene(String name, SceneSettings settings) {
 
     /**
-     * A scene under each of some conditions; nothing is loaded.
+     * A scene under each of several conditions; nothing is loaded.
      *
      * @param runners makes a new runner of the scene as it is
-     * @param drone name of a drone that they must have
+     * @param drone name of a drone that each of these scenes must have
      * @throws InputException in one line with the location of a change that does not fit the scene
      */
     public static List<ConditionedScene> of(

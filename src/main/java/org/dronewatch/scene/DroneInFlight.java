@@ -15,7 +15,7 @@ import org.dronewatch.setting.InputException;
 
 /**
  * A drone during a run, at the simulator's time: its state, and commands if its flight is {@code steered}. A command
- * takes effect now and holds until the next one; between two commands velocity and attitude are constant, and the
+ * takes effect now and holds until the next one; between two commands, velocity and attitude are constant, and the
  * position follows from them. Of several commands at the same time, the last one takes effect. A command from a
  * listener of a scene's observations takes effect just after that look.
  *
@@ -76,8 +76,8 @@ public final class DroneInFlight {
     }
 
     /**
-     * Flies at a velocity until the next command, level and with the nose in the direction of flight; straight up,
-     * straight down and at rest it keeps its heading.
+     * Flies at a velocity until the next command, level and with the nose in the direction of flight; a drone that
+     * moves straight up or down, or is at rest, keeps its heading.
      *
      * @param velocity east, north and up, m/s
      * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor
@@ -91,7 +91,7 @@ public final class DroneInFlight {
      * Flies at a velocity and with an attitude until the next command.
      *
      * @param velocity east, north and up, m/s
-     * @param attitude yaw, pitch and roll; does not depend on the velocity
+     * @param attitude yaw, pitch and roll, independent of the velocity
      * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor
      *     recorded, the run is over, or another thread runs it
      */
@@ -103,7 +103,7 @@ public final class DroneInFlight {
      * Flies in a straight line at constant speed to a point and hovers there, until the next command.
      *
      * @param target the point, m
-     * @param time when it is to be there, after now, seconds since the start of the run
+     * @param time when the drone is to arrive, after now, seconds since the start of the run
      * @throws InputException when that requires more than the drone's speed, the point is null, the time is not after
      *     now, the drone is neither steered nor recorded, the run is over, or another thread runs it
      */

@@ -136,7 +136,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().addToWorld(model);
     }
 
-    /** Sets the ground of a real place, from files of elevations; it needs {@link #setOrigin}. */
+    /** Sets the ground of a real place, from elevation files; it needs {@link #setOrigin}. */
     protected final void loadTerrain(TerrainSettings terrain) {
         building().setTerrain(terrain);
     }

@@ -65,7 +65,7 @@ public final class SceneRunner {
         this.pilots = new Pilots(scene::pilot);
     }
 
-    /** Overrides a setting, by its current or a former name; overriding the swept setting ends the sweep. */
+    /** Overrides a setting, by its current or a former name; overriding the swept setting removes the sweep. */
     public SceneRunner set(String path, String value) {
         configured.set(path, value);
         return this;
@@ -140,7 +140,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Runs a single one of the scene's runs, with the same random numbers as in the whole sweep.
+     * Runs only one of the scene's runs, with the same random numbers as in the whole sweep.
      *
      * @param run its index in the sweep, from 0; {@link #run()} checks it
      */
@@ -150,7 +150,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Ends each run after this time, including looks at this time; up to then the results are those of the whole run.
+     * Ends each run after this time and the looks at this time; up to then, the results are those of the whole run.
      *
      * @param seconds simulated time since the start of the run, 0 or more; beyond the duration it changes nothing
      * @throws IllegalArgumentException when negative or not a number
@@ -218,8 +218,8 @@ public final class SceneRunner {
     }
 
     /**
-     * The settings with another value, as a sweep writes it: a sensor may be replaced by its name in the catalogue, but
-     * not by a system of sensors.
+     * The settings with another value, as a sweep writes it: a sensor may be replaced by the name of one in the
+     * catalogue, but not by that of a system of sensors.
      *
      * @param settings those of the scene, or of one of its runs
      * @throws InputException when the path leads nowhere or the value does not fit
@@ -330,10 +330,10 @@ public final class SceneRunner {
 
     /**
      * Runs the scene. An {@link Error} thrown by the scene or a sensor is passed on unchanged. After a run that failed
-     * or was interrupted this runner can run again.
+     * or was interrupted, this runner can run again.
      *
-     * @throws CancellationException when the thread is interrupted, before the run or at any moment of it; its
-     *     interrupt status is kept
+     * @throws CancellationException when the thread is interrupted, before or during the run; its interrupt status is
+     *     kept
      * @throws InputException when an override or a model is wrong, or a drone is steered and there is no pilot
      * @throws IllegalArgumentException when the scene has no run with the index given to {@link #only}
      * @throws IllegalStateException when the scene was created for another simulator
