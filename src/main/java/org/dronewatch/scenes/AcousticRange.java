@@ -45,7 +45,7 @@ public final class AcousticRange extends Scene {
     }
 
     /**
-     * The range at which the air has attenuated the drone's sound to the level of detection, if that sound is steady.
+     * The range at which the air has attenuated the drone's sound to the detection threshold, if that sound is steady.
      */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {

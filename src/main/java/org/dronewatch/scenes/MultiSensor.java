@@ -77,7 +77,7 @@ public final class MultiSensor extends Scene {
         }
     }
 
-    /** The range at which the air has attenuated the drone's sound to the level of detection. */
+    /** The range at which the air has attenuated the drone's sound to the detection threshold. */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (settings.sensors().get(sensor) instanceof AcousticSettings microphone

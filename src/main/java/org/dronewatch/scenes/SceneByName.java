@@ -13,11 +13,11 @@ public final class SceneByName {
     private SceneByName() {}
 
     /**
-     * A packaged scene, or a scene file in the directory of the naming file or below it: not a class, since no code is
-     * loaded from data.
+     * A packaged scene, or a scene file in or below the directory of the file that names it. A class cannot be named,
+     * since no code is loaded from data.
      *
      * @param directory of the naming file
-     * @param file what that is, for messages, such as {@code campaign file}
+     * @param file what the naming file is, for messages, such as {@code campaign file}
      * @throws InputException in one line when there is none, or it is elsewhere
      */
     public static Scene of(Path directory, String name, String file) {
