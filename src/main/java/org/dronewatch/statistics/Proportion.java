@@ -4,7 +4,7 @@ import org.apache.commons.numbers.gamma.InverseErfc;
 import org.apache.commons.numbers.gamma.RegularizedBeta;
 
 /**
- * How many of a number of independent cases had an outcome, and what that says of its probability.
+ * How many of a number of independent cases had an outcome, and what that says about its probability.
  *
  * @param count cases with the outcome, 0 to {@code of}
  * @param of all cases, 0 or more
@@ -45,9 +45,9 @@ public record Proportion(int count, int of) {
 
     /**
      * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): at this probability,
-     * it is not too unlikely that as many cases or more occur, nor that as few or fewer do; the limit for each is
+     * neither this count or a higher one nor this count or a lower one is too unlikely; the limit for each is
      * {@code (1 - confidence) / 2}. In a fraction of at least {@code confidence} of many campaigns, the interval
-     * contains the true probability, even where Wilson's interval contains it less often, as where less than one case
+     * contains the true probability, even where Wilson's interval contains it less often, as where fewer than one case
      * is expected.
      *
      * @param probability 0 to 1
@@ -61,7 +61,7 @@ public record Proportion(int count, int of) {
         return asMany >= least && asFew >= least;
     }
 
-    /** The number of standard deviations within which a normally distributed value lies with some confidence. */
+    /** The number of standard deviations within which a normally distributed value lies with a given confidence. */
     public static double normal(double confidence) {
         return Math.sqrt(2.0) * InverseErfc.value(1.0 - confidence);
     }
