@@ -18,7 +18,7 @@ import org.dronewatch.terrain.io.Window;
 
 /**
  * Converts elevation files to triangles in the world frame: it reads the posts near the origin, thins them out as far
- * as the accuracy allows, and transforms each to the world frame in double precision. Immutable.
+ * as the accuracy allows, and transforms the rest to the world frame in double precision. Immutable.
  */
 public final class TerrainLoader {
     /** Reading more takes seconds. */
@@ -43,7 +43,7 @@ public final class TerrainLoader {
      *
      * @param settings with at least one file
      * @param origin origin of the world frame; if its height is not known, z is the height that the files state
-     * @throws InputException in one line when a file is missing, of no known format or damaged, has no posts near the
+     * @throws InputException in one line when a file is missing, damaged or in no known format, has no posts near the
      *     origin or too many, or does not match the others
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */

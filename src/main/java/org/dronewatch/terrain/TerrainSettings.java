@@ -15,8 +15,8 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.file.PackagedSite;
 
 /**
- * The ground of a real place, from elevation files: GeoTIFF, SRTM tiles (.hgt, also in .zip or .gz) or ESRI ASCII grids
- * (.asc). Its centre is the scene's geographic origin, {@code world.origin}, which such a scene must state.
+ * The ground of a real place, from elevation files: GeoTIFF, SRTM tiles (.hgt, also compressed as .zip or .gz) or ESRI
+ * ASCII grids (.asc). Its centre is the scene's geographic origin, {@code world.origin}, which such a scene must state.
  *
  * @param file the elevation file, or {@code packaged:NAME} for one in the library
  * @param files several files instead, which are joined into one terrain; they must have the same grid of posts. Where
@@ -130,7 +130,7 @@ public record TerrainSettings(
     }
 
     /**
-     * The colour of the ground in daylight, which follows its material: red, green and blue in the lowest 24 bits.
+     * The colour of the ground in daylight, which its material determines: red, green and blue in the lowest 24 bits.
      * It is {@link #COLOUR}, that of meadows, for a material whose colour is not known.
      */
     public int colour() {

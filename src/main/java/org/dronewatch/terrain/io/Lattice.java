@@ -6,10 +6,10 @@ package org.dronewatch.terrain.io;
  *
  * @param x east coordinate of the first post
  * @param y north coordinate of the first post
- * @param columnX step to the next column, to the east
- * @param columnY step to the next column, to the north
- * @param rowX step to the next row, to the east
- * @param rowY step to the next row, to the north
+ * @param columnX eastward component of the step to the next column
+ * @param columnY northward component of the step to the next column
+ * @param rowX eastward component of the step to the next row
+ * @param rowY northward component of the step to the next row
  */
 public record Lattice(double x, double y, double columnX, double columnY, double rowX, double rowY) {
     /** The east coordinate of a point of the grid. */
