@@ -44,7 +44,7 @@ public class PerfectAssociation {
     }
 
     /**
-     * Associates the observations of one time, at which every sensor that looked has an observation.
+     * Associates the observations made at one time, when every sensor that looked has an observation.
      *
      * @return each sensor's look at each contact, in the order of the observations
      */
@@ -56,7 +56,7 @@ public class PerfectAssociation {
     }
 
     /**
-     * Associates the observations of one time.
+     * Associates the observations made at one time.
      *
      * @param looked names of the sensors that looked, whether or not they observed anything
      * @param time of these looks, seconds since the start of the run
@@ -125,7 +125,7 @@ public class PerfectAssociation {
         return Optional.ofNullable(drones.get(contact));
     }
 
-    /** The contacts at which there will be no more looks after the last ones. */
+    /** The contacts at which there will be no more looks after the latest ones. */
     public List<Integer> ended() {
         return List.copyOf(ended);
     }
