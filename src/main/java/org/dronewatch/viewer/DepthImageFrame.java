@@ -15,8 +15,8 @@ import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.world.World;
 
 /**
- * A window with the image of a camera in your own program: distances in shades of blue, darker for shorter ones, drones
- * in orange. It needs no scene. Closing it does not end the program.
+ * A window for your own program that shows the image of a camera: distances in shades of blue, darker for shorter ones,
+ * drones in orange. It needs no scene. Closing it does not end the program.
  *
  * <pre>{@code
  * DepthImageFrame frame = new DepthImageFrame("gate");

@@ -86,7 +86,7 @@ public final class Viewer implements AutoCloseable {
 
     /**
      * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The
-     * calling thread is expected to run them one after the other: {@link #awaitNext} returns the next.
+     * calling thread is expected to run them one after another: {@link #awaitNext} returns the next.
      *
      * @param reader reads and checks a scene file; it throws InputException for mistakes
      * @throws IllegalStateException when there is no display
@@ -137,8 +137,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Shows the coverage of the scene, computed with the defaults of {@code coverage} as soon as the site has been
-     * loaded.
+     * Shows the coverage of the scene, computed with the default options of {@code coverage} as soon as the site has
+     * been loaded.
      */
     public void showCoverage() {
         SwingUtilities.invokeLater(() -> pane.showCoverage());
@@ -288,7 +288,7 @@ public final class Viewer implements AutoCloseable {
         return window;
     }
 
-    /** Closes the window if the user has not. */
+    /** Closes the window if the user has not done so. */
     @Override
     public void close() {
         ended = Thread.currentThread() == runner;
