@@ -20,7 +20,7 @@ public final class ClearSky {
     private ClearSky() {}
 
     /**
-     * Illuminance of level ground by sun and sky together, lx.
+     * Illuminance of level ground from sun and sky together, lx.
      *
      * @param elevation of the sun, rad; negative below the horizon
      */
@@ -34,7 +34,7 @@ public final class ClearSky {
     }
 
     /**
-     * Illuminance, by the sun alone, of a surface that faces it, lx.
+     * Illuminance of a surface that faces the sun, from the sun alone, lx.
      *
      * @param elevation of the sun, above 0 rad
      */
@@ -43,7 +43,7 @@ public final class ClearSky {
     }
 
     /**
-     * Illuminance of level ground by the sky alone, lx.
+     * Illuminance of level ground from the sky alone, lx.
      *
      * @param elevation of the sun, above 0 rad
      */
@@ -52,9 +52,9 @@ public final class ClearSky {
     }
 
     /**
-     * The air mass on the path of light from an elevation, 1 for the zenith.
+     * The relative air mass along the path of light from an elevation: 1 at the zenith.
      *
-     * @param elevation rad; below the horizon, that of the horizon is used
+     * @param elevation rad; below the horizon, the air mass of the horizon is used
      */
     public static double airMass(double elevation) {
         double above = Math.max(0.0, elevation);

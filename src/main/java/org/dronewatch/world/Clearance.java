@@ -10,7 +10,7 @@ import org.dronewatch.kdtree.RayTracer;
  */
 public final class Clearance {
     /**
-     * The distance from the surface to which a position is moved, m: negligible for a sound wave, and above
+     * The distance by which a position is moved off its surface, m: negligible for a sound wave, and above
      * {@link Visibility#MARGIN}, so that the surface still hides everything behind it.
      */
     public static final double GAP = 1e-4;
@@ -37,7 +37,7 @@ public final class Clearance {
 
     /**
      * The position itself or, if it lies on surfaces, one just in front of them: on the side from which their corners
-     * run counter-clockwise.
+     * appear in counter-clockwise order.
      */
     public Position of(Position position) {
         Position clear = position;

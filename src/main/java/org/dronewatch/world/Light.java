@@ -42,7 +42,7 @@ public record Light(
     /** The rate R of the rain changes it as {@code R^-0.21}. */
     private static final double DROP_DECAY_POWER = 0.21;
 
-    /** A clear day under high cloud: 20 km, 5,000 lx, no sun, still air, ground as bright as the sky. */
+    /** A day of good visibility under high cloud: 20 km, 5,000 lx, no sun, still air, ground as bright as the sky. */
     @Defaults
     public static final Light DAY = new Light(20_000.0, 0.05, 5_000.0, Optional.empty(), 0.0, 1.0);
 
@@ -60,7 +60,10 @@ public record Light(
         return SettingsForm.with(this, "visibility", metres);
     }
 
-    /** This light with another fraction of a black object's contrast left at the visibility, such as 0.02 or 0.05. */
+    /**
+     * This light with another fraction of a black object's contrast that remains at the distance of the visibility,
+     * such as 0.02 or 0.05.
+     */
     public Light withContrastAtVisibility(double share) {
         return SettingsForm.with(this, "contrastAtVisibility", share);
     }
@@ -75,7 +78,7 @@ public record Light(
         return SettingsForm.with(this, "sun", Optional.of(shining));
     }
 
-    /** This light with turbulent air of another structure constant Cn2, m^(-2/3). */
+    /** This light with another structure constant Cn2 of the air, m^(-2/3). */
     public Light withCn2(double structure) {
         return SettingsForm.with(this, "cn2", structure);
     }

@@ -48,8 +48,9 @@ public final class Places {
      * The position of a place by latitude and longitude. A height above the surface is measured along the vertical at
      * that place.
      *
-     * @throws IllegalArgumentException when the scene has no origin, there is no surface below a place above the
-     *     surface, its height above sea level has no meaning, or it is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, a place given by its height above the surface has
+     *     no surface below it, a height above sea level has no meaning in the scene, or the place is more than 100 km
+     *     away
      */
     public Position at(EarthPlace place) {
         Geodesy geodesy = geodesy();
@@ -120,7 +121,10 @@ public final class Places {
         return ground;
     }
 
-    /** Whether heights above sea level have a meaning: that of the origin is stated, or a terrain has such heights. */
+    /**
+     * Whether heights above sea level have a meaning: the height of the origin is stated, or there is terrain, whose
+     * heights are above sea level.
+     */
     public boolean heightsAreKnown() {
         return heightsAreKnown;
     }

@@ -7,9 +7,9 @@ import java.util.function.Supplier;
 import org.dronewatch.bvh.TracingIndex;
 
 /**
- * What runs compute from their sites without drones, such as what a camera sees of the site. It is kept so that
- * thousands of runs on one site share it. When it takes more than its share of memory, what was least recently used is
- * dropped, and made again when it is next needed. Thread-safe.
+ * Results that runs compute from their sites without drones, such as what a camera sees of the site. They are kept so
+ * that thousands of runs on one site share them. When they take more than their share of memory, those least recently
+ * used are dropped, and computed again when they are next needed. Thread-safe.
  */
 public final class SiteMemory {
     private final long most;
@@ -28,7 +28,7 @@ public final class SiteMemory {
     /**
      * An empty memory.
      *
-     * @param most how much may be kept when something new is added, bytes
+     * @param most the most that may be kept when something new is added, bytes
      */
     public SiteMemory(long most) {
         this.most = most;

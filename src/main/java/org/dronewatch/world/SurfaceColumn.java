@@ -24,7 +24,7 @@ public record SurfaceColumn(List<Surface> surfaces) {
      *
      * @param z its height, m
      * @param what model and material of the surface
-     * @param facesUp whether its corners run counter-clockwise seen from above, so it is not an underside
+     * @param facesUp whether its corners run counter-clockwise as seen from above, that is, it is not an underside
      */
     public record Surface(double z, Obstacle what, boolean facesUp) {}
 
@@ -81,7 +81,10 @@ public record SurfaceColumn(List<Surface> surfaces) {
         return inside;
     }
 
-    /** The highest surface of terrain; without any, the lowest that faces up; empty if there is neither. */
+    /**
+     * The highest surface of terrain; if there is no terrain, the lowest surface that faces up; empty if there is
+     * neither.
+     */
     public Optional<Surface> ground() {
         return surfaces.stream()
                 .filter(surface -> surface.what().model().role() == ModelRole.TERRAIN)

@@ -44,7 +44,8 @@ public record SurfaceSettings(
     /**
      * Checks all names.
      *
-     * @throws IllegalArgumentException when there is no surface of such a name, or one of the scene's has none
+     * @throws IllegalArgumentException when there is no surface of such a name, or a surface defined in the scene has
+     *     an empty name
      */
     public void checkNames() {
         if (own.containsKey("")) {

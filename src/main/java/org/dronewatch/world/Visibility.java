@@ -9,23 +9,23 @@ import org.dronewatch.kdtree.RayTracer;
  *
  * <p>A surface that a segment meets within {@link #MARGIN} of an end is taken to be the one on which that end lies, and
  * hides nothing: sensors on walls and microphones on the ground, and drones that touch a surface, are treated as if
- * they were just in front of it. Surfaces met farther away count. So a sensor within the margin of a wall sees on both
- * sides of it, and one farther behind the wall sees nothing in front of it. The margin is a length, not a fraction of
- * the segment, since neither the position of a sensor nor the rounding of coordinates depends on the range: whether a
- * sensor on a wall is blind does not depend on the range either. Points closer together than twice the margin are
- * always mutually visible.
+ * they were just in front of it. Surfaces met farther away count. So a sensor within the margin of a wall sees what is
+ * on both sides of it, and one farther behind the wall sees nothing in front of it. The margin is a length, not a
+ * fraction of the segment, since neither the position of a sensor nor the rounding of coordinates depends on the range:
+ * whether a sensor on a wall is blind does not depend on the range either. Points closer together than twice the margin
+ * are always mutually visible.
  *
- * <p>Whether two points of one oblique face are mutually visible depends on the rounding of their coordinates;
+ * <p>Whether two points on one oblique face are mutually visible depends on the rounding of their coordinates;
  * {@link Clearance} moves points off their surfaces where that matters.
  *
  * <p>The methods that take primitives do not allocate. Keeps scratch memory: one thread at a time.
  */
 public final class Visibility {
     /**
-     * Distance from either end of a segment within which surfaces do not count, m. It is above the rounding of a mesh's
-     * coordinates, which are of single precision, within 100 m of the origin (4e-6 m), and far above that of computed
-     * points; and it is below the distance by which {@link Clearance} moves points off a surface, so that they stay
-     * hidden from the other side.
+     * Distance from either end of a segment within which surfaces do not count, m. It is above the rounding error of a
+     * mesh's single-precision coordinates within 100 m of the origin (4e-6 m), and far above that of computed points;
+     * and it is below the distance by which {@link Clearance} moves points off a surface, so that they stay hidden from
+     * the other side.
      */
     public static final double MARGIN = 1e-5;
 
@@ -99,8 +99,8 @@ public final class Visibility {
     }
 
     /**
-     * The first obstacle from one point to another, on the ground with the land cover there; empty if they are mutually
-     * visible.
+     * The first obstacle on the line from one point to another; on the ground, its material is that of the land cover.
+     * Empty if the points are mutually visible.
      */
     public Optional<Obstacle> obstacle(Position from, Position to) {
         Position along = to.minus(from);

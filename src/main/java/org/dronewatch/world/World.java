@@ -234,7 +234,7 @@ public final class World {
      * What depends on the world's mesh alone: made once where runs share a {@link SiteMemory}, otherwise each time.
      *
      * @param key what else it depends on, with {@code equals}
-     * @param make makes it; must give the same at any time and on any thread
+     * @param make makes it; must give the same result at any time and on any thread
      */
     public <T extends SiteMemory.Kept> T remembered(Object key, Class<T> type, Supplier<T> make) {
         return memory == null ? make.get() : memory.get(new SiteMemory.Key(index, key), type, make);
@@ -346,8 +346,8 @@ public final class World {
     }
 
     /**
-     * A ray tracer for incoherent rays, such as those of diffuse sound, for the use of one thread: faster than {@link
-     * #newRayTracer()} where the processor's vectors can be used.
+     * A ray tracer for incoherent rays, such as those of diffuse sound, for the use of one thread: faster than
+     * {@link #newRayTracer()} where the processor's vector instructions can be used.
      */
     public RayTracer newIncoherentRayTracer() {
         return index.newIncoherentRayTracer();
@@ -389,7 +389,10 @@ public final class World {
         return cover == null ? mesh().material(triangle) : cover.material(triangle, x, y);
     }
 
-    /** The numbers of all materials that a triangle may have: that of the mesh, and on the ground the land cover's. */
+    /**
+     * The numbers of all materials that a triangle may have: that of the mesh and, on the ground, those of the land
+     * cover.
+     */
     public IntStream materialsOf(int triangle) {
         IntStream own = IntStream.of(mesh().material(triangle));
         return cover == null || !cover.isGround(triangle)

@@ -154,7 +154,7 @@ public record WorldSettings(
         return SettingsForm.with(this, "surfaces", other);
     }
 
-    /** These settings with other air. */
+    /** These settings with another atmosphere. */
     public WorldSettings withAtmosphere(Atmosphere air) {
         return SettingsForm.with(this, "atmosphere", air);
     }
@@ -174,7 +174,7 @@ public record WorldSettings(
         return SettingsForm.with(this, "rain", millimetresPerHour);
     }
 
-    /** The weather and light that they state. */
+    /** The weather and light that these settings state. */
     public Weather weather() {
         return new Weather(rain, atmosphere.wind().speed(), light.visibility(), light.illuminance());
     }
