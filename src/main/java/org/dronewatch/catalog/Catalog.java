@@ -103,7 +103,7 @@ public final class Catalog implements Kinds.NamedSettings {
                 : system(name).map(SensorSystem::sensors).orElse(Map.of());
     }
 
-    /** The user's files that were read so far, in the order in which they were read. */
+    /** The user's files that have been read so far, in the order in which they were read. */
     public List<Path> filesRead() {
         synchronized (read) {
             return List.copyOf(read);

@@ -26,7 +26,7 @@ import org.dronewatch.world.WorldSettings;
  * @param note assumptions, and the calibration of the settings
  * @param coverage its field of view, in words
  * @param price in words, with currency and year
- * @param ranges the ranges that its manufacturer states; none when none are published
+ * @param ranges the ranges that its manufacturer states; empty when none are published
  * @param sensor its settings as in a scene file, without a position
  */
 public record CatalogEntry(

@@ -252,8 +252,8 @@ public final class Drone {
     }
 
     /**
-     * Its apparent temperature difference from the background in its present state of flight, K: with its motors off it
-     * cools.
+     * Its apparent temperature difference from the background in its present state of flight, K: with its motors off,
+     * it cools.
      */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));

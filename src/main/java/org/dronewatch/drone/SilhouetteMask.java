@@ -29,7 +29,7 @@ public final class SilhouetteMask {
     }
 
     /**
-     * Whether a texel is {@link #OUTSIDE}, {@link #UNLIKELY}, {@link #LIKELY} or {@link #INSIDE}; its index is counted
+     * Whether a texel is {@link #OUTSIDE}, {@link #UNLIKELY}, {@link #LIKELY} or {@link #INSIDE}; texels are numbered
      * row by row.
      */
     public byte kind(int texel) {

@@ -104,7 +104,7 @@ public sealed interface AlertRule {
             return new UnionOfProbabilities(probability, 2.0);
         }
 
-        /** {@inheritDoc} Those with the highest probabilities first, as many as necessary. */
+        /** {@inheritDoc} Those with the highest probabilities come first; there are as many as necessary. */
         @Override
         public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
             List<SensorTrack> likeliest = new ArrayList<>(tracks);

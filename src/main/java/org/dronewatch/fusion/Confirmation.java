@@ -5,8 +5,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The confirmation required of a sensor before its detections count: at least {@code hits} detections in its last
- * {@code looks} looks.
+ * The confirmation required of a sensor before its detections count: a minimum number of detections in its most recent
+ * looks.
  *
  * @param hits number of looks that must detect the drone, 1 to 100
  * @param looks number of most recent looks considered, not fewer than hits, 1 to 100

@@ -18,7 +18,7 @@ public final class IntersectionHandler {
      * intersection" (1997). The determinant is compared with zero only: an absolute tolerance would miss small
      * triangles, and culling would miss those that face away.
      *
-     * @return the hit, empty where the ray misses, is parallel to the triangle, or meets it outside its own range
+     * @return the hit, empty where the ray misses, is parallel to the triangle, or meets it outside the ray's range
      */
     public static Optional<Hit> rayTriangle(Ray ray, Triangle triangle) {
         Vector3d edgeB = triangle.b().minus(triangle.a()).toVector3d();
@@ -56,7 +56,7 @@ public final class IntersectionHandler {
      *
      * @param interval receives the ray parameters of entry and exit in its first two elements; a ray that starts inside
      *     the box enters it at its tMin
-     * @return whether the ray meets the box within its own range; if not, the interval is unchanged
+     * @return whether the ray meets the box within the ray's range; if not, the interval is unchanged
      */
     public static boolean rayBox(Ray ray, AABB box, double[] interval) {
         Point3d o = ray.origin();
@@ -126,7 +126,7 @@ public final class IntersectionHandler {
      * @param dy its y
      * @param dz its z
      * @param radius radius in metres, above 0
-     * @return metres to the sphere, 0 from inside; infinity for a miss
+     * @return the distance to the sphere, m; 0 when the ray starts inside it; infinity for a miss
      */
     public static double raySphere(
             double ox,

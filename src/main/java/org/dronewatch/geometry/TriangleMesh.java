@@ -146,7 +146,7 @@ public final class TriangleMesh {
 
     /**
      * Writes a normal of a triangle, on the side from which its corners run counter-clockwise: the cross product of two
-     * sides, whose length is twice the area. Does not allocate.
+     * edges; its length is twice the area. Does not allocate.
      */
     public void normal(int triangle, double[] target) {
         double ax = coordinate(triangle, 0, 0);

@@ -7,7 +7,7 @@ import org.dronewatch.parallel.LongTask;
 
 /**
  * A kd-tree over a mesh: packed nodes, the triangles of the leaves, and the triangles in leaf order. Holds data only:
- * ray tracers such as {@link StackTraversal} walk it, and {@link KDTreeStats} measures it. Immutable, shared by all
+ * ray tracers such as {@link StackTraversal} traverse it, and {@link KDTreeStats} measures it. Immutable, shared by all
  * threads.
  */
 public final class KDTree {

@@ -38,7 +38,7 @@ public final class Workers implements AutoCloseable {
     private volatile boolean callerInterrupted;
 
     /**
-     * A given number of threads, including the caller's.
+     * A pool of a given number of threads, including the caller's.
      *
      * @throws IllegalArgumentException when below 1 or above {@link #MAX_THREADS}
      */

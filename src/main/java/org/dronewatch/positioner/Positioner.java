@@ -122,7 +122,7 @@ public final class Positioner {
         }
     }
 
-    /** Pans, tilts and zooms until a time, not before the last one, and returns its pointing then. */
+    /** Pans, tilts and zooms until a time, which is not before the previous one, and returns its pointing then. */
     public Pointing moveTo(double now) {
         track = track.filter(followed -> now - followed.received() <= settings.hold());
         while (!cues.isEmpty() && cues.peek().due() <= now) {

@@ -42,7 +42,8 @@ public final class PlaceForms {
      * Kinds of settings, with the forms in which positions may be given.
      *
      * @param places places of the scene; empty when they cannot be known, since the site's own settings are wrong
-     * @param maps gives the features of a map by the name of its file, or of the one with the scene's name
+     * @param maps gives the features of a map by its file name or, if there is none, those of the map with the scene's
+     *     name
      */
     public static Kinds in(Kinds kinds, Supplier<Optional<Places>> places, Function<Optional<String>, Features> maps) {
         return kinds.with(Position.class, EarthPlace.class, found(places, Places::at))

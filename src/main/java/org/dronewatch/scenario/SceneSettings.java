@@ -256,7 +256,7 @@ public record SceneSettings(
     }
 
     /**
-     * These settings as one run of a sweep: the swept setting has this value only, and the seed is that of the run; the
+     * These settings as one run of a sweep: the swept setting has only this value, and the seed is that of the run; the
      * first run keeps the given seed.
      */
     public SceneSettings asRunWith(int number, String value) {

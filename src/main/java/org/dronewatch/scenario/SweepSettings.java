@@ -18,7 +18,7 @@ public sealed interface SweepSettings {
     /**
      * Its values, written as for {@code --set}.
      *
-     * @param quantity quantity that the setting states
+     * @param quantity quantity of the setting, such as an angle
      * @throws IllegalArgumentException if a value is not a valid value of that quantity
      */
     List<String> values(Quantity quantity);

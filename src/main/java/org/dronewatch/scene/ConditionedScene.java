@@ -11,7 +11,7 @@ import org.dronewatch.setting.InputException;
  * A scene under a condition.
  *
  * @param name of the condition
- * @param settings of the scene with its changes
+ * @param settings settings of the scene with the changes of the condition
  */
 public record ConditionedScene(String name, SceneSettings settings) {
 

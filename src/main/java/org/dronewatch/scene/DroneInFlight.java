@@ -80,7 +80,7 @@ public final class DroneInFlight {
      * moves straight up or down, or is at rest, keeps its heading.
      *
      * @param velocity east, north and up, m/s
-     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor
+     * @throws InputException when that is null or faster than the drone's speed, the drone is neither steered nor
      *     recorded, the run is over, or another thread runs it
      */
     public void fly(Position velocity) {
@@ -92,7 +92,7 @@ public final class DroneInFlight {
      *
      * @param velocity east, north and up, m/s
      * @param attitude yaw, pitch and roll, independent of the velocity
-     * @throws InputException when that is faster than the drone's speed or null, the drone is neither steered nor
+     * @throws InputException when that is null or faster than the drone's speed, the drone is neither steered nor
      *     recorded, the run is over, or another thread runs it
      */
     public void fly(Position velocity, Attitude attitude) {

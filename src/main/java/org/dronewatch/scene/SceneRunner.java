@@ -38,7 +38,7 @@ import org.dronewatch.world.World;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend only on the scene,
- * its settings and the seed, not on threads or pace. For a single use by one thread.
+ * its settings and the seed, not on threads or pace. For one completed run by one thread.
  */
 public final class SceneRunner {
     private static final double NANO = 1e-9;

@@ -231,9 +231,10 @@ public final class World {
     }
 
     /**
-     * What depends on the world's mesh alone: made once where runs share a {@link SiteMemory}, otherwise each time.
+     * An object that depends only on the world's mesh and a key: made once where runs share a {@link SiteMemory},
+     * otherwise each time.
      *
-     * @param key what else it depends on, with {@code equals}
+     * @param key everything but the mesh on which it depends, compared with {@code equals}
      * @param make makes it; must give the same result at any time and on any thread
      */
     public <T extends SiteMemory.Kept> T remembered(Object key, Class<T> type, Supplier<T> make) {

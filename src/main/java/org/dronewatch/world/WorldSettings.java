@@ -60,7 +60,7 @@ public record WorldSettings(
     public static final WorldSettings EMPTY = of(List.of());
 
     /**
-     * Checks the limits and copies the list. The whole scene checks that the world is not empty.
+     * Checks the limits and copies the list. That the world is not empty is checked with the whole scene.
      *
      * @throws IllegalArgumentException if a value is out of range, or a surface has an unknown name
      */

@@ -58,7 +58,7 @@ public final class LandSurvey {
      * @param file its name, for warnings
      * @param land what covers the ground on it
      * @param half of the side of the square around the origin that is drawn, m
-     * @param inWorld from coordinates of the map to the world frame, m: x and y of each corner in turn
+     * @param inWorld transforms coordinates of the map to the world frame, m: x and y of each corner in turn
      */
     public static Found of(String file, MapLand land, double half, UnaryOperator<double[]> inWorld) {
         LandSurvey survey = new LandSurvey(land, half, inWorld);

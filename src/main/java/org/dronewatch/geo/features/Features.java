@@ -87,7 +87,7 @@ public final class Features {
     }
 
     /**
-     * The point of this name.
+     * The point with this name.
      *
      * @throws IllegalArgumentException when there is none, there are several, or it is not a point
      */
@@ -96,7 +96,7 @@ public final class Features {
     }
 
     /**
-     * The place of this name, at the given height if there is one. Otherwise it is at the height in the file, if the
+     * The place with this name, at the given height if there is one. Otherwise it is at the height in the file, if the
      * datum of that is stated, or else on the surface.
      *
      * @param above height above the surface, m
