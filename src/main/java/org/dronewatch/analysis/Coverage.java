@@ -47,8 +47,8 @@ public final class Coverage {
     }
 
     /**
-     * Evaluates all sensors of a scene at all points, on the {@link Workers} of the calling thread; the same for any
-     * number of them.
+     * Evaluates all sensors of a scene at all points, on the {@link Workers} of the calling thread; the result does not
+     * depend on their number.
      *
      * @param settings settings of one run
      * @param stage its world and drones
@@ -164,7 +164,7 @@ public final class Coverage {
 
     /**
      * The number of cells for each cause, by sensor, as given by {@link #causes(String)}; computed on the
-     * {@link Workers} of the calling thread, and the same for any number of them.
+     * {@link Workers} of the calling thread; the result does not depend on their number.
      */
     public Map<String, Map<Cause, Integer>> causes() {
         List<String> ids = List.copyOf(sensors.keySet());

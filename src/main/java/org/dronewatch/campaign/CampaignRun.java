@@ -14,7 +14,7 @@ import org.dronewatch.parallel.Workers;
  * there are, they are considered in the order of the cases; some cases of the last chunk may then be superfluous.
  */
 public final class CampaignRun {
-    /** Number of cases in a chunk: some seconds of work, and few files. */
+    /** Number of cases in a chunk: a few seconds of work, and few files. */
     public static final int CHUNK = 50;
 
     private final CampaignPlan plan;
@@ -104,7 +104,7 @@ public final class CampaignRun {
     }
 
     /**
-     * Runs what is missing, on the {@link Workers} of the calling thread; the same results for any number of them.
+     * Runs what is missing, on the {@link Workers} of the calling thread; the results do not depend on their number.
      *
      * @throws java.util.concurrent.CancellationException when the thread is interrupted: complete chunks are kept
      */
@@ -126,7 +126,7 @@ public final class CampaignRun {
     }
 
     /**
-     * Runs a chunk, on the {@link Workers} of the calling thread; the same results for any number of them.
+     * Runs a chunk, on the {@link Workers} of the calling thread; the results do not depend on their number.
      *
      * @return the results, by case, then by variant
      * @throws java.util.concurrent.CancellationException when the thread is interrupted

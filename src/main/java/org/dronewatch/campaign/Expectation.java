@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.statistics.Proportion;
 
 /**
- * What a campaign is expected to show: that the interval for a probability does not reach below a limit. The interval
+ * What a campaign is expected to show: that the interval for a probability does not extend below a limit. The interval
  * is the 95 % confidence interval or, for the probability that decided how many cases were run, the one that the rule
  * guarantees.
  *

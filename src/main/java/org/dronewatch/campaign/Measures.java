@@ -6,7 +6,7 @@ import java.util.function.DoubleConsumer;
 
 /**
  * A quantity of many cases, where a case without it counts as worse than any with it. For one thread. Memory does not
- * grow with the number of cases: beyond some thousands, values go to a temporary file.
+ * grow with the number of cases: beyond a few thousand, values go to a temporary file.
  */
 public final class Measures {
     /** The greatest number of values in memory. */

@@ -2,13 +2,13 @@ package org.dronewatch.campaign;
 
 import java.util.function.Predicate;
 
-/** What a case has or lacks, and what variants are compared by. */
+/** Something that a case has or lacks, and by which variants are compared. */
 public enum Outcome {
     /** Some sensor detects an attacking drone. */
     DETECTED(one -> true, one -> one.firstDetected().isPresent()),
     /** An alert is raised for an attacking drone. */
     ALERTED(one -> true, one -> one.alert().isPresent()),
-    /** The alert leaves the time that the response requires. */
+    /** The alert leaves enough time for the response. */
     IN_TIME(one -> one.inTime().isPresent(), one -> one.inTime().orElse(false));
 
     private final Predicate<CaseResult> known;

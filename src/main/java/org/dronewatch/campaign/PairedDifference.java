@@ -5,7 +5,7 @@ import org.dronewatch.statistics.Proportion;
 
 /**
  * Two variants on the same cases, compared by an outcome that each case has or lacks. Only the cases in which the
- * variants differ decide.
+ * variants differ are decisive.
  *
  * @param onlyA number of cases in which only the first variant has the outcome
  * @param onlyB number of cases in which only the second has it

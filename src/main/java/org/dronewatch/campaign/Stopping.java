@@ -24,7 +24,7 @@ public final class Stopping {
         this.observed = plan.observed();
     }
 
-    /** Ends after a fixed number of cases: all that are given. */
+    /** Ends after all of the given cases, whatever their outcomes. */
     public Stopping(Cases cases) {
         this.most = cases.size();
         this.variants = cases.variants().size();

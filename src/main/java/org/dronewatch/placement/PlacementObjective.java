@@ -16,8 +16,8 @@ public enum PlacementObjective {
      */
     LEAST_COVERED_WEIGHT(true),
     /**
-     * The greatest sum, over the rows, of weight times the probability that at least one chosen candidate detects: 1 -
-     * prod(1 - p). Values are probabilities, capped at 1 - 1e-6.
+     * The greatest sum, over the rows, of weight times the probability that at least one chosen candidate detects the
+     * drone: 1 - prod(1 - p). Values are probabilities, capped at 1 - 1e-6.
      */
     JOINT_PROBABILITY(true),
     /**

@@ -3,7 +3,7 @@ package org.dronewatch.placement;
 import java.util.function.BooleanSupplier;
 
 /**
- * When a search may end before it has proven the best layout.
+ * When a search may end before it has proven a layout to be the best.
  *
  * @param gap the search ends once value and bound differ by at most this fraction of the value; 0 to prove that the
  *     layout is the best

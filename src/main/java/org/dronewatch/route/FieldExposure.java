@@ -155,7 +155,7 @@ public final class FieldExposure implements ExposureField {
 
     /**
      * The dominant cause in the middle of a straight leg that lies in one cell: that of the sensor with the highest
-     * probability and, among equals, the one that is nearest to a detection.
+     * probability; in a tie, the one that is nearest to a detection.
      */
     Cause cause(Position from, Position to) {
         Position at = from.plus(to).times(0.5);

@@ -18,8 +18,9 @@ public final class RouteArea {
 
     /**
      * The side of a square around the middle of the protected zone or, without one, around the mean position of the
-     * sensors. On each side, the square reaches past the distance of the farthest corner of the zones by the distance
-     * that a drone covers during the response to a detection, plus 250 m, but not beyond the model of the site.
+     * sensors. In each direction, the square extends for the distance to the farthest corner of the zones, plus the
+     * distance that a drone covers during the response to a detection, plus 250 m, but not beyond the model of the
+     * site.
      *
      * @param drone name of the drone
      * @return the length of the side, m

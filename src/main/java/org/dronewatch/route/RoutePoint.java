@@ -5,10 +5,10 @@ import org.dronewatch.geometry.Position;
 /**
  * A point of a route as it is flown.
  *
- * @param time since the start, s
- * @param distance along the path from its start, m
+ * @param time time since the start, s
+ * @param distance distance along the path from its start, m
  * @param position its position, m
- * @param above height above the ground, m
+ * @param above its height above the ground, m
  * @param mode number of the mode in which the drone flies on from here; at the end of the route, of the mode in which
  *     it arrives
  * @param exposure exposure along the route so far

@@ -32,8 +32,8 @@ public record RouteSurvey(
      *
      * @param response the time that a response takes, s; 0 if none is required
      * @param searched receives each sector that was searched
-     * @param stopped called if this thread has been interrupted and at least one sector is complete; should clear its
-     *     interrupt status
+     * @param stopped called if this thread has been interrupted and at least one sector is complete; it should clear
+     *     the interrupt status
      * @throws CancellationException when this thread is interrupted before any sector is complete
      */
     public static RouteSurvey of(SiteRoutes site, double response, IntConsumer searched, Runnable stopped) {

@@ -15,7 +15,7 @@ import org.dronewatch.sensor.Cause;
  * The weakest route from a sector, and how exposed it is to the sensors: as estimated by the search or, once every look
  * along it has been assessed, as flown.
  *
- * @param sector its number, from 0 for the north clockwise
+ * @param sector number of the sector, clockwise from 0 for the north
  * @param route the route, with bounds on the exposure that counts
  * @param searched profile of the whole route, with the exposure in the cells of the search
  * @param bySensor the same exposure along the whole route to each sensor, in the order of the scene

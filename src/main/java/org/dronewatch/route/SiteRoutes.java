@@ -152,7 +152,7 @@ public final class SiteRoutes {
         return RouteProfile.of(route.path(), problem);
     }
 
-    /** A route with how exposed it is to the sensors. */
+    /** A route together with its exposure to the sensors. */
     public SectorRoute describe(int sector, WeakestRoute route) {
         RouteProfile profile = profile(route);
         Map<Cause, Double> causes = new EnumMap<>(Cause.class);

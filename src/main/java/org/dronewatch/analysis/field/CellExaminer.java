@@ -37,7 +37,7 @@ public final class CellExaminer {
         this.search = new BlockerSearch(stage);
     }
 
-    /** The evidence for a cell; empty where the drone cannot be. Takes some milliseconds per microphone. */
+    /** The evidence for a cell; empty where the drone cannot be. Takes a few milliseconds per microphone. */
     public Optional<CellEvidence> examine(int height, int column, int row) {
         DetectionField field = coverage.field();
         if (!field.isOpen(height, column, row) || field.sensors().isEmpty()) {

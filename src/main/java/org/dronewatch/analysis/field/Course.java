@@ -82,7 +82,7 @@ public record Course(
                 .toList();
     }
 
-    /** The same course with another place from or to which its heading is measured, m. */
+    /** The same course with another point from or to which its heading is measured, m. */
     Course about(Position other) {
         return new Course(kind, angle, other, sensor, glide);
     }

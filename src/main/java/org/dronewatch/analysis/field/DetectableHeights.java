@@ -32,8 +32,8 @@ public final class DetectableHeights {
     }
 
     /**
-     * Refines the heights of a coverage, on the {@link org.dronewatch.parallel.Workers} of the calling thread; the same
-     * for any number of them.
+     * Refines the heights of a coverage, on the {@link org.dronewatch.parallel.Workers} of the calling thread; the
+     * result does not depend on their number.
      *
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      */

@@ -218,8 +218,8 @@ public final class DetectionField {
      *
      * @param sensor its number in {@link #sensors()}
      * @param height its number in the grid
-     * @param column from the west
-     * @param row from the north
+     * @param column the column, counted from the west
+     * @param row the row, counted from the north
      * @param course its number in {@link #courses()}
      */
     public int steps(int sensor, int height, int column, int row, int course) {
@@ -232,9 +232,9 @@ public final class DetectionField {
     }
 
     /**
-     * Whether a sensor covers a cell on a course: its probability is at least a given one. Parameters as above.
+     * Whether a sensor covers a cell on a course: its probability is at least a given value. Parameters as above.
      *
-     * @param covered above 0 and at most 1
+     * @param covered that value, above 0 and at most 1
      */
     public boolean covers(int sensor, int height, int column, int row, int course, double covered) {
         return steps(sensor, height, column, row, course) >= CellCode.stepsToCover(covered);

@@ -10,7 +10,7 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * Assesses all enabled sensors of a scene in all cells of a grid, height by height, on the {@link Workers} of the
- * calling thread; the same for any number of them.
+ * calling thread; the result does not depend on their number.
  */
 public final class FieldAssessment {
     private FieldAssessment() {}
@@ -18,11 +18,11 @@ public final class FieldAssessment {
     /**
      * The field of a scene.
      *
-     * @param settings of one run
+     * @param settings settings of one run
      * @param stage its world and drones
      * @param drone name of the drone that is put into the cells
-     * @param courses on which it flies, at least one
-     * @param terms on which it counts as detected
+     * @param courses courses on which it flies, at least one
+     * @param terms terms on which it counts as detected
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @throws IllegalArgumentException when there is no such drone
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept

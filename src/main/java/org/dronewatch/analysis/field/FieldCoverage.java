@@ -53,7 +53,7 @@ public final class FieldCoverage {
     private final boolean[] unknown;
 
     /**
-     * Evaluates a field on the {@link Workers} of the calling thread; the same for any number of them.
+     * Evaluates a field on the {@link Workers} of the calling thread; the result does not depend on their number.
      *
      * @param covered the probability with which a sensor must detect the drone to cover a cell
      * @throws IllegalArgumentException as for {@link #checkedProbability}
@@ -170,8 +170,8 @@ public final class FieldCoverage {
     }
 
     /**
-     * Whether nothing can be said about a cell: there is no ground below it, or no sensor covers it, and the line of
-     * sight of at least one leaves the known ground.
+     * Whether nothing can be said about a cell: either there is no ground below it, or no sensor covers it and the line
+     * of sight of at least one sensor leaves the known ground.
      */
     public boolean isUnknown(int height, int column, int row) {
         return unknown[index(height, column, row)];

@@ -18,7 +18,7 @@ import org.dronewatch.sensor.SensorSettings;
  * {@link FieldAssessment} would give them, with two exceptions: an inbound drone flies to the target of the previous
  * field, and for signals that could be interpolated, only what arrives along exact paths counts ({@link #reduced}).
  *
- * <p>For one thread, which may have {@link Workers}; the same for any number of them.
+ * <p>For one thread, which may have {@link Workers}; the result does not depend on their number.
  */
 public final class FieldDraft {
     /** The blocks along a side of the first picture, at most. */

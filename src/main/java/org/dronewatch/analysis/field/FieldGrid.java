@@ -62,7 +62,7 @@ public record FieldGrid(
     /** A property that a cell may have. */
     @FunctionalInterface
     public interface CellTest {
-        /** Whether it is true of a cell, by its column from the west and its row from the north. */
+        /** Whether a cell has it, given by its column from the west and its row from the north. */
         boolean isTrue(int column, int row);
     }
 

@@ -11,13 +11,13 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * What is asked of a {@link FieldSurvey}.
  *
- * @param settings of one run
+ * @param settings settings of one run
  * @param stage its world and drones
  * @param drone name of the drone that is put into the cells
  * @param grid the cells
- * @param courses on which the drone flies, at least one
+ * @param courses courses on which the drone flies, at least one
  * @param choice which of them counts
- * @param terms on which the drone counts as detected
+ * @param terms terms on which the drone counts as detected
  * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
  */
 public record FieldRequest(

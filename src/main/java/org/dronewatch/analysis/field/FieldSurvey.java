@@ -46,13 +46,13 @@ public record FieldSurvey(
     }
 
     /**
-     * Carries out a survey on the {@link Workers} of the calling thread; the same for any number of them.
+     * Carries out a survey on the {@link Workers} of the calling thread; the result does not depend on their number.
      *
      * @param conditions conditions under which the site is assessed again; may be empty
      * @param stores stores of earlier assessments, for the settings of the scene as it is and under a condition
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
-     * @param stopped called if this thread has been interrupted and at least one height is complete; should clear its
-     *     interrupt status, so that the complete heights can be summarised
+     * @param stopped called if this thread has been interrupted and at least one height is complete; it should clear
+     *     the interrupt status, so that the complete heights can be summarised
      * @throws CancellationException when this thread is interrupted before any height is complete, or its interrupt
      *     status was not cleared
      */

@@ -40,8 +40,8 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
     public record Examined(Assessment assessment, Optional<Blocker> blocker) {}
 
     /**
-     * The evidence of each sensor for a gap, on the {@link Workers} of the calling thread; the same for any number of
-     * them.
+     * The evidence of each sensor for a gap, on the {@link Workers} of the calling thread; the result does not depend
+     * on their number.
      *
      * @param gap its number in the map
      */

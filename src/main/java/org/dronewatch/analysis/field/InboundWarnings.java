@@ -53,14 +53,14 @@ public record InboundWarnings(
     }
 
     /**
-     * The warnings of the enabled sensors of a scene, on the {@link Workers} of the calling thread; the same for any
-     * number of them. Flights begin half a side of the grid away from their target; if the grid is that of an area, 250
-     * m beyond its farthest corner. Where that is too near for a detection to leave the required response time, they
-     * begin farther away, but not beyond the model of the site, and they cross at most 2000 cells. If any of them would
-     * begin in a protected zone, they begin 250 m beyond the farthest corner of all zones.
+     * The warnings of the enabled sensors of a scene, on the {@link Workers} of the calling thread; the result does not
+     * depend on their number. Flights begin half a side of the grid away from their target; if the grid is that of an
+     * area, 250 m beyond its farthest corner. Where that is too near for a detection to leave the required response
+     * time, they begin farther away, but not beyond the model of the site, and they cross at most 2000 cells. If any
+     * flight would begin in a protected zone, all flights begin 250 m beyond the farthest corner of all zones.
      *
      * @param drone name of the drone
-     * @param terms on which it counts as detected
+     * @param terms terms on which it counts as detected
      * @param covered the probability with which a sensor has to detect it
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      */

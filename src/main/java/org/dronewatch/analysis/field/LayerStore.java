@@ -90,8 +90,8 @@ public final class LayerStore {
     }
 
     /**
-     * What is interpolated between the cells of a field, as it was kept, or made anew on the {@link Workers} of the
-     * calling thread; empty if each cell is assessed.
+     * What is interpolated between the cells of a field, as it was kept, or computed again on the {@link Workers} of
+     * the calling thread; empty if each cell is assessed.
      *
      * @param plan where the columns are
      * @param progress receives the number of cells that the {@link SurveyProgress survey} counts as, in all

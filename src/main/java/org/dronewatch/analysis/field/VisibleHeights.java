@@ -10,8 +10,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The lowest height above the ground that each sensor can see, with a clear line of sight, column by column. Only the
- * site matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
+ * The lowest height above the ground to which each sensor has a clear line of sight, column by column. Only the site
+ * matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
  */
 public final class VisibleHeights {
     private final FieldGrid grid;
@@ -29,8 +29,8 @@ public final class VisibleHeights {
     }
 
     /**
-     * Finds the heights for all enabled sensors of a scene, on the {@link Workers} of the calling thread; the same for
-     * any number of them.
+     * Finds the heights for all enabled sensors of a scene, on the {@link Workers} of the calling thread; the result
+     * does not depend on their number.
      *
      * @param grid the grid, whose greatest height is where the search ends
      */

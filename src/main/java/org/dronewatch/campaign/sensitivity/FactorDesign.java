@@ -1,7 +1,7 @@
 package org.dronewatch.campaign.sensitivity;
 
 /**
- * The values of its factors at which a function is evaluated, so that the influence of each can be estimated.
+ * A choice of factor values at which a function is evaluated, so that the influence of each factor can be estimated.
  * Evaluations come in groups. Within a group each factor has one of two values, the first or the second. Immutable and
  * thread-safe.
  */
@@ -41,7 +41,7 @@ public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
         /**
          * A number of 0 or more and below 1.
          *
-         * @param isSecond for the second value of the factor
+         * @param isSecond whether it is for the second value of the factor
          */
         double draw(int group, int factor, boolean isSecond);
     }

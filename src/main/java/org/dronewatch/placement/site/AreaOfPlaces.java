@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Places in a square grid within a polygon, such as a roof, above the highest surface.
+ * Positions in a square grid within a polygon, such as a roof, above the highest surface.
  *
  * @param corners corners of the polygon, in either winding order, 3 to 1000
  * @param every distance between neighbours, above 0 and at most 100 km, m
@@ -28,13 +28,13 @@ public record AreaOfPlaces(
         ProtectedArea.polygon(corners, 1.0);
     }
 
-    /** Places 2 m above the surface. */
+    /** Positions 2 m above the surface. */
     @Defaults({"corners", "every"})
     public static AreaOfPlaces of(List<GroundPoint> corners, double every) {
         return new AreaOfPlaces(corners, every, LineOfPlaces.ABOVE);
     }
 
-    /** The places in plan view, row by row from the south-west; at most one more than a given number. */
+    /** The positions in plan view, row by row from the south-west; at most one more than a given number. */
     List<GroundPoint> points(int most) {
         AreaZone zone = new AreaZone("area", ProtectedArea.polygon(corners, 1.0), 0.0, 0.0);
         double west = corners.stream().mapToDouble(GroundPoint::x).min().orElseThrow();

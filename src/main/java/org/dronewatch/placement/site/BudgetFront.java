@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param <L> a layout for some objective
  * @param points the layouts in ascending order of cost, at least one; the last is the one for the whole budget
- * @param complete whether each search ended by itself
+ * @param complete whether each search ran to completion
  */
 public record BudgetFront<L extends PlacedLayout>(List<FrontPoint<L>> points, boolean complete) {
     /** Copies the list. */

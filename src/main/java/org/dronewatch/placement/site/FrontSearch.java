@@ -27,8 +27,8 @@ public final class FrontSearch<L extends PlacedLayout> {
     }
 
     /**
-     * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the same for
-     * any number of them.
+     * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the result
+     * does not depend on their number.
      *
      * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}
      * @param progress receives 1 for each budget; from any thread

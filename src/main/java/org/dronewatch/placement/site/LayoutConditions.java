@@ -14,7 +14,7 @@ import org.dronewatch.setting.Quantity;
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default
  * @param anyoneLost what must remain covered after the loss of the sensor whose loss is worst
  * @param base position of a base station, m: positions without a line of sight to it, as for a radio link, are left
- *     out; by default, none are
+ *     out; none by default
  */
 public record LayoutConditions(
         @In(value = Quantity.NUMBER, from = 1, to = 1000) Optional<Integer> atMost,

@@ -9,7 +9,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * Places at equal distances along a straight line, above the highest surface.
+ * Evenly spaced positions along a straight line, above the highest surface.
  *
  * @param from its beginning
  * @param to its end
@@ -31,13 +31,13 @@ public record LineOfPlaces(
         Limits.check(LineOfPlaces.class, from, to, every, above);
     }
 
-    /** Places 2 m above the surface. */
+    /** Positions 2 m above the surface. */
     @Defaults({"from", "to", "every"})
     public static LineOfPlaces of(GroundPoint from, GroundPoint to, double every) {
         return new LineOfPlaces(from, to, every, ABOVE);
     }
 
-    /** The places in plan view, from its beginning; at most one more than a given number. */
+    /** The positions in plan view, from the beginning of the line; at most one more than a given number. */
     List<GroundPoint> points(int most) {
         double length = from.distance(to);
         List<GroundPoint> points = new ArrayList<>();

@@ -21,7 +21,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Finds the best layout of a plan: what each candidate covers is assessed once, and then the best of them are chosen.
+ * Finds the best layout of a plan: what each candidate covers is assessed once, and then the best candidates are
+ * chosen.
  */
 public final class PlaceSearch {
     private final PlacePlan plan;

@@ -124,8 +124,8 @@ public final class RouteLayouts {
         }
 
         /**
-         * The direction from which the drone was least likely to be detected before; in a tie, the one in which most is
-         * gained.
+         * The direction from which the drone was least likely to be detected before; in a tie, the one from which the
+         * most is gained.
          */
         @Override
         public Optional<SectorGain> gain(Optional<RoutePlacement> before, RoutePlacement after) {

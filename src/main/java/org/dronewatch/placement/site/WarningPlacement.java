@@ -20,8 +20,8 @@ import org.dronewatch.placement.PlacementResult;
  * @param plan what was asked for
  * @param grid the cells; the length of their sides is the step of the flights
  * @param longest the longest warning that can be found, that of a flight detected where it begins, s
- * @param problem the problem, with a row for each flight; for the worst warning, its values are how much shorter each
- *     warning is than the longest
+ * @param problem the problem, with a row for each flight; for the worst warning, its values are the amounts by which
+ *     warnings are shorter than the longest
  * @param result result of the search, in the values of the problem
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
  *     before they were assessed

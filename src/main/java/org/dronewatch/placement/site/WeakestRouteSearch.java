@@ -19,8 +19,8 @@ import org.dronewatch.setting.InputException;
 
 /**
  * Finds the layout of a plan that makes the weakest route to the protected zone as exposed as possible: each candidate
- * is assessed once by itself, and then layouts are tried against the known routes and weaker routes are searched for
- * past these layouts, in turn.
+ * is assessed once by itself; then the search alternates between trying layouts against the known routes and looking
+ * for weaker routes past these layouts.
  */
 public final class WeakestRouteSearch {
     /**

@@ -46,8 +46,9 @@ public record RouteProof(
     }
 
     /**
-     * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the same for any number of them. Run
-     * {@code i} has the seed {@link #seed}. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
+     * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the result does not depend on their
+     * number. Run {@code i} has the seed {@link #seed}. One in twenty is repeated by a
+     * {@link org.dronewatch.run.RunSession}.
      *
      * @param scene scene with one drone, such as a {@link RouteScene}; its cues are ignored
      * @param models models of the scene
