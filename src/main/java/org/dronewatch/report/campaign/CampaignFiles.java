@@ -29,7 +29,7 @@ import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The directory of a campaign. Each chunk of cases is written whole when it is done; only the same campaign can be
+ * The directory of a campaign. Each chunk of cases is written whole once it is complete; only the same campaign can be
  * resumed from these chunks. One process at a time may write into the directory. For use by one thread.
  */
 public final class CampaignFiles implements AutoCloseable {

@@ -15,7 +15,9 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 
-/** Describes one cell of a coverage: which sensor decides there, and whether each detects the drone, or why not. */
+/**
+ * Describes one cell of a coverage: which sensor decides there, and whether each sensor detects the drone, or why not.
+ */
 public final class CellWords {
     private static final double LEAST_SHOWN = 0.005;
     private static final String NO_SIGNAL = "no signal";

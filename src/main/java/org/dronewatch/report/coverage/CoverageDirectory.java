@@ -11,7 +11,7 @@ import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.provenance.ResultKind;
 
-/** The directory into which {@code coverage} writes; its files appear together, or none of them. */
+/** The directory into which {@code coverage} writes; its files appear together or not at all. */
 public final class CoverageDirectory implements AutoCloseable {
     private static final String CONDITIONS = "conditions.png";
     private static final String NUMBERS = ResultKind.COVERAGE.sign();
@@ -28,7 +28,7 @@ public final class CoverageDirectory implements AutoCloseable {
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws org.dronewatch.setting.InputException when it cannot, or holds the results of another command
+     * @throws org.dronewatch.setting.InputException when it cannot be written, or holds the results of another command
      */
     public CoverageDirectory(Path target) {
         ResultKind.COVERAGE.checkAlone(target);

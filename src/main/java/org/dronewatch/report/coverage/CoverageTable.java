@@ -14,7 +14,7 @@ import org.dronewatch.sensor.Cause;
  * elsewhere.
  */
 public final class CoverageTable {
-    /** The words for a sensor that may detect the drone, but less often than is asked for. */
+    /** The words for a sensor that may detect the drone, but less often than required. */
     static final String TOO_RARELY = "detected, but with too low a probability";
 
     private static final String NAMES = "%-24s %-10s";

@@ -22,7 +22,9 @@ public final class FieldTable {
 
     private FieldTable() {}
 
-    /** The fraction of the known cells at each height that is covered, and the dominant causes in all of them. */
+    /**
+     * The fraction of the known cells that is covered at each height, and the fraction in which each cause is dominant.
+     */
     public static List<String> causes(FieldSummary summary, CoverageInputs inputs) {
         Set<Cause> causes = EnumSet.noneOf(Cause.class);
         summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));
@@ -87,7 +89,7 @@ public final class FieldTable {
         return (lost < 0 ? "-" : "") + percent(Math.abs(lost), height);
     }
 
-    /** The percentage of columns in which each sensor has a clear line of sight from each height or lower. */
+    /** The percentage of columns in which each sensor has a clear line of sight at or below each height. */
     public static List<String> visible(VisibleHeights visible) {
         List<Double> heights = visible.grid().heights();
         List<String> lines = new ArrayList<>();
@@ -109,7 +111,7 @@ public final class FieldTable {
         return lines;
     }
 
-    /** The percentage of columns in which a sensor detects the drone at each height or lower. */
+    /** The percentage of columns in which a sensor detects the drone at or below each height. */
     public static List<String> detectable(DetectableHeights detectable) {
         StringBuilder header = new StringBuilder(text("%-24s", ""));
         StringBuilder line = new StringBuilder(text("%-24s", "detected"));

@@ -172,13 +172,13 @@ public final class MapSheet {
         g.drawRect(u - SQUARE, v - SQUARE, 2 * SQUARE, 2 * SQUARE);
     }
 
-    /** Writes a line of the legend with a white square in front of it. */
+    /** Writes a legend entry, preceded by a white square. */
     public void squareSample(String text) {
         square(MAP + MARGIN + SWATCH_WIDTH, line - 5);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
-    /** Writes a line of the legend, after a sample of a line with a black edge. */
+    /** Writes a legend entry, preceded by a sample of a line with a black edge. */
     public void sample(Color colour, float width, String text) {
         int left = MAP + MARGIN;
         g.setColor(Color.BLACK);
@@ -190,7 +190,7 @@ public final class MapSheet {
         write(text, left + 2 * SWATCH_WIDTH + 12);
     }
 
-    /** Writes a line of the legend, after a sample of a line. */
+    /** Writes a legend entry, preceded by a sample of a line. */
     public void sample(Color colour, int style, String text) {
         int left = MAP + MARGIN;
         g.setColor(colour);
@@ -250,7 +250,7 @@ public final class MapSheet {
         line += LINE / 2;
     }
 
-    /** Writes a line of the legend with a swatch before it. */
+    /** Writes a legend entry, preceded by a swatch. */
     public void entry(Fill fill, String text) {
         int left = MAP + MARGIN;
         int top = line - SWATCH_HEIGHT + 2;

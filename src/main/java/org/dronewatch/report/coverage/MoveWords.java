@@ -9,7 +9,7 @@ import org.dronewatch.report.Numbers;
 public final class MoveWords {
     /** How much of a picture has been assessed. */
     public enum Fineness {
-        /** One cell in each of several blocks. */
+        /** One cell in each block of cells. */
         COARSE("coarse", " This is a coarse picture; finer ones follow."),
         /** All cells along the borders of what is covered. */
         FINE("fine", " Cells are exact along the borders of what is covered; the rest follows."),

@@ -8,7 +8,10 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 
-/** A self-contained HTML file for a browser or for printing, also well-formed XML; it loads no external resources. */
+/**
+ * A self-contained HTML file for a browser or for printing, which is also well-formed XML; it loads no external
+ * resources.
+ */
 public final class Page {
     /**
      * Expands every section for printing and collapses it again afterwards; without scripts, the style sheet does it.

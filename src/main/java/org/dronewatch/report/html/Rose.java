@@ -35,7 +35,7 @@ public final class Rose {
     /**
      * An empty rose.
      *
-     * @param label what it shows, for those who cannot see it
+     * @param label describes the drawing, for readers who cannot see it
      * @param most the value at its rim, above 0
      * @param unit of the values
      */

@@ -35,9 +35,9 @@ import javax.imageio.stream.ImageOutputStream;
 import org.dronewatch.geo.Origin;
 
 /**
- * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) of one band, compressed by deflate: classes with a palette, numbers
- * and counts. TIFF has no names for classes, so they go into a file beside the image, where GDAL and QGIS find them.
- * Equal grids give the same bytes.
+ * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) with one band, compressed by deflate: classes with a palette,
+ * numbers and counts. TIFF has no names for classes, so they go into a file beside the image, where GDAL and QGIS find
+ * them. Equal grids give the same bytes.
  */
 public final class GeoTiff {
     /** The class that marks cells without one. */
@@ -61,8 +61,9 @@ public final class GeoTiff {
 
     /**
      * A kind of cell.
-     * @param name of it
-     * @param colour of it
+     *
+     * @param name its name
+     * @param colour its colour
      */
     public record CellClass(String name, Color colour) {}
 
@@ -70,8 +71,8 @@ public final class GeoTiff {
      * A writer of grids.
      *
      * @param origin of the scene
-     * @param east of the grid's middle, m
-     * @param north of its middle, m
+     * @param east east coordinate of the grid's centre, m
+     * @param north north coordinate of its centre, m
      * @param cell length of a cell's side, m
      * @param columns cells along a side
      * @throws org.dronewatch.setting.InputException if the grid has no coordinates in the UTM zone or the polar grid of

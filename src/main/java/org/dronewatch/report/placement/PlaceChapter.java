@@ -12,7 +12,7 @@ import org.dronewatch.report.html.Figure;
  * @param verdict sentences in plain text that follow those common to all objectives; may be empty
  * @param pictures by the names of their files
  * @param sections in their order
- * @param scope what limits these results, in sentences
+ * @param scope the limitations of these results, in sentences
  */
 public record PlaceChapter(String verdict, Map<String, Figure> pictures, List<Section> sections, List<String> scope) {
     /**

@@ -21,7 +21,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
-/** The directory into which {@code place} writes; its files appear together, or none of them. */
+/** The directory into which {@code place} writes; its files appear together or not at all. */
 public final class PlaceDirectory implements AutoCloseable {
     private static final String NUMBERS = ResultKind.PLACE.sign();
     private static final String SCENE = "layout.yaml";
@@ -40,7 +40,7 @@ public final class PlaceDirectory implements AutoCloseable {
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws InputException when it cannot, or holds the results of another command
+     * @throws InputException when it cannot be written, or holds the results of another command
      */
     public PlaceDirectory(Path target) {
         ResultKind.PLACE.checkAlone(target);

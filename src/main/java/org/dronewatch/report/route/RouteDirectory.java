@@ -25,7 +25,7 @@ import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
 import org.dronewatch.setting.InputException;
 
-/** The directory into which {@code route} writes; its files appear together, or none of them. */
+/** The directory into which {@code route} writes; its files appear together or not at all. */
 public final class RouteDirectory implements AutoCloseable {
     private static final String NUMBERS = ResultKind.ROUTE.sign();
 
@@ -39,7 +39,7 @@ public final class RouteDirectory implements AutoCloseable {
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws InputException when it cannot, or holds the results of another command
+     * @throws InputException when it cannot be written, or holds the results of another command
      */
     public RouteDirectory(Path target) {
         ResultKind.ROUTE.checkAlone(target);

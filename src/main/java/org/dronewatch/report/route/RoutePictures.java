@@ -28,7 +28,7 @@ public final class RoutePictures {
     /**
      * The plan.
      *
-     * @param ground as {@link MapSheet#ground} gives it
+     * @param ground as {@link MapSheet#ground} returns it
      */
     public MapSheet plan(RouteSurvey survey, int[] ground) {
         MapSheet sheet = new MapSheet(inputs.grid());

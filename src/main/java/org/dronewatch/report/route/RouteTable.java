@@ -22,7 +22,7 @@ public final class RouteTable {
 
     private RouteTable() {}
 
-    /** The lines. */
+    /** The lines of the table. */
     public static List<String> lines(RouteResults results, RouteInputs inputs) {
         RouteSurvey survey = results.survey();
         List<String> lines = new ArrayList<>();
@@ -57,7 +57,7 @@ public final class RouteTable {
         return lines;
     }
 
-    /** The weakest of all routes in words, and what limits these figures: a line for each sentence. */
+    /** The weakest of all routes in words, and the limitations of these figures: a line for each sentence. */
     public static List<String> summary(RouteResults results, RouteInputs inputs) {
         RouteNotes notes = new RouteNotes(inputs);
         List<String> lines = new ArrayList<>();
