@@ -28,9 +28,9 @@ import java.lang.annotation.Target;
  *       {@code --set sensors.gate.acuity='0.1 deg'}. A unit of another quantity is rejected, with a list of valid ones.
  *   <li><b>Limits</b> are numbers in that unit. {@link #from} and {@link #to} are themselves allowed, {@link #above}
  *       and {@link #below} are not; a limit that is omitted does not apply. Every number must be finite.
- *   <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxes, and
- *       lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and is
- *       not checked.
+ *   <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxed types,
+ *       and lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and
+ *       is not checked.
  *   <li><b>When it is checked.</b> A scene checks all its records once it has been described, before anything is
  *       loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} rejects an invalid number
  *       immediately, so that the stack trace names the line of code.

@@ -87,7 +87,10 @@ public final class Limits {
         }
     }
 
-    /** The limits of a number in words, as in {@code above 0 and at most 100}; empty when it must only be finite. */
+    /**
+     * The limits of a number in words, as in {@code above 0 and at most 100}; empty when the number must only be
+     * finite.
+     */
     public static String inWords(In limits) {
         Quantity quantity = limits.value();
         // Where the unit is not that of a bare number, it must be stated.

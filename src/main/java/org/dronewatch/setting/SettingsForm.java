@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
 
 /**
  * The form of a settings record: its components, required or with their defaults (see {@link Defaults}). It creates
- * records by their own constructor, so that all limits are checked.
+ * records through their own constructors, so that all limits are checked.
  */
 public final class SettingsForm {
     private static final ClassValue<SettingsForm> FORMS = new ClassValue<>() {
@@ -125,7 +125,7 @@ public final class SettingsForm {
         return renamed;
     }
 
-    /** The current name for a former one; any other name unchanged. */
+    /** The current name for a former one; any other name is returned unchanged. */
     public String currentName(String name) {
         return renamed.getOrDefault(name, name);
     }
@@ -134,7 +134,7 @@ public final class SettingsForm {
      * A question at the end of a message about an unknown name: the current name of the component that was probably
      * meant; empty if none is similar enough.
      *
-     * @param others names that are valid there, too
+     * @param others other names that are valid there
      */
     public String didYouMean(String typed, Collection<String> others) {
         List<String> known = new ArrayList<>(names());
@@ -230,8 +230,8 @@ public final class SettingsForm {
     }
 
     /**
-     * A copy of a record with several components changed at once, so that limits between them are checked only for the
-     * result.
+     * A copy of a record with several components changed at once, so that limits that relate them to each other are
+     * checked only for the result.
      *
      * @param values by name of the component
      * @throws IllegalArgumentException when a limit is violated, or the record has no such component

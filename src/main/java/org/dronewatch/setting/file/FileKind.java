@@ -23,7 +23,7 @@ public enum FileKind {
     GLTF("a glTF model", "world.models", (name, start) -> start.startsWith("glTF") || name.endsWith(".gltf")),
     /** Polygon file format. */
     PLY("a PLY model", "world.models", (name, start) -> start.matches("(?s)ply\\s.*")),
-    /** STL as text or in binary form, which has no fixed beginning. */
+    /** STL, as text or in binary form; the latter has no fixed beginning. */
     STL("an STL model", "world.models", (name, start) -> start.matches("(?s)solid\\s.*") || name.endsWith(".stl")),
     /** Wavefront OBJ, which has no fixed beginning. */
     OBJ("an OBJ model", "world.models", (name, start) -> name.endsWith(".obj")),
@@ -52,7 +52,7 @@ public enum FileKind {
      * @param name of the file
      * @param start its first bytes, about 100 of them
      * @param wanted where it was named: world.terrain, world.models or world.buildings
-     * @return empty if the file is not recognised, or if it belongs there
+     * @return empty if the kind of the file cannot be determined, or if the file belongs there
      */
     public static Optional<String> misplaced(String name, byte[] start, String wanted) {
         if (start.length == 0) {

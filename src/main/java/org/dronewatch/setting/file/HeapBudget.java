@@ -3,8 +3,9 @@ package org.dronewatch.setting.file;
 import org.dronewatch.setting.InputException;
 
 /**
- * The memory that the content of one file may take: half of what Java may use, so that a file that unpacks to more is
- * refused with a one-line message before memory runs out. The caller estimates how much is taken. One thread at a time.
+ * The memory that the content of one file may take: half of the heap that Java may use, so that a file that unpacks to
+ * more is refused with a one-line message before memory runs out. The caller estimates how much is taken. One thread at
+ * a time.
  */
 public final class HeapBudget {
     private static final int MEBIBYTE = 1 << 20;

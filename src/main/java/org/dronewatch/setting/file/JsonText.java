@@ -7,7 +7,7 @@ import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Reads JSON files named by the user; the library limits their nesting depth. */
+/** Reads JSON files named by the user; the JSON library limits their nesting depth. */
 public final class JsonText {
     /** Bytes that the tree takes for each character of its syntax, from the sizes of its objects. */
     private static final int ARRAY = 112;
@@ -56,7 +56,7 @@ public final class JsonText {
     }
 
     /**
-     * The document.
+     * Reads a document.
      *
      * @param name its name in messages
      * @throws InputException with a one-line message when it is not JSON

@@ -49,8 +49,8 @@ public final class Kinds {
         Set<String> names();
 
         /**
-         * The parts of the system of this name, by the suffixes of the names that they receive; none unless it is the
-         * name of a system.
+         * The parts of the system of this name, by the suffixes of the names that they receive; none unless the name is
+         * that of a system.
          */
         default Map<String, Node.Mapping> partsOf(String name) {
             return Map.of();

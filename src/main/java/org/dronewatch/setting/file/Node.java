@@ -161,7 +161,7 @@ public sealed interface Node {
             return here.mark();
         }
 
-        /** The text of a single value; empty when there is none of that name. */
+        /** The text of a single value; empty when there is none with this name. */
         public Optional<String> text(String name) {
             return values.get(name) instanceof Scalar scalar ? Optional.of(scalar.text()) : Optional.empty();
         }
