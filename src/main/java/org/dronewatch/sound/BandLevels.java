@@ -58,7 +58,7 @@ public record BandLevels(
     /**
      * A spectrum of eight levels from 63 Hz to 8 kHz, dB.
      *
-     * @throws IllegalArgumentException when there are not eight or one is not finite
+     * @throws IllegalArgumentException unless there are eight finite levels
      */
     public static BandLevels of(double... levels) {
         if (levels.length != OctaveBands.COUNT) {
@@ -80,7 +80,7 @@ public record BandLevels(
     /**
      * A spectrum from a list of eight levels, dB.
      *
-     * @throws IllegalArgumentException when there are not eight or one is not finite
+     * @throws IllegalArgumentException unless there are eight finite levels
      */
     public static BandLevels of(List<Double> levels) {
         return of(levels.stream().mapToDouble(Double::doubleValue).toArray());

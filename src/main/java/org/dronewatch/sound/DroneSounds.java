@@ -10,7 +10,7 @@ import org.dronewatch.sound.DroneSound.Basis;
 
 /** The drone sounds of the library, each with its source. */
 public final class DroneSounds {
-    /** The sound of a small quadrotor, the default of drones. */
+    /** The sound of a small quadrotor, the default for drones. */
     public static final String SMALL_QUADROTOR = "c1-quadrotor";
 
     private static final CsvTable<DroneSound> TABLE = new CsvTable<>("drones.csv", "drone sound", DroneSounds::toSound);
@@ -40,8 +40,8 @@ public final class DroneSounds {
     }
 
     /**
-     * The directivity that was measured with the sound of this name; empty if none was measured, or if there is no such
-     * sound.
+     * The directivity that was measured together with the sound of this name; empty if none was measured, or if there is
+     * no such sound.
      */
     public static Optional<Directivity> measuredDirectivity(String name) {
         return DIRECTIVITIES.find(name).flatMap(measured -> measured);

@@ -24,8 +24,8 @@ import org.dronewatch.sound.OctaveBands;
  * @param source source of the figures
  * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse
  *     field. Empty if it is the same at all angles
- * @param ground its impedance as ground, where direct and reflected sound interfere; empty for that of the surface of
- *     this name in the table of grounds, if there is one
+ * @param ground its impedance as ground, where direct and reflected sound interfere; empty to use that of the surface
+ *     with the same name in the table of grounds, if there is one
  */
 public record SurfaceMaterial(
         String name,
