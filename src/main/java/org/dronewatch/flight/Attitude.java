@@ -58,7 +58,7 @@ public record Attitude(double yaw, double pitch, double roll) {
 
     /**
      * Transforms a displacement from the world to the drone's frame (to its right, along its nose, upwards): the
-     * inverse.
+     * inverse of {@link #toWorld}.
      */
     public Position toDrone(Position displacement) {
         double right = displacement.x() * Math.cos(yaw) - displacement.y() * Math.sin(yaw);

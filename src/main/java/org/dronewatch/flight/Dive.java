@@ -16,7 +16,7 @@ import org.dronewatch.world.Ground;
  * @param distance horizontal distance from the target at time 0: more than that at which the dive begins, at most 100
  *     km, m
  * @param height height of the level flight above the target, above 0 and at most 100 km, m
- * @param angle angle of the dive below the horizon, 10 to 90 degrees, rad
+ * @param angle angle of the dive below the horizontal, 10 to 90 degrees, rad
  */
 public record Dive(
         Position target,

@@ -127,8 +127,8 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A flight from waypoint to waypoint, from rest to rest at no more than the cruise speed; it stops at each waypoint
-     * at which the path bends, and stays at the last one.
+     * A flight from waypoint to waypoint, from rest to rest at no more than the cruise speed; the drone stops at each
+     * waypoint at which the path bends, and stays at the last one.
      *
      * @param points 2 to 10,000 waypoints, consecutive ones 1 mm or more apart, m
      */

@@ -30,9 +30,10 @@ import org.dronewatch.setting.file.BoundedFile;
 import org.dronewatch.setting.file.FileHash;
 
 /**
- * The flights of a run's {@code flights.csv}: one row for each leg and one for its end, with numbers at full precision.
- * Times are seconds since the start of the run, positions m, velocities m/s, angles rad, and {@code gliding_s} is the
- * time since the motors were stopped, empty while they run. Columns may be in any order.
+ * The flights of a run's {@code flights.csv}: one row for each leg of a flight and one for the flight's end, with
+ * numbers at full precision. Times are in seconds since the start of the run, positions in m, velocities in m/s, angles
+ * in rad, and {@code gliding_s} is the time since the motors were stopped, empty while they run. Columns may be in any
+ * order.
  */
 public final class FlightsFile {
     /** The columns, in the order in which a run writes them. */

@@ -20,7 +20,7 @@ public interface FlightSource {
      * @param places places of the site; queried only before this method returns
      * @param drone how the drone flies where the file does not state it
      * @param warnings receives a line for each item that is not flown as the file states
-     * @throws IllegalArgumentException when a place of the file has no position on this site; the message names it
+     * @throws IllegalArgumentException when a place in the file has no position on this site; the message names it
      */
     FlightPath path(Places places, DroneSpeeds drone, Consumer<String> warnings);
 }
