@@ -69,7 +69,7 @@ public final class DetectionLog {
         return List.copyOf(events);
     }
 
-    /** The result of each sensor with each drone. */
+    /** The result for each sensor and each drone. */
     public List<PairResult> pairs() {
         return pairs.values().stream()
                 .filter(pair -> !birds.contains(pair.drone))

@@ -46,7 +46,8 @@ public final class Pointings {
     }
 
     /**
-     * Where the positioner of a sensor pointed at its last look up to a time, s; empty for a sensor on a fixed mount.
+     * Where the positioner of a sensor pointed at its last look at or before a time, s; empty for a sensor on a fixed
+     * mount.
      */
     public Optional<Pointing> at(String sensor, double time) {
         return Optional.ofNullable(known.get(sensor))

@@ -19,7 +19,7 @@ import org.dronewatch.sensor.Observation;
  * @param settings the settings of the run
  * @param simulated simulated time, s
  * @param events detections gained and lost, in order of time
- * @param pairs the result of each sensor with each drone, in the order of the scene
+ * @param pairs the result for each sensor and each drone, in the order of the scene
  * @param alerts the alert for each drone, with its lead time
  * @param falseAlarms the reports of sensors that were not caused by a drone
  */
@@ -53,7 +53,7 @@ public record RunResult(
         return attacks.isEmpty() ? alerts : attacks;
     }
 
-    /** False alerts per day that result from the rule, in closed form. */
+    /** The expected number of false alerts per day under the scene's rule, in closed form. */
     public FalseAlertRate falseAlertRate() {
         return falseAlertRate(settings.alert().confirm());
     }

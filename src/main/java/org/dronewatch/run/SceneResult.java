@@ -21,7 +21,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         runs = List.copyOf(runs);
     }
 
-    /** The results of all sensors with all drones in all runs. */
+    /** The results for all sensors and drones in all runs. */
     public List<PairResult> pairs() {
         return runs.stream().flatMap(run -> run.pairs().stream()).toList();
     }

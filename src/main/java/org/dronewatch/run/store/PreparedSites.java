@@ -101,8 +101,8 @@ public final class PreparedSites {
     /**
      * Prepares buildings.
      *
-     * @param terrain the ground on which they stand, which must be that of its settings; if empty, the level of the
-     *     origin
+     * @param terrain the ground on which they stand, which must be the one that {@code terrainSettings} describe; if
+     *     empty, they stand at the level of the origin
      * @param terrainSettings settings of that ground
      * @throws InputException as {@link BuildingLoader#load}
      */
