@@ -55,7 +55,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return flat(box, Math.PI, 0.5 * Math.PI, high);
     }
 
-    /** A horizontal view, with all of a box in the picture, from a bearing. */
+    /** A horizontal view, with all of a box in the picture, from a given bearing. */
     public static Orbit side(AABB box, double aspect, double bearing) {
         double across = Math.abs(Math.cos(bearing)) * (box.maxX() - box.minX())
                 + Math.abs(Math.sin(bearing)) * (box.maxY() - box.minY());
@@ -119,13 +119,13 @@ public record Orbit(Position target, double bearing, double elevation, double di
                 distance * Math.sin(elevation)));
     }
 
-    /** The camera of a picture of a size in pixels. */
+    /** The camera for a picture of a given size in pixels. */
     public CameraObject camera(int width, int height) {
         Position eye = eye();
         return new CameraObject(eye, target.minus(eye), width, height, 0.5 * height / Math.tan(0.5 * fov));
     }
 
-    /** The size of a pixel at the target, m, in a picture of a number of rows. */
+    /** The size of a pixel at the target, m, in a picture with a given number of rows. */
     public double metresPerPixel(int height) {
         return 2.0 * distance * Math.tan(0.5 * fov) / height;
     }

@@ -6,7 +6,7 @@ import org.dronewatch.sensor.RayRecorder;
 
 /**
  * Collects the segments of the sound rays that one sensor traces from one drone. Segments beyond the
- * {@linkplain #MOST maximum number} are only counted. For one thread.
+ * {@linkplain #MOST maximum number} are only counted. For use by one thread.
  */
 public final class RayCollector implements RayRecorder {
     /** Maximum number of segments kept (30 MB). */

@@ -70,8 +70,8 @@ public final class SitePicture {
      *
      * @param title of the picture
      * @param time seconds since the start of the run
-     * @param detects whether the sensor of the first name detects the drone of the second name at that time
-     * @param pointing where the positioner of the sensor of a given name points at that time; empty for a fixed mount
+     * @param detects whether the sensor with the first name detects the drone with the second name at that time
+     * @param pointing where the positioner of the sensor with a given name points at that time; empty for a fixed mount
      * @param selected the sensor or drone that is emphasised
      * @param rays rays of sound
      */

@@ -14,7 +14,7 @@ public interface SiteSkin {
      * @param column of the pixel that shows it, in a picture of normal density, so that the colours may form patterns
      * @param row of that pixel
      * @param below the colour without the skin: red, green and blue in the lowest 24 bits
-     * @return the colour with it; the colour without it where there is none
+     * @return the colour with the skin; {@code below} where the skin has none
      */
     int colour(double east, double north, int column, int row, int below);
 }

@@ -12,7 +12,8 @@ import java.util.Optional;
  * @param drones the drones
  * @param selected the selected sensor or drone
  * @param rays rays of sound
- * @param stretches flights that are coloured by which sensors detect the drone, instead of drawn as past and future
+ * @param stretches flights that are coloured by which sensors detect the drone, instead of being drawn as past and
+ *     future
  */
 public record SiteState(
         String title,
