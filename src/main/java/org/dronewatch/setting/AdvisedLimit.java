@@ -14,8 +14,8 @@ public final class AdvisedLimit {
     private AdvisedLimit() {}
 
     /**
-     * A limit rounded down to three significant digits: {@code 0.0333} for 1/30. The result may exceed the limit by at most
-     * 1e-12 of its value.
+     * A limit rounded down to three significant digits: {@code 0.0333} for 1/30. The result may exceed the limit by at
+     * most 1e-12 of its value.
      *
      * @param limit finite
      */

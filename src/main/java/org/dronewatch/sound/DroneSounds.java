@@ -40,8 +40,8 @@ public final class DroneSounds {
     }
 
     /**
-     * The directivity that was measured together with the sound of this name; empty if none was measured, or if there is
-     * no such sound.
+     * The directivity that was measured together with the sound of this name; empty if none was measured, or if there
+     * is no such sound.
      */
     public static Optional<Directivity> measuredDirectivity(String name) {
         return DIRECTIVITIES.find(name).flatMap(measured -> measured);
