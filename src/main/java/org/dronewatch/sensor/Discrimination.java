@@ -1,12 +1,12 @@
 package org.dronewatch.sensor;
 
 /**
- * The discrimination level required of a drone's image, with the line pairs across it that give a probability of 0.5
- * (N50), and the probability for more or fewer. Johnson (1958) counted 1, 4 and 6.4 line pairs across the smaller
- * dimension of a target. Here line pairs are counted across the square root of its area, and three quarters as many
- * suffice (Kennedy, "Recognition criterion for two-dimensional minimum resolvable temperature difference", SPIE 1488,
- * 1991). For more or fewer, the target transfer probability function holds (Howe, in "The Infrared and Electro-Optical
- * Systems Handbook", vol. 4, 1993).
+ * The discrimination level required of a drone's image, with the number of line pairs across the target at which the
+ * probability is 0.5 (N50), and the probability at other numbers. Johnson (1958) counted 1, 4 and 6.4 line pairs across
+ * the smaller dimension of a target. Here line pairs are counted across the square root of its area, and three quarters
+ * as many suffice (Kennedy, "Recognition criterion for two-dimensional minimum resolvable temperature difference", SPIE
+ * 1488, 1991). At other numbers, the target transfer probability function gives the probability (Howe, in "The Infrared
+ * and Electro-Optical Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
     /** Something is seen to be present: 0.75 line pairs. */

@@ -65,7 +65,7 @@ public record Observation(
         return new Observation(look, truth, reading, others, sighting);
     }
 
-    /** This observation with the sensor's estimate of the drone's position, if it reports one. */
+    /** This observation with the sensor's estimate of the drone's position or direction, if it reports one. */
     public Observation withSighting(Optional<Sighting> where) {
         return new Observation(look, truth, reading, figures, where);
     }

@@ -32,7 +32,7 @@ public record Signal(
         return new Signal(probability, quantity, unit, threshold, 0.0, 0.0);
     }
 
-    /** Whether the quantity reaches the threshold: then the probability is at least 0.5. */
+    /** Whether the quantity reaches the threshold; if it does, the probability is at least 0.5. */
     public boolean isDetected() {
         return quantity >= threshold;
     }
