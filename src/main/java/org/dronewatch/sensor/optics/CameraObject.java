@@ -220,10 +220,7 @@ public final class CameraObject {
         target[at + 2] = dx * forward.x() + dy * forward.y() + dz * forward.z();
     }
 
-    /**
-     * Whether a sphere is entirely behind the camera or outside its image: conservative, true only if it is certain to
-     * be.
-     */
+    /** Whether a sphere is entirely behind the camera or outside its image; true only if that is certain. */
     public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();
         double dy = y - position.y();

@@ -52,7 +52,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
      * {@code needed / (1 - u)}: a straight line in place of the measured curve of minimum resolvable contrast. Detail
      * is resolved up to the frequency at which the remaining contrast, {@code seen * transfer}, falls to the required
      * one, as when Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for thermal
-     * imaging systems", Optical Engineering 15, 525, 1976). Without blur that is {@code 1 - needed / seen}.
+     * imaging systems", Optical Engineering 15, 525, 1976). Without blur, that is {@code 1 - needed / seen}.
      *
      * @param needed the least contrast, or signal-to-noise ratio, at which anything is resolved, above 0
      * @param seen contrast, or signal-to-noise ratio, of a large object of the same kind, 0 or more

@@ -5,8 +5,8 @@ package org.dronewatch.sensor.optics;
  * compared with the time scale of the air's motion: an upper bound for a single short exposure, in which part of the
  * blur is a shift of the whole image.
  *
- * @param coherenceDiameter Fried's parameter r0: with a lens of this diameter, the air blurs about as much as
- *     diffraction, above 0, m; infinite in still air
+ * @param coherenceDiameter Fried's parameter r0: with a lens of this diameter, the air blurs the image about as much as
+ *     diffraction does, above 0, m; infinite in still air
  * @param wavelength wavelength of the light or thermal radiation, above 0, m
  */
 public record Turbulence(double coherenceDiameter, double wavelength) {
