@@ -152,7 +152,7 @@ public record AcousticSettings(
         return array.map(ArraySettings::findsDirections).orElse(false) && propagation.hasBands();
     }
 
-    /** These settings with another propagation. */
+    /** These settings with another propagation model. */
     public AcousticSettings withPropagation(Propagation model) {
         return SettingsForm.with(this, "propagation", model);
     }

@@ -29,7 +29,9 @@ public record ArraySettings(
 
     /** An arrangement of microphones. */
     public enum Shape {
-        /** A horizontal line, evenly spaced: it measures the angle to the line only, and so cannot cue. */
+        /**
+         * A horizontal line, evenly spaced: it measures only the angle to the line, and so cannot cue other sensors.
+         */
         LINE(2),
         /**
          * A horizontal circle, evenly spaced: it measures bearing and elevation, the latter inaccurately near the
@@ -95,7 +97,7 @@ public record ArraySettings(
     }
 
     /**
-     * The half-power width of the main lobe of a line, broadside, {@code 0.886 lambda / (N d)}; for other shapes about
+     * The half-power width of the main lobe of a line, broadside, {@code 0.886 lambda / (N d)}; for other shapes, about
      * that of a line as long as their diameter, rad.
      *
      * @param wavelength m, above 0

@@ -14,11 +14,11 @@ import org.dronewatch.sound.OctaveBands;
  * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
  * once the sound is detected. In a narrow band, the inverse of the variance of an angle is
  * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the wave
- * number k, N microphones, and the sum D of the squared distances of the microphones from their centre, measured along
- * the vector in which the sound's direction changes as the angle changes. The contributions of all bands are added,
- * each with as many snapshots as its width times the duration of a look. Bands in which neighbouring microphones are
- * more than half a wavelength apart are left out, since their directions are ambiguous. The error of the array itself
- * is added in quadrature. Immutable.
+ * number k, N microphones, and the sum D of the squared distances of the microphones from their centre, projected onto
+ * the vector along which the sound's direction changes with that angle. The contributions of all bands are added, each
+ * with as many snapshots as its width times the duration of a look. Bands in which neighbouring microphones are more
+ * than half a wavelength apart are left out, since their directions are ambiguous. The error of the array itself is
+ * added in quadrature. Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */

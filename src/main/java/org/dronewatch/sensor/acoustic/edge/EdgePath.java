@@ -10,9 +10,9 @@ import org.dronewatch.world.World;
 /**
  * The shortest path round the obstacles between two points, over any number of edges: the shortest convex path within
  * any one plane through both points. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
- * rotated until the path cannot be shortened. For a single straight edge this is the globally shortest path; over
- * several it is the path of the standards, which treat propagation in separate planes. A path through an opening that
- * none of the planes intersects is not found.
+ * rotated until the path cannot be shortened. For a single straight edge, this is the globally shortest path; over
+ * several, it is the path used by the standards, which treat propagation in separate planes. A path through an opening
+ * that none of the planes intersects is not found.
  *
  * <p>Short detours are tried first, so that only obstacles near the straight line are examined if that suffices.
  * Exchanging the points gives the same path. One per thread.

@@ -19,15 +19,15 @@ import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * The energy model of sound propagation: levels in octave bands decrease by spreading and by absorption in the air and
- * at surfaces. The straight path, specular reflections and the path round edges are computed exactly; scattered sound
- * is estimated by ray tracing, with its standard error.
+ * The energy model of sound propagation: levels in octave bands decrease due to spreading and to absorption in the air
+ * and at surfaces. The straight path, specular reflections and the path round edges are computed exactly; scattered
+ * sound is estimated by ray tracing, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
- * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0 all rays are
+ * @param accuracy tracing stops once the standard error of the level is below this, 0 to 10 dB; with 0, all rays are
  *     traced
- * @param roulette fraction of its initial energy below which Russian roulette decides whether a ray survives, above 0
- *     and below 1
+ * @param roulette fraction of a ray's initial energy below which Russian roulette decides whether the ray survives,
+ *     above 0 and below 1
  * @param maxOrder maximum number of surfaces that a ray may hit before it is dropped, 0 to 10,000
  * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50: all
  *     paths with one reflection, and those with several if rays from the microphone or from the drone find the surfaces

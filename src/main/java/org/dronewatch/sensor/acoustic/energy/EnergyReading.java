@@ -77,7 +77,7 @@ public record EnergyReading(
     }
 
     /**
-     * A-weighted level of the direct and diffracted sound, dB; with {@code ground: coherent} the reflection from the
+     * A-weighted level of the direct and diffracted sound, dB; with {@code ground: coherent}, the reflection from the
      * ground is part of the direct sound, with which it interferes.
      */
     public double directLevel() {

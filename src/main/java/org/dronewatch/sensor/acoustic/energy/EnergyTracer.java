@@ -22,14 +22,14 @@ import org.dronewatch.world.World;
 /**
  * The tracer of the energy model. Deterministic paths are computed by {@link ExactPaths}. Other paths are found by
  * tracing rays backward from the sensor: the efficiency of this method does not depend on the distance of the source,
- * and by reciprocity the fraction of their energy that reaches the source is the fraction that the source would have
- * sent to the sensor. The first few surfaces of a path from the source are also sampled by rays from the source, and
- * both parts are connected: see {@link Connections}. If the source is in a more sheltered position than the sensor, the
- * two exchange roles: see {@link Ends}.
+ * and by reciprocity, the fraction of the rays' energy that reaches the source is the fraction that the source would
+ * have sent to the sensor. The first few surfaces of a path from the source are also sampled by rays from the source,
+ * and both parts are connected: see {@link Connections}. If the source is in a more sheltered position than the sensor,
+ * the two exchange roles: see {@link Ends}.
  *
- * <p>Rays are traced in batches, on the calling {@link Workers}. Each batch has a separate random stream, and batches
- * are counted in order up to the one that makes the reading accurate enough: the reading is the same for any number of
- * threads. Used by one caller at a time.
+ * <p>Rays are traced in batches, on the {@link Workers} of the calling thread. Each batch has a separate random stream,
+ * and batches are counted in order up to the one that makes the reading accurate enough: the reading is the same for
+ * any number of threads. Used by one caller at a time.
  */
 public final class EnergyTracer {
     /**

@@ -109,7 +109,7 @@ public final class SpecularLeg {
         return order == 0 && !isThroughWalls;
     }
 
-    /** Whether it is reflected like sound of one of the image sources of the point where the ray began. */
+    /** Whether it is reflected like sound from one of the image sources of the point where the ray began. */
     public boolean matchesFromStart(ImageSources imageSources) {
         // The parents of images are images, too: a leg that has left their tree never returns, and is not looked up.
         if (isThroughWalls || order == 0 || imageSources == left || imageSources == leftBefore) {
@@ -123,7 +123,9 @@ public final class SpecularLeg {
         return false;
     }
 
-    /** Whether it is, backward, reflected like sound of one of the image sources of a point where the ray ends. */
+    /**
+     * Whether, traced backward, it is reflected like sound from one of the image sources of a point where the ray ends.
+     */
     public boolean matchesFromEnd(ImageSources imageSources) {
         return !isThroughWalls && order > 0 && imageSources.contains(order, reverse);
     }

@@ -18,9 +18,9 @@ import org.dronewatch.world.World;
  * when their level falls below that of detection, at the maximum order, and when the ray budget is exhausted; rays not
  * followed are counted.
  *
- * <p>Rays are queued and traced in chunks of the queue, on the calling {@link Workers}. Each chunk has a separate
- * random stream, and the results are added in the queue's order: they are the same for any number of threads. Used by
- * one caller at a time.
+ * <p>Rays are queued and traced in chunks of the queue, on the {@link Workers} of the calling thread. Each chunk has a
+ * separate random stream, and the results are added in the queue's order: they are the same for any number of threads.
+ * Used by one caller at a time.
  */
 public final class LevelTracer {
     /** Number of queued rays in a chunk. */

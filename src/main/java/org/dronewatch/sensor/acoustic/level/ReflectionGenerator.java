@@ -7,7 +7,7 @@ import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.world.World;
 
 /**
- * Generates the rays from a surface: first the specular one, then one straight at the sensor if it lies on the same
+ * Generates the rays from a surface: first the specular one, then one straight to the sensor if that lies on the same
  * side, and the rest at random over the hemisphere; if the material transmits sound, also rays on the other side, the
  * first refracted and the rest scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
  */

@@ -44,7 +44,7 @@ public final class AcousticRay {
     /** Number of surfaces that it has hit. */
     public int order;
 
-    /** Number of the material in which it propagates, or {@link #AIR}. */
+    /** Index of the material in which it propagates, or {@link #AIR}. */
     public int medium;
 
     /** Whether it hits a surface; the tracer then has the triangle and the distance. */
@@ -52,7 +52,7 @@ public final class AcousticRay {
         return meets(tracer, Double.POSITIVE_INFINITY);
     }
 
-    /** The same up to a distance from its origin, m. */
+    /** The same, but only up to a distance from its origin, m. */
     public boolean meets(RayTracer tracer, double limit) {
         return tracer.closestHit(originX, originY, originZ, directionX, directionY, directionZ, 0.0, limit);
     }
@@ -65,7 +65,7 @@ public final class AcousticRay {
     }
 
     /**
-     * Moves its origin off a surface, by more than the rounding of its coordinates.
+     * Moves its origin off a surface, by more than the rounding error of its coordinates.
      *
      * @param normal unit normal of the surface
      * @param side 1 for the side of the normal, -1 for the other one

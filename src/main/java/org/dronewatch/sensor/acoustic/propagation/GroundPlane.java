@@ -67,7 +67,7 @@ public final class GroundPlane {
      * @param second the other point, m
      * @param wavelength wavelength of the sound, which determines the size of the zone, m, above 0
      * @param curvature curvature of sound from one to the other, 1/m: arcs are treated as straight lines over ground
-     *     that is bent in the opposite direction
+     *     that is curved in the opposite direction
      * @return whether there is reflecting ground, visible from both points; its properties can then be queried
      */
     public boolean find(Position first, Position second, double wavelength, double curvature) {

@@ -28,8 +28,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     /**
      * The curvature between two heights.
      *
-     * @param sourceHeight height of the source over the ground, m
-     * @param sensorHeight height of the sensor over the ground, m
+     * @param sourceHeight height of the source above the ground, m
+     * @param sensorHeight height of the sensor above the ground, m
      */
     public static PathCurvature of(Atmosphere air, double sourceHeight, double sensorHeight) {
         if (air.isUniform()) {
@@ -63,7 +63,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
 
     /**
      * The height of the straight line above an arc that bends up, or, equivalently, the rise of the ground if arcs are
-     * drawn as straight lines, m: {@code k s (L - s) / 2}. It holds at any elevation, with lengths along the line.
+     * drawn as straight lines, m: {@code k s (L - s) / 2}. This holds at any elevation if lengths are measured along
+     * the line.
      *
      * @param curvature 1/m; negative if the arc bends down, and runs above the line
      * @param length length of the straight line, m

@@ -62,7 +62,7 @@ public final class LineSpectrum {
     /**
      * The tones at the microphone, the lowest harmonic first.
      *
-     * @param energies received in each octave band, relative to 20 uPa squared
+     * @param energies energy received in each octave band, relative to the square of 20 uPa
      * @param noise sound pressure levels in the octave bands, dB
      */
     public List<HeardTone> heard(IntToDoubleFunction energies, BandLevels noise) {
@@ -80,7 +80,7 @@ public final class LineSpectrum {
     /**
      * The tone that is highest above the noise; if several are equally high, the lowest in frequency.
      *
-     * @param energies received in each octave band, relative to 20 uPa squared
+     * @param energies energy received in each octave band, relative to the square of 20 uPa
      * @param noise sound pressure levels in the octave bands, dB
      * @return empty when there is none
      */
