@@ -23,7 +23,7 @@ public sealed interface LinkBudget {
     /**
      * Signal-to-noise ratio of an echo after coherent processing, dB, in clear air.
      *
-     * @param frequency carrier, Hz
+     * @param frequency carrier frequency, Hz
      * @param crossSection radar cross-section, m2
      * @param range m, above 0
      */
@@ -35,7 +35,7 @@ public sealed interface LinkBudget {
      * The signal-to-noise ratio of each of a number of pulses, after coherent processing, dB, in clear air: a function
      * of radar cross-section, m2, and range, m, above 0.
      *
-     * @param frequency carrier, Hz
+     * @param frequency carrier frequency, Hz
      * @param pulses number of pulses of a look that are integrated non-coherently, 1 to 1000
      */
     DoubleBinaryOperator echo(double frequency, int pulses);
@@ -106,7 +106,7 @@ public sealed interface LinkBudget {
          * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of processing alone:
          * 2.5 dB because a scanned beam rarely points straight at the drone (a Gaussian beam in two dimensions: D. K.
          * Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming weighting in range and in speed (F. J.
-         * Harris, Proc. IEEE 66, 1978), 1.0 dB because a threshold is estimated from 32 cells (H. M. Finn and R. S.
+         * Harris, Proc. IEEE 66, 1978), and 1.0 dB because a threshold is estimated from 32 cells (H. M. Finn and R. S.
          * Johnson, RCA Review 29, 1968). Those of lines and radome are not included.
          */
         @Defaults({"power", "gain", "integrationTime"})
@@ -231,7 +231,7 @@ public sealed interface LinkBudget {
     /**
      * The range at which an echo has a given signal-to-noise ratio, in clear air, m.
      *
-     * @param frequency carrier, Hz
+     * @param frequency carrier frequency, Hz
      * @param crossSection m2
      * @param signalToNoise dB
      */

@@ -9,9 +9,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * False alarms of a radar that noise causes: their number is that of the resolution cells in a scan times the
- * probability in one of them (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent between cells
- * and between scans.
+ * False alarms of a radar due to noise: their number is that of the resolution cells in a scan times the probability in
+ * one of them (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent between cells and between
+ * scans.
  *
  * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it to use that of
  *     {@code detection: chance} or of a data sheet

@@ -30,7 +30,7 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
- * A radar on a fixed mount. Without a {@code beam} it has the same gain throughout its field of view.
+ * A radar on a fixed mount. Without a {@code beam}, it has the same gain throughout its field of view.
  *
  * @param position position of its antenna, m
  * @param aim the centre of its field of view; the elevation is its tilt
@@ -43,7 +43,7 @@ import org.dronewatch.world.World;
  *     notch
  * @param maxSpeed maximum radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
- * @param frequency carrier, 1 to 1000 GHz, Hz
+ * @param frequency carrier frequency, 1 to 1000 GHz, Hz
  * @param polarisation polarisation; it affects attenuation by rain and reflection from the ground
  * @param budget link budget, which gives the signal-to-noise ratio of an echo
  * @param detection detection function: the signal-to-noise ratio at which an echo is detected

@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
  * @param maxRange m
  * @param minSpeed least radial speed, m/s
  * @param maxSpeed greatest radial speed, m/s
- * @param frequency carrier, Hz
+ * @param frequency carrier frequency, Hz
  * @param beam its shape; without one the gain of the antenna gives the number of beams
  */
 record ResolutionCells(

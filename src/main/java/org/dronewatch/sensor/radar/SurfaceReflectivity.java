@@ -9,7 +9,7 @@ public sealed interface SurfaceReflectivity {
     /**
      * Radar cross-section of a part of the surface, m2.
      *
-     * @param frequency carrier, Hz
+     * @param frequency carrier frequency, Hz
      * @param facing its visible area, projected onto a plane perpendicular to the line of sight, m2: the area times the
      *     sine of the grazing angle
      * @param cell area of the part of the resolution cell in which some of it is visible, m2
