@@ -29,7 +29,7 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.World;
 
 /**
- * A radio receiver. Without a {@code beam} it is omnidirectional.
+ * A radio receiver. Without a {@code beam}, it is omnidirectional.
  *
  * @param position position of its antenna, m
  * @param rate looks per second, above 0, Hz
