@@ -105,7 +105,7 @@ public final class Main implements Runnable {
     }
 
     /**
-     * The same for a process that runs the cases of campaigns on other machines.
+     * Runs a command like {@link #main(String[])}, in a process that runs the cases of campaigns on other machines.
      *
      * @param cluster runs the cases of {@code campaign}; it is closed
      */

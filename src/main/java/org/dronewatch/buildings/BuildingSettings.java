@@ -41,7 +41,10 @@ public record BuildingSettings(
         @In(value = Quantity.LENGTH, from = 1, to = 100) Optional<Double> woodHeight,
         @Minor boolean landCover,
         String material) {
-    /** Within 2 km, three levels of 3 m, rendered brick; without a file yet. */
+    /**
+     * Buildings within 2 km, of rendered brick and three levels of 3 m where the map states nothing else; without a
+     * file yet.
+     */
     @Defaults
     public static final BuildingSettings DEFAULT = new BuildingSettings(
             Optional.empty(), Optional.empty(), 2000.0, 9.0, 3.0, 0.0, Optional.empty(), false, "brick_rendered");

@@ -16,7 +16,7 @@ import org.dronewatch.setting.SettingsForm;
 public record HeatSignature(
         @In(value = Quantity.TEMPERATURE_DIFFERENCE, from = -100, to = 1000) double excess,
         @In(value = Quantity.DURATION, above = 0, to = 10_000) double coolingTime) {
-    /** 5 K and two minutes, which are assumed. */
+    /** A signature of 5 K, with a cooling time of two minutes; both are assumed. */
     @Defaults
     public static final HeatSignature DEFAULT = new HeatSignature(5.0, 120.0);
 

@@ -58,8 +58,8 @@ public record RotorTones(
     }
 
     /**
-     * Two blades and six lines: half of the octave band's power at the blade-passing frequency and less in each
-     * harmonic. These fractions are assumed.
+     * The tones of rotors with two blades, in six lines: half of the octave band's power is at the blade-passing
+     * frequency, and less in each harmonic. These fractions are assumed.
      */
     @Defaults("rotorSpeed")
     public static RotorTones of(double rotorSpeed) {

@@ -70,17 +70,17 @@ public record ThreatLabel(
     public enum Platform {
         /** Not known. */
         UNKNOWN,
-        /** Several rotors. */
+        /** An aircraft with several rotors. */
         MULTIROTOR,
-        /** A wing and a motor. */
+        /** An aircraft with a wing and a motor. */
         FIXED_WING,
-        /** A wing, without a running motor. */
+        /** An aircraft with a wing, but without a running motor. */
         GLIDER,
-        /** A small fast multirotor that is flown by first-person view (FPV). */
+        /** A small, fast multirotor that is flown in first-person view (FPV). */
         FPV,
-        /** One main rotor. */
+        /** An aircraft with one main rotor. */
         HELICOPTER,
-        /** Rotors for climbing and a wing for cruising. */
+        /** An aircraft with rotors for climbing and a wing for cruising. */
         HYBRID
     }
 
@@ -98,7 +98,7 @@ public record ThreatLabel(
         SOLAR
     }
 
-    /** Checks that all components are present, and the limits. */
+    /** Checks the limits, and that all components are present. */
     public ThreatLabel {
         Limits.check(ThreatLabel.class, role, purpose, platform, powerSource, weight, size);
     }

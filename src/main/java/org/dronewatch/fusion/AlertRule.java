@@ -60,7 +60,7 @@ public sealed interface AlertRule {
             this(count, within, USUAL_GATE);
         }
 
-        /** A rule with a time of 5 seconds. */
+        /** A rule with a time window of 5 seconds. */
         @Defaults("count")
         public static SeveralSensors of(int count) {
             return new SeveralSensors(count, 5.0);

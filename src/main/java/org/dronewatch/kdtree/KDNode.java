@@ -72,7 +72,7 @@ public final class KDNode {
         return (int) (node >>> HIGH) & KIND_MASK;
     }
 
-    /** The split plane's coordinate of an interior node. */
+    /** The coordinate of an interior node's split plane. */
     public static float split(long node) {
         return Float.intBitsToFloat((int) (node >>> HIGH) & ~KIND_MASK);
     }

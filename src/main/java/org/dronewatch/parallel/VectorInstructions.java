@@ -11,12 +11,12 @@ public final class VectorInstructions {
 
     private VectorInstructions() {}
 
-    /** Whether they can be used, in this process. */
+    /** Whether vector instructions can be used in this process. */
     public static boolean areAvailable() {
         return AVAILABLE;
     }
 
-    /** Whether they are used and, if so, how many numbers are computed at once; if not, why. */
+    /** Whether vector instructions are used and, if so, how many numbers are computed at once; if not, why. */
     public static String inWords() {
         if (!isModuleThere()) {
             return "not used; 'java --add-modules " + MODULE + "' switches them on";

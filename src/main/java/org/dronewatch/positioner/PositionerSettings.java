@@ -50,8 +50,8 @@ public record PositionerSettings(
             "Positioners accelerate instantly and do not vibrate; their own cameras measure directions without errors.";
 
     /**
-     * 60 degrees per second, from 50 degrees below the horizon to 60 above; half a second of delay, 3 seconds of hold,
-     * 6 pixels to track; at rest until it is cued.
+     * A positioner that turns at 60 degrees per second, from 50 degrees below the horizon to 60 above; half a second of
+     * delay, 3 seconds of hold, 6 pixels to track; at rest until it is cued.
      */
     @Defaults
     public static final PositionerSettings DEFAULT = new PositionerSettings(

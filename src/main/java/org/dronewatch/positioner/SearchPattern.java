@@ -45,7 +45,7 @@ public sealed interface SearchPattern {
      */
     record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
             implements SearchPattern {
-        /** Once in 36 s. */
+        /** One rotation in 36 s. */
         @Defaults
         public static final Round DEFAULT = new Round(Math.toRadians(10.0));
 
@@ -85,7 +85,7 @@ public sealed interface SearchPattern {
             Limits.check(Sweep.class, width, height, rows, speed);
         }
 
-        /** Back and forth in one row at 10 degrees per second. */
+        /** A scan back and forth in one row at 10 degrees per second. */
         @Defaults("width")
         public static Sweep of(double width) {
             return new Sweep(width, 0.0, 1, Math.toRadians(10.0));

@@ -27,7 +27,7 @@ public record ZoomSettings(
         }
     }
 
-    /** Two seconds for the full zoom. */
+    /** A lens that takes two seconds for the full zoom. */
     @Defaults({"cued", "tracked"})
     public static ZoomSettings of(double cued, double tracked) {
         return new ZoomSettings(cued, tracked, 2.0);

@@ -13,7 +13,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param seed seed of all random numbers
  */
 public record RunSettings(@In(value = Quantity.DURATION, above = 0, to = 1e6) double duration, long seed) {
-    /** One minute, with seed 1. */
+    /** A run of one minute, with seed 1. */
     @Defaults
     public static final RunSettings DEFAULT = new RunSettings(60.0, 1L);
 

@@ -166,7 +166,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().setRain(millimetresPerHour);
     }
 
-    /** Sets visibility and daylight; a clear day unless set. */
+    /** Sets visibility and daylight; a day of good visibility under high cloud unless set. */
     protected final void setLight(Light light) {
         building().setLight(light);
     }

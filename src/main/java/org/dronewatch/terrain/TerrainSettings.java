@@ -60,7 +60,7 @@ public record TerrainSettings(
     /** The colour of ground in daylight, that of meadows: red, green and blue in the lowest 24 bits. */
     public static final int COLOUR = 0x617838;
 
-    /** Half a metre of accuracy, within 2 km, pasture; without a file yet. */
+    /** Pasture within 2 km, with an accuracy of half a metre; without a file yet. */
     @Defaults
     public static final TerrainSettings DEFAULT = new TerrainSettings(
             Optional.empty(),
