@@ -22,7 +22,7 @@ public final class FieldExposure implements ExposureField {
     /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */
     public static final double HIGHEST = 1.0 - 1e-6;
 
-    /** Into as many parts pieces are divided where a radar may be blind to a part of a cell. */
+    /** The number of parts into which pieces are divided where a radar may be blind to part of a cell. */
     private static final int PARTS = 4;
 
     private final DetectionField field;

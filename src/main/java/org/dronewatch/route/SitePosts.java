@@ -90,7 +90,7 @@ final class SitePosts {
         return open(post -> rim.get(post % (side * side)) ? 0.0 : 1.0, 0.0);
     }
 
-    /** Ground that is met from outside is part of the rim; where there is none, the outside goes on. */
+    /** Ground that is reached from outside is part of the rim; where there is no ground, the outside continues. */
     private void meet(int column, BitSet outside, BitSet rim, ArrayDeque<Integer> next) {
         if (known.get(column)) {
             rim.set(column);

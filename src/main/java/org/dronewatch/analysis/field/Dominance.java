@@ -7,9 +7,9 @@ import java.util.function.IntUnaryOperator;
 import org.dronewatch.sensor.Cause;
 
 /**
- * Which sensor decides in a cell: the one with the highest probability; among equals, that whose cause is nearest to a
- * detection in the order of {@link Cause}; then that with the greatest margin in dB; then the first. Its cause is the
- * dominant one, which does not depend on margins.
+ * Which sensor decides in a cell: the one with the highest probability; in a tie, the one whose cause is nearest to a
+ * detection in the order of {@link Cause}; then the one with the greatest margin in dB; then the first. Its cause is
+ * the dominant one, which does not depend on margins.
  */
 final class Dominance {
     private static final Cause[] CAUSES = Cause.values();

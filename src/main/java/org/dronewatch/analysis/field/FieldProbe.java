@@ -194,8 +194,8 @@ record FieldProbe(
     }
 
     /**
-     * The random rays of the first look of a run: they are the same for all cells, so that the field varies with the
-     * place alone.
+     * The random rays of the first look of a run: they are the same for all cells, so that the field varies only with
+     * the position.
      */
     private RandomGenerator rays() {
         return Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS);

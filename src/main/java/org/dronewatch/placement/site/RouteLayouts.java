@@ -80,7 +80,7 @@ public final class RouteLayouts {
         return new Cheaper(best);
     }
 
-    /** Layouts for less money, one after the other, since each knows the routes of those before. */
+    /** Layouts for less money, searched for one by one, since each search knows the routes found before it. */
     private final class Cheaper implements CheaperLayouts<RoutePlacement> {
         private final RoutePlacement best;
         private final Map<List<Integer>, CutResult> found = new HashMap<>();

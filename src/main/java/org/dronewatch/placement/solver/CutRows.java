@@ -73,7 +73,7 @@ final class CutRows {
         return least;
     }
 
-    /** The best of some layouts that comply, the first among equals; empty if none does. */
+    /** The best of those layouts that comply, the first of them in a tie; empty if none complies. */
     Optional<List<Integer>> best(List<List<Integer>> layouts) {
         List<Integer> best = null;
         PlacementProblem problem = problem(Double.MAX_VALUE);

@@ -14,7 +14,10 @@ final class LegLimits {
         this.turnRadius = problem.turnRadius();
     }
 
-    /** Whether a straight leg leads through open places alone, and meets nothing solid, m. */
+    /**
+     * Whether a straight leg leads only through positions where a drone can be, and through nothing solid; all
+     * coordinates in m.
+     */
     boolean isOpen(double x, double y, double z, double toX, double toY, double toZ) {
         double length = Math.sqrt((toX - x) * (toX - x) + (toY - y) * (toY - y) + (toZ - z) * (toZ - z));
         int pieces = Math.max(1, (int) Math.ceil(STEPS_PER_POST * length / grid.spacing()));
