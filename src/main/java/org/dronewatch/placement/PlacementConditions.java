@@ -10,7 +10,7 @@ import java.util.TreeMap;
  * @param budget greatest sum of costs; infinite for no limit
  * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for no limit
  * @param kinds limits by kind
- * @param fold how many chosen candidates must reach at least a value for that value to count in a row, 1 or more
+ * @param fold how many chosen candidates must attain a value, or a better one, for it to count in a row, 1 or more
  * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate
  */
 public record PlacementConditions(
@@ -50,7 +50,7 @@ public record PlacementConditions(
         return new PlacementConditions(budget, atMost, other, fold, anyoneLost);
     }
 
-    /** A copy in which another number of candidates must reach at least a value for it to count. */
+    /** A copy in which another number of candidates must attain a value, or a better one, for it to count. */
     public PlacementConditions withFold(int other) {
         return new PlacementConditions(budget, atMost, kinds, other, anyoneLost);
     }

@@ -14,7 +14,7 @@ import java.util.List;
  * @param directions directions in plan view in which routes may leave a post
  * @param starts posts at which a route may begin
  * @param goals posts at which it may end
- * @param passage decides between which points the drone can fly straight; it never passes closed posts
+ * @param passage decides between which points the drone can fly straight; closed posts are never passed through
  */
 public record RouteProblem(
         RouteGrid grid,
