@@ -38,7 +38,7 @@ import tools.jackson.databind.node.ObjectNode;
         },
         footer = {"", "Example:", "  dronewatch again results/provenance.json"})
 final class AgainCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "PROVENANCE.json", description = "States what was run.")
+    @Parameters(index = "0", paramLabel = "PROVENANCE.json", description = "File that records what was run.")
     private String file;
 
     @Option(
@@ -64,7 +64,7 @@ final class AgainCommand implements Callable<Integer> {
         if (out != null) {
             Path target = PathWord.of("--out", out);
             if (Files.exists(target)) {
-                throw new InputException("--out " + PlainText.value(out) + ": exists already: name a new directory");
+                throw new InputException("--out " + PlainText.value(out) + ": already exists: name a new directory");
             }
             return repeat(given, recorded, replay, target);
         }
@@ -100,7 +100,7 @@ final class AgainCommand implements Callable<Integer> {
             out.println("changed since the recorded run: " + String.join(", ", changed));
         }
         states.forEach((name, state) -> out.printf("%-9s  %s%n", word(state), PlainText.value(name)));
-        out.println(same ? "the results are byte-identical" : "the results are not the same");
+        out.println(same ? "the results are byte-identical" : "the results differ");
     }
 
     private static ObjectNode toJson(boolean same, List<String> changed, Map<String, SameBytes.State> states) {

@@ -34,10 +34,10 @@ import picocli.CommandLine.Spec;
         name = "alarms",
         mixinStandardHelpOptions = true,
         description =
-                "Prints the false-alarm rate of each sensor in a scene, and the false alerts per day that result from the"
-                        + " scene's alert rule, for its own confirmation and for other common ones. The scene is not run. With"
-                        + " --sensor and --per-hour, prints the false-alarm probability that yields the desired number"
-                        + " of false alarms for a radar.",
+                "Prints the false-alarm rate of each sensor in a scene, and the number of false alerts per day that"
+                        + " result from the scene's alert rule, with its own M-of-N confirmation and with other common"
+                        + " ones. The scene is not run. With --sensor and --per-hour, prints the false-alarm"
+                        + " probability that yields the desired number of false alarms for a radar.",
         footer = {
             "",
             "Examples:",

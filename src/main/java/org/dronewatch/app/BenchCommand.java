@@ -31,7 +31,7 @@ import tools.jackson.databind.node.ObjectNode;
         name = "bench",
         mixinStandardHelpOptions = true,
         description = "Measures how many rays per second are traced in a model; prints one JSON line for each"
-                + " set of rays, or with --json a single object.",
+                + " set of rays, or, with --json, a single object.",
         footer = {"", "Example:", "  dronewatch bench models/hill.obj --passes 9"})
 final class BenchCommand implements Callable<Integer> {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
@@ -85,7 +85,7 @@ final class BenchCommand implements Callable<Integer> {
             names = "--seed",
             defaultValue = "1",
             paramLabel = "N",
-            description = "Seed of generated rays; 1 by default.")
+            description = "Seed of the generated rays; 1 by default.")
     private long seed;
 
     @Mixin
@@ -127,7 +127,7 @@ final class BenchCommand implements Callable<Integer> {
         require(hits == null || rays != null, "--hits needs --rays: hits are written only for the rays of a file");
         require(
                 width == null || rays != null,
-                "--width needs --rays: it specifies how the rays of a file form a picture");
+                "--width needs --rays: it specifies how the rays of a file form an image");
         require(
                 query == RaySet.Query.NEAREST || rays != null,
                 "--query occluded needs --rays: segments are not generated");

@@ -49,10 +49,13 @@ final class CampaignCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "FILE.yaml", description = "Campaign file: what is run, and what varies.")
     private String file;
 
-    @Option(names = "--runs", paramLabel = "N", description = "Number of cases instead of that in the file.")
+    @Option(names = "--runs", paramLabel = "N", description = "Number of cases, in place of that in the file.")
     private Integer runs;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers instead of that in the file.")
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "Seed of all random numbers, in place of that in the" + " file.")
     private Long seed;
 
     @Option(
@@ -112,7 +115,7 @@ final class CampaignCommand implements Callable<Integer> {
             CampaignPlan plan = plan(shown.notes());
             if (!part.isAll() && plan.settings().until().isPresent()) {
                 throw new InputException("--shard " + part
-                        + ": a campaign that ends by 'until' cannot be divided, because the results of the"
+                        + ": a campaign with 'until' cannot be divided, because the results of the"
                         + " cases determine how many are run");
             }
             return isSingle ? runOne(plan, shown) : runAll(plan, part, name(given), shown);

@@ -21,6 +21,7 @@ import org.dronewatch.campaign.Stopping;
 import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
 import org.dronewatch.report.campaign.CampaignWords;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.statistics.Proportion;
 
 /** What the command {@code campaign} prints. */
@@ -120,14 +121,13 @@ final class CampaignLines {
         int each = cases.size() / cases.settings().base();
         return String.format(
                 Locale.ROOT,
-                "sensitivity: %,d more cases of %s, %d for each of %,d groups with %s; the campaign itself has"
-                        + " %,d runs",
+                "sensitivity: %,d more cases of %s, %d in each of %,d groups, with %s; the campaign itself has %s",
                 cases.size(),
                 cases.variants().get(0),
                 each,
                 cases.settings().base(),
                 factors == 1 ? "1 factor (chance)" : factors + " factors (chance is one)",
-                (long) plan.size() * plan.variants().size());
+                Counted.of((long) plan.size() * plan.variants().size(), "run"));
     }
 
     private static void print(Sensitivity sensitivity, PrintWriter out) {

@@ -24,15 +24,15 @@ final class CaseOptions {
 
     @Option(
             names = "--view",
-            description = "With --case: also opens a window that shows the case; the first variant, unless --variant"
-                    + " names another.")
+            description = "With --case: also opens a window that shows the case with the first variant, or with that of"
+                    + " --variant.")
     private boolean view;
 
     @Option(
             names = "--picture",
             paramLabel = "FILE.png",
-            description = "With --case: also writes a picture from above, in which the colour of the flight shows"
-                    + " which sensors detect the drone; the first variant, unless --variant names another.")
+            description = "With --case: also writes a picture from above, of the first variant or of that of --variant;"
+                    + " the colour of the flight path shows which sensors detect the drone.")
     private String picture;
 
     @Option(names = "--variant", paramLabel = "NAME", description = "With --case: only this variant.")
@@ -81,7 +81,7 @@ final class CaseOptions {
         });
         String pictured = variant == null ? variants.get(0) : variant;
         if (variant == null && variants.size() > 1 && (view || picture != null)) {
-            shown.notes().accept("showing " + pictured + "; --variant shows another");
+            shown.notes().accept("showing " + pictured + "; --variant selects another");
         }
         if (picture != null) {
             target.write(stream -> new CasePictures(plan).write(number, pictured, stream));

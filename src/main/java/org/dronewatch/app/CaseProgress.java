@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.setting.Counted;
 
 /** Shows how many cases of a campaign are done: as a bar on a terminal, otherwise as a line every ten seconds. */
 final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
@@ -92,7 +93,7 @@ final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
             bar.close();
         } else if (statesEnd) {
             String time = ProgressLines.duration(seconds());
-            err.printf(Locale.ROOT, "%,d of %,d cases after %s%n", kept + ran, all, time);
+            err.printf(Locale.ROOT, "%,d of %s after %s%n", kept + ran, Counted.of(all, "case"), time);
         }
     }
 }

@@ -9,7 +9,8 @@ import picocli.CommandLine.Option;
 final class ColourOptions {
     @Option(
             names = "--colour",
-            description = "Draws a photograph as the camera would take it: materials, sun, sky and haze (PNG or MP4).")
+            description = "Draws a photograph as the camera would take it: materials, sun, sky and haze (PNG, MP4 or"
+                    + " GIF).")
     private boolean colour;
 
     @Option(

@@ -10,14 +10,14 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 
 /** What the help of each command says beside its options: the exit codes, and examples that can be typed as shown. */
 final class CommandHelp {
-    private static final String FAILED = "an internal error, or lack of memory";
+    private static final String FAILED = "there was an internal error, or memory ran out";
 
     /** What code 1 means where it may also be a result. */
     private static final Map<String, String> VERDICTS = Map.of(
-            "again", "the results differ, or " + FAILED,
-            "campaign", "an expectation is not met, no case could be run, or " + FAILED,
-            "merge", "an expectation is not met, no case could be run, or " + FAILED,
-            "compare", "no case could be run, or " + FAILED);
+            "again", "the results differ, " + FAILED,
+            "campaign", "an expectation is not met, no case could be run, " + FAILED,
+            "merge", "an expectation is not met, no case could be run, " + FAILED,
+            "compare", "no case could be run, " + FAILED);
 
     private CommandHelp() {}
 
@@ -42,7 +42,7 @@ final class CommandHelp {
         Map<String, String> codes = new LinkedHashMap<>();
         codes.put("  0", "done");
         codes.put("  " + Main.FAILED, VERDICTS.getOrDefault(command.name(), FAILED));
-        codes.put("  " + Main.BAD_INPUT, "wrong usage or bad input, which standard error names in one line");
+        codes.put("  " + Main.BAD_INPUT, "wrong usage or bad input, described in one line on standard error");
         // 'render --view' draws a picture without a window.
         if (opensWindows && !command.name().equals("render")) {
             codes.put("  " + Main.NO_DISPLAY, "there is no display for a window");

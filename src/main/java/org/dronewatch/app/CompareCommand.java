@@ -46,12 +46,13 @@ final class CompareCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             paramLabel = "DIR",
-            description = "New directory for all results, in the files of a campaign.")
+            description = "New directory for all results, in the same files as those of a campaign.")
     private String out;
 
     @Option(
             names = "--resume",
-            description = "Completes what an interrupted run of the same comparison left in the directory of --out.")
+            description = "Completes what an interrupted run of the same comparison left in the directory given by"
+                    + " --out.")
     private boolean resume;
 
     @Mixin

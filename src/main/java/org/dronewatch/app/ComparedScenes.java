@@ -69,7 +69,7 @@ final class ComparedScenes {
     CampaignSettings settings() {
         if (second == null && changes.isEmpty()) {
             throw new InputException(
-                    "compare needs a second scene, or --with PATH=VALUE for what is to differ from the first");
+                    "compare needs a second scene, or --with PATH=VALUE for each setting that differs");
         }
         CampaignSettings settings = file().map(path -> CampaignReader.read(path).withScene(first))
                 .orElseGet(() -> CampaignSettings.of(first).withVary(allBearings()));

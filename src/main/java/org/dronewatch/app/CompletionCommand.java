@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
         description = {
             "Prints a script that makes Bash and Zsh complete commands, options, their values and packaged scenes when"
                     + " you press the Tab key after 'dronewatch'.",
-            "To have it in every new shell, add a line to ~/.bashrc or ~/.zshrc: source <(dronewatch completion)"
+            "To have it in every new shell, add this line to ~/.bashrc or ~/.zshrc: source <(dronewatch completion)"
         },
         footer = {"", "Example:", "  dronewatch completion > ~/.dronewatch-completion"})
 final class CompletionCommand implements Callable<Integer> {

@@ -18,8 +18,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "costs",
         mixinStandardHelpOptions = true,
-        description = "Measures on this machine how time and memory grow with triangles, rays, sensors, drones and"
-                + " threads; writes tables and plots. Takes about three minutes.",
+        description = "Measures on this machine how time and memory depend on the numbers of triangles, rays, sensors,"
+                + " drones and threads; writes tables and plots. Takes about three minutes.",
         footer = {"", "Example:", "  dronewatch costs --out target/costs"})
 final class CostsCommand implements Callable<Integer> {
     private static final int LEAST = 1000;
@@ -36,7 +36,7 @@ final class CostsCommand implements Callable<Integer> {
             names = "--largest",
             defaultValue = "2000000",
             paramLabel = "N",
-            description = "Triangles of the largest terrain, 1000 to 20000000; two million by default.")
+            description = "Number of triangles of the largest terrain, 1000 to 20000000; 2000000 by default.")
     private int largest;
 
     @Option(

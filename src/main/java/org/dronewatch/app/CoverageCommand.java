@@ -48,8 +48,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Prints where the sensors detect a drone at several heights above the ground, the reasons for misses"
-                        + " elsewhere, the largest gaps, and what each sensor adds. With --out FILE.png, draws a plan of where each"
-                        + " sensor detects the drone at one height instead.",
+                        + " elsewhere, the largest gaps, and what each sensor adds. With --out FILE.png, draws a plan"
+                        + " instead, which shows where each sensor detects the drone at one height.",
         footer = {
             "",
             "Examples:",

@@ -56,7 +56,7 @@ final class Failure {
         }
         return "out of memory (" + reason + "; " + most
                 + "): give it more, as in 'java -Xmx4g' or MAVEN_OPTS=-Xmx4g, or use"
-                + " smaller pictures (sensors.ID.width and height, --size), fewer --cells, or models of fewer"
+                + " smaller pictures (sensors.ID.width and height, --size), fewer --cells, or models with fewer"
                 + " triangles";
     }
 

@@ -52,7 +52,7 @@ final class FalseAlarmLines {
             return "";
         }
         return birds < count
-                ? " (" + birds + " caused by birds)"
+                ? " (" + birds + " caused by " + (birds == 1 ? "a bird)" : "birds)")
                 : count == 1 ? " (caused by a bird)" : " (all caused by birds)";
     }
 }

@@ -63,7 +63,7 @@ final class FieldOptions {
             names = CONDITIONS,
             paramLabel = "FILE",
             description = "YAML file of conditions, such as night or rain, under which the coverage is assessed again:"
-                    + " under each name, settings by their paths.")
+                    + " for each name, the settings that change, by their paths.")
     private String conditions;
 
     /** The first of these options that was given; null if none was. */

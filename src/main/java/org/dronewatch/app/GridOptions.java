@@ -91,8 +91,8 @@ final class GridOptions {
             return Optional.empty();
         }
         String length = Numbers.text(side) + " m";
-        return Optional.of("the area is " + length + " by " + length + ", a whole number of cells of "
-                + Numbers.text(grid.cell()) + " m: its side is not " + Numbers.text(grid.side()) + " m");
+        return Optional.of("the side of the area is " + length + " instead of " + Numbers.text(grid.side())
+                + " m, so that it is a whole number of cells of " + Numbers.text(grid.cell()) + " m");
     }
 
     private Position centre() {

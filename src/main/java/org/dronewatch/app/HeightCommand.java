@@ -29,7 +29,8 @@ import tools.jackson.databind.node.ObjectNode;
         name = "height",
         mixinStandardHelpOptions = true,
         description =
-                "Prints the heights of the ground and the surface at a place on a scene's site, and the objects there.",
+                "Prints the heights of the ground and of the surface at a place on a scene's site, and the objects"
+                        + " there.",
         footer = {
             "",
             "Examples:",
@@ -47,8 +48,8 @@ final class HeightCommand implements Callable<Integer> {
             required = true,
             paramLabel = "PLACE",
             description =
-                    "Latitude and longitude in degrees, as in 43.7314,7.4202, or a place as in a scene file, as in"
-                            + " '{east: 120 m, north: -40 m}'.")
+                    "Latitude and longitude in degrees, such as 43.7314,7.4202, or a place written as in a scene file,"
+                            + " such as '{east: 120 m, north: -40 m}'.")
     private String at;
 
     @Mixin

@@ -16,8 +16,8 @@ final class LabelOptions {
     @Option(
             names = LABELS,
             paramLabel = "CAMERA",
-            description = "Writes a picture by this camera at each look (labels/CAMERA/000000.png and so on), and marks"
-                    + " the drones in it (coco.json); may be repeated.")
+            description = "Writes the picture that this camera takes at each look (labels/CAMERA/000000.png and so on),"
+                    + " and annotates the drones in it (coco.json); may be repeated.")
     private List<String> cameras = new ArrayList<>();
 
     @Option(

@@ -35,8 +35,8 @@ final class ListCommand implements Callable<Integer> {
     @Option(
             names = "--kinds",
             description =
-                    "Lists the kinds of sensors, flights and other things that scene files choose by 'kind: NAME', and"
-                            + " where on the class path they come from.")
+                    "Lists the kinds of sensors, flights and other things that scene files choose by 'kind: NAME', with"
+                            + " their origin on the class path.")
     private boolean kinds;
 
     @Parameters(

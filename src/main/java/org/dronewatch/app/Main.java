@@ -80,7 +80,7 @@ public final class Main implements Runnable {
     @Option(
             names = "--no-cache",
             scope = ScopeType.INHERIT,
-            description = "Prepares the site anew, and does not keep it for the next start.")
+            description = "Prepares the site anew, and does not store it for later commands.")
     private boolean withoutStore;
 
     @Spec

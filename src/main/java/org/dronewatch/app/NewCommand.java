@@ -61,7 +61,7 @@ final class NewCommand implements Callable<Integer> {
             names = "--terrain",
             arity = "1..*",
             paramLabel = "FILE",
-            description = "Files of elevations: GeoTIFF, SRTM (.hgt, also zipped) or ESRI ASCII grid. They are copied.")
+            description = "Elevation files: GeoTIFF, SRTM (.hgt, also zipped) or ESRI ASCII grid. They are copied.")
     private List<String> terrain = new ArrayList<>();
 
     @Option(

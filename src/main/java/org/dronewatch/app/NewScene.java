@@ -63,7 +63,10 @@ record NewScene(
                 name);
         line(text, "# 'dronewatch view' shows the scene, and the page on all settings lists the other settings.");
         line(text, "world:");
-        line(text, "  # x = y = 0. Heights are measured from the zero level of the elevations, usually sea level.");
+        line(
+                text,
+                "  # The point x = y = 0. Heights are measured from the zero level of the elevations, usually sea"
+                        + " level.");
         line(text, "  origin: {latitude: %s deg, longitude: %s deg, height: 0}", number(latitude), number(longitude));
         if (!terrain.isEmpty()) {
             line(text, "  terrain:");
@@ -148,7 +151,8 @@ record NewScene(
                             100.0 * way.hidden());
                     line(
                             text,
-                            "    # Points are east and north of the origin; {latitude: ..., longitude: ...} is possible, too.");
+                            "    # Points are east and north of the origin; {latitude: ..., longitude: ...} is also"
+                                    + " possible.");
                     line(
                             text,
                             "    flight: {kind: terrain-following, points: [[%.0f, %.0f], [0, 0]], height: %.0f m}",
@@ -199,8 +203,9 @@ record NewScene(
                 .onEarth(new Position(0.5 * (site.minX() + site.maxX()), 0.5 * (site.minY() + site.maxY()), 0.0));
         return String.format(
                 Locale.ROOT,
-                "there is neither ground nor a building for the sensors within %s of the origin, %s,%s: what was read extends"
-                        + " from %.0f to %.0f m east and from %.0f to %.0f m north of it; for its middle, give --at %.5f,%.5f",
+                "there is neither ground nor a building for the sensors within %s of the origin, %s,%s: the files that"
+                        + " were read extend from %.0f to %.0f m east and from %.0f to %.0f m north of it; to centre"
+                        + " the site on them, give --at %.5f,%.5f",
                 Quantity.LENGTH.inWords(within),
                 number(latitude),
                 number(longitude),

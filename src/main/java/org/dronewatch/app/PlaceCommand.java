@@ -28,9 +28,10 @@ import picocli.CommandLine.Spec;
         name = "place",
         mixinStandardHelpOptions = true,
         description =
-                "Chooses, among sensors that may be bought and the places where they may stand, those that cover the most"
-                        + " airspace within a budget, give the longest warning, or leave no weak route; prints the layout, a bound"
-                        + " on what any other could reach, and the order in which to buy its sensors.",
+                "Chooses, from the sensors that can be bought and the places where they can stand, those that cover the"
+                        + " most airspace within a budget, give the longest warning, or leave no weak route; prints the"
+                        + " layout, a bound on what any other could achieve, and the order in which to buy its"
+                        + " sensors.",
         footer = {
             "",
             "Examples:",

@@ -50,7 +50,7 @@ final class RenderCommand implements Callable<Integer> {
 
     /** What the picture is of. */
     static final class Subject {
-        @Option(names = "--camera", required = true, paramLabel = "ID", description = "Id of the camera in the scene.")
+        @Option(names = "--camera", required = true, paramLabel = "ID", description = "ID of the camera in the scene.")
         private String camera;
 
         @Option(
@@ -159,7 +159,7 @@ final class RenderCommand implements Callable<Integer> {
         if (!isFilm) {
             films.checkUnused();
         } else if (time != null) {
-            throw new InputException("--time " + PlainText.value(time) + ": a video has --from and --to");
+            throw new InputException("--time " + PlainText.value(time) + ": a video takes --from and --to");
         }
         return new WholeFile("--out", out);
     }

@@ -7,6 +7,7 @@ import org.dronewatch.render.FilmFormat;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
 import org.dronewatch.report.WholeFile;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;
 
@@ -46,8 +47,8 @@ abstract class Rendering {
         });
         return String.format(
                 Locale.ROOT,
-                "%d frames, %d per second, from %.2f s to %.2f s",
-                film.frames(),
+                "%s, %d per second, from %.2f s to %.2f s",
+                Counted.of(film.frames(), "frame"),
                 film.fps(),
                 film.from(),
                 film.time(film.frames() - 1));

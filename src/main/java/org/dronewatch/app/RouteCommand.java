@@ -73,7 +73,7 @@ final class RouteCommand implements Callable<Integer> {
 
     @Option(
             names = "--view",
-            description = "Then opens a window in which a drone flies each of the routes, all at the same time.")
+            description = "Also opens a window in which a drone flies each of the routes, all at the same time.")
     private boolean view;
 
     @Mixin

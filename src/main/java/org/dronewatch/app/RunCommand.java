@@ -25,6 +25,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.viewer.Viewer;
@@ -73,7 +74,8 @@ final class RunCommand implements Callable<Integer> {
             names = "--rays",
             paramLabel = "FILE.obj",
             description =
-                    "Writes the rays of the acoustic sensors at the start of the first run as lines of an OBJ file.")
+                    "Writes the rays that the acoustic sensors trace at the start of the first run, as lines of an OBJ"
+                            + " file.")
     private String rays;
 
     @Mixin
@@ -179,7 +181,7 @@ final class RunCommand implements Callable<Integer> {
         stage.traceRays(0.0, paths::recorder);
         file.write(paths::writeTo);
         if (stage.tracesRays()) {
-            Notes.of(spec).accept(String.format(Locale.ROOT, "%,d ray segments written", paths.pieces()));
+            Notes.of(spec).accept(Counted.of(paths.pieces(), "ray segment") + " written");
         } else {
             Notes.of(spec)
                     .accept(
@@ -227,7 +229,8 @@ final class RunCommand implements Callable<Integer> {
         }
         if (result.pairs().stream().anyMatch(PairResult::isUnknown)) {
             target.println(
-                    "over unknown ground (beyond the terrain or above a hole), where something may hide the drone: "
+                    "first detected over unknown ground (beyond the terrain or above a hole), where something may hide"
+                            + " the drone: "
                             + result.pairs().stream()
                                     .filter(PairResult::isUnknown)
                                     .map(pair -> "run " + pair.run() + " " + pair.sensor() + " " + pair.drone())

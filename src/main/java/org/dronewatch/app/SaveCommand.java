@@ -101,7 +101,7 @@ final class SaveCommand implements Callable<Integer> {
         Notes.of(spec)
                 .accept(String.format(
                         Locale.ROOT,
-                        "mission of %s in %s: the flight deviates from its lines by at most %.1f m",
+                        "mission of %s in %s: the flight deviates from the lines of the mission by at most %.1f m",
                         Counted.of(plan.items(), "item"),
                         PlainText.value(out),
                         plan.tolerance()));

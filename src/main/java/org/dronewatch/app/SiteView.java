@@ -69,7 +69,8 @@ final class SiteView {
     @Option(
             names = "--rays",
             description =
-                    "In a picture of the site, draws the rays traced by the microphone of --focus, or by the first one.")
+                    "In a picture of the site, draws the rays traced by the microphone given by --focus, or by the"
+                            + " first one.")
     private boolean rays;
 
     @Option(names = "--max-order", paramLabel = "N", description = "Draws only rays that have hit at most N surfaces.")
@@ -104,7 +105,7 @@ final class SiteView {
     /** Checks what a film does not show. */
     void checkFilm() {
         if (rays) {
-            throw new InputException("--rays: rays are traced for a single time; a video does not show them");
+            throw new InputException("--rays: rays are traced at a single time; a video does not show them");
         }
         int[] pixels = pixels();
         Rendering.checkFilm("--size " + size, pixels[0], pixels[1]);
@@ -235,7 +236,7 @@ final class SiteView {
                 .filter(id -> focus == null || !settings.sensors().containsKey(focus) || id.equals(focus))
                 .findFirst()
                 .orElseThrow(() -> new InputException("--rays: no sensor of the scene traces rays"
-                        + (focus == null ? "" : ", or --focus " + focus + " does not")));
+                        + (focus == null ? "" : ", or the one given by --focus " + focus + " does not")));
         String drone = settings.individualDrones().containsKey(focus)
                 ? focus
                 : settings.individualDrones().keySet().iterator().next();

@@ -89,8 +89,9 @@ final class DepthPictures {
         return Figure.of(
                 String.format(
                         Locale.ROOT,
-                        "Picture by '%s' when it first detected '%s', %.1f s after the start, at a range of %.1f m: nearer"
-                                + " surfaces are darker, the sky is pale, and the drone (%d of %d x %d pixels) is orange.",
+                        "Picture taken by '%s' when it first detected '%s', %.1f s after the start, at a range of %.1f"
+                                + " m: nearer surfaces are darker, the sky is pale, and the drone (%d of %d x %d"
+                                + " pixels) is orange.",
                         seen.sensor(),
                         seen.drone(),
                         seen.arrival(),

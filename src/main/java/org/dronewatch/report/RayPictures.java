@@ -71,12 +71,13 @@ final class RayPictures {
         String more = rays.leftOut() == 0 ? "" : String.format(Locale.ROOT, " of %,d", rays.count() + rays.leftOut());
         String caption = String.format(
                 Locale.ROOT,
-                "The sound rays from '%s' to '%s' %s: %,d%s segments, coloured by level.",
+                "The sound rays from '%s' to '%s' %s: %,d%s %s, coloured by level.",
                 drone,
                 sensor,
                 when,
                 rays.count(),
-                more);
+                more,
+                rays.count() + rays.leftOut() == 1 ? "segment" : "segments");
         return Optional.of(site.ofRays(title, sensor, drone, emitted, heard.isPresent(), rays, caption));
     }
 }

@@ -61,7 +61,10 @@ final class PlaceMenu {
         menu.add(ViewerMenus.item(
                 "Undo", "Undoes the last move of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
         menu.add(ViewerMenus.item(
-                "Redo", "Redoes the move undone last", ViewerActions.shiftedMenuKey(KeyEvent.VK_Z), placing::redo));
+                "Redo",
+                "Redoes the last move that was" + " undone",
+                ViewerActions.shiftedMenuKey(KeyEvent.VK_Z),
+                placing::redo));
         return menu;
     }
 

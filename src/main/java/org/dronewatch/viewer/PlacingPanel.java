@@ -85,7 +85,7 @@ final class PlacingPanel extends JPanel {
 
     private void listen(Consumer<String> selection) {
         undo.setToolTipText("Undoes the last move");
-        redo.setToolTipText("Redoes the move undone last");
+        redo.setToolTipText("Redoes the last move that was undone");
         reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
         undo.addActionListener(e -> undo());
@@ -221,7 +221,7 @@ final class PlacingPanel extends JPanel {
 
     /** Redoes the move undone last. */
     void redo() {
-        tell(layout.redo() ? "The move was done again" : "There is no move to redo");
+        tell(layout.redo() ? "The move was redone" : "There is no move to redo");
     }
 
     /** The settings of the displayed run, with its sensors as the user has put them; null before there is a run. */

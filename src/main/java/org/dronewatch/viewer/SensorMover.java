@@ -160,7 +160,7 @@ final class SensorMover {
         }
         messages.accept(String.format(
                 Locale.ROOT,
-                "'%s' is at %s, %.1f m above what is below it",
+                "'%s' is at %s, %.1f m above the surface below it",
                 id,
                 Texts.place(clear),
                 clear.z() - surface.getAsDouble()));
@@ -220,7 +220,7 @@ final class SensorMover {
                                 + "' is on a positioner that turns it to the drone: its own direction is only its starting direction"
                         : String.format(
                                 Locale.ROOT,
-                                "'%s' points to %.1f degrees, tilted by %+.1f degrees",
+                                "'%s' has an azimuth of %.1f degrees and a tilt of %+.1f degrees",
                                 id,
                                 degrees(to.azimuth()),
                                 Math.toDegrees(to.elevation())));

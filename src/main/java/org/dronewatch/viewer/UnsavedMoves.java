@@ -58,7 +58,7 @@ final class UnsavedMoves {
         int chosen = JOptionPane.showOptionDialog(
                 parent,
                 words(moved),
-                "Moves of sensors",
+                "Unsaved moves of sensors",
                 JOptionPane.DEFAULT_OPTION,
                 JOptionPane.WARNING_MESSAGE,
                 null,
@@ -74,6 +74,6 @@ final class UnsavedMoves {
         String all = others == 0
                 ? first + " was"
                 : first + " and " + others + " other sensor" + (others == 1 ? "" : "s") + " were";
-        return all + " moved or turned, and this is in no scene file yet.";
+        return all + " moved or turned, and the scene has not been saved since.";
     }
 }

@@ -224,7 +224,10 @@ final class ViewerMenus {
         menu.add(
                 item("Zoom in", "Moves the viewpoint closer", ViewerActions.key(KeyEvent.VK_PAGE_UP), () -> zoom(0.8)));
         menu.add(item(
-                "Zoom out", "Moves the viewpoint away", ViewerActions.key(KeyEvent.VK_PAGE_DOWN), () -> zoom(1.25)));
+                "Zoom out",
+                "Moves the viewpoint farther" + " away",
+                ViewerActions.key(KeyEvent.VK_PAGE_DOWN),
+                () -> zoom(1.25)));
         menu.addSeparator();
         menu.add(toggle(
                 "Cameras in colour",

@@ -86,7 +86,7 @@ class AgainCommandTest {
                         "different  detections.csv",
                         "same       result.json",
                         "new        plots/",
-                        "the results are not the same");
+                        "the results differ");
     }
 
     /** No class is loaded, no file is read as options, and nothing is written elsewhere. */
@@ -100,8 +100,8 @@ class AgainCommandTest {
                 "[\"models\", \"--out\", \"elsewhere\"]",
                 "only 'run', 'campaign', 'compare', 'route' and 'place' can be repeated");
         refused("[\"run\", \"a.yaml\", \"--evil\"]", "its command cannot be read");
-        refused("[]", "states no command");
-        refused("\"rm\"", "states no command");
+        refused("[]", "records no command");
+        refused("\"rm\"", "records no command");
         Files.writeString(provenance, "{\"program\": \"dronewatch\"");
         assertThat(again().err()).contains("is not JSON").hasLineCount(1);
         Files.writeString(provenance, "{}");

@@ -380,7 +380,7 @@ class CalibrateCommandTest {
         Path file = directory.resolve("fitted.yaml");
         Files.writeString(file, "title: mine\n");
         String refusal =
-                "--out " + file + ": exists already, and 'calibrate' did not write it: name another file, or delete it";
+                "--out " + file + ": already exists, and 'calibrate' did not write it: name another file, or delete it";
         assertThat(calibrate("rf", "100 m")).satisfies(outcome -> {
             assertThat(outcome.code()).isEqualTo(2);
             assertThat(outcome.complaints()).containsExactly(refusal);

@@ -259,7 +259,7 @@ class CampaignCommandTest {
 
         assertThat(matters.code()).as(matters.err()).isZero();
         assertThat(matters.err())
-                .contains("sensitivity: 100 more cases of scene, 5 for each of 20 groups with 3 factors");
+                .contains("sensitivity: 100 more cases of scene, 5 in each of 20 groups, with 3 factors");
         assertThat(distance.propertyNames())
                 .containsExactly("path", "first", "low", "high", "total", "total_low", "total_high");
         assertThat(distance.get("total").asDouble()).isBetween(0.9, 1.1);
@@ -450,7 +450,7 @@ class CampaignCommandTest {
     @Test
     void whatIsThereIsNotOverwritten() throws IOException {
         assertThat(campaign("whole").code()).isEqualTo(2);
-        assertThat(campaign("whole").err()).contains("holds this campaign already: add --resume");
+        assertThat(campaign("whole").err()).contains("already holds this campaign: add --resume");
         assertThat(campaign("whole", "--runs=61", "--resume").err()).contains("holds another campaign");
         assertThat(campaign("").err()).contains("holds other files");
         assertThat(campaign("site.yaml").err()).contains("is a file");

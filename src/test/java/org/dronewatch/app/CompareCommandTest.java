@@ -102,7 +102,7 @@ class CompareCommandTest {
         Files.delete(out.resolve("chunks/000000.csv"));
         Files.delete(out.resolve("report.html"));
         Files.delete(out.resolve("campaign.json"));
-        refused(compare(command), "holds this campaign already: add --resume");
+        refused(compare(command), "already holds this campaign: add --resume");
         Outcome resumed =
                 compare(Stream.concat(Stream.of(command), Stream.of("--resume")).toArray(String[]::new));
         assertThat(resumed.code()).as(resumed.err()).isZero();

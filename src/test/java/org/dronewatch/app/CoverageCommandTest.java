@@ -286,7 +286,8 @@ class CoverageCommandTest {
         Outcome rounded = Program.run("coverage", scene, "--heights=60", "--side=500", "--cell=200");
         assertThat(rounded.code()).as(rounded.err()).isZero();
         assertThat(rounded.err())
-                .contains("the area is 400 m by 400 m, a whole number of cells of 200 m: its side is not 500 m");
+                .contains("the side of the area is 400 m instead of 500 m, so that it is a whole number of cells of 200"
+                        + " m");
         for (String cell : List.of("--cell=0.1", "--cell=0.3")) {
             Outcome whole = Program.run("coverage", scene, "--heights=60", "--side=0.9", cell, "--centre=0,80");
             assertThat(whole.code()).as(whole.err()).isZero();

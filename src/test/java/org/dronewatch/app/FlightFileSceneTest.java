@@ -140,13 +140,14 @@ class FlightFileSceneTest extends CommandLines {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .containsPattern(
-                        "mission of \\d+ items in .*saved.plan: the flight deviates from its lines by at most 0.5 m");
+                        "mission of \\d+ items in .*saved.plan: the flight deviates from the lines of the mission by at"
+                                + " most 0.5 m");
         write("flight: {plan: saved.plan}");
         assertThat(commandIn("check DIR/scene.yaml").code()).isZero();
         assertThat(commandIn("save DIR/approach.yaml --flight visitor --out DIR/saved.plan")
                         .code())
                 .isZero();
-        assertRefusedAtLast("save DIR/approach.yaml --flight visitor --out DIR/approach.plan", "exists already");
+        assertRefusedAtLast("save DIR/approach.yaml --flight visitor --out DIR/approach.plan", "already exists");
         assertRefusedAtLast("save DIR/approach.yaml --flight visitor --out DIR/other.yaml", "must end in .plan");
         assertRefusedAtLast("save DIR/approach.yaml --flight visitro --out DIR/other.plan", "closest match: visitor");
         assertRefusedAtLast("save camera-range --flight quadrotor --out DIR/other.plan", "needs a world.origin");

@@ -133,7 +133,7 @@ class PlaceCommandTest {
         assertThat(outcome.out())
                 .contains("best layout from 15 candidates for a budget of 6, in the order in which to buy:")
                 .contains("The layout covers ")
-                .contains("The scene's own 1 sensor covers ")
+                .contains("The scene's own sensor covers ")
                 .contains(", whose loss is worst, the layout covers ")
                 .contains("best layout for each budget:")
                 .contains("coverage on the heading that is worst in each cell");

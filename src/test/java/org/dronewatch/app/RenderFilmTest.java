@@ -89,7 +89,7 @@ class RenderFilmTest extends CuedCamera {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--view top --time 3 --out DIR/a.mp4          | --time 3: a video has --from and --to",
+                "--view top --time 3 --out DIR/a.mp4          | --time 3: a video takes --from and --to",
                 "--view top --fps 10 --out DIR/a.png          | --fps 10: applies only to videos (--out FILE.mp4 or FILE.gif)",
                 "--camera cued --from 1 --out DIR/a.pfm       | --from 1: applies only to videos",
                 "--view top --to 15 --out DIR/a.mp4           | --to 15: must be 0 to 14.0 s",
@@ -99,7 +99,7 @@ class RenderFilmTest extends CuedCamera {
                 "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: must be at most 36000",
                 "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a video of 5000 x 100 pixels:"
                         + " each side must",
-                "--view top --rays --out DIR/a.mp4            | --rays: rays are traced for a single time",
+                "--view top --rays --out DIR/a.mp4            | --rays: rays are traced at a single time",
                 "--view top --out png                         | must end in .png, .pfm, .mp4 or .gif",
                 "--view top --out DIR/a.avi                   | must end in .png, .pfm, .mp4 or .gif",
                 "--camera cued --out DIR/none/a.mp4           | no directory",

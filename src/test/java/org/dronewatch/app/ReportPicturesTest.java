@@ -73,7 +73,7 @@ class ReportPicturesTest {
 
     @Test
     void aCameraShowsItsFirstDetection() {
-        List<Shown> depth = about(asItIs, "Picture by 'camera'");
+        List<Shown> depth = about(asItIs, "Picture taken by 'camera'");
         assertThat(depth).singleElement().satisfies(figure -> {
             assertThat(figure.caption())
                     .contains("first detected 'quadrotor', 0.0 s after the start, at a range of 10.0 m")
@@ -83,7 +83,7 @@ class ReportPicturesTest {
             // 690 pixels in a picture 0.8 times as wide and high, and up to one more at each of some 60 ends of rows.
             assertThat(orange(figure.image())).isBetween(442, 500);
         });
-        assertThat(about(undetected, "Picture by 'camera'"))
+        assertThat(about(undetected, "Picture taken by 'camera'"))
                 .as("never detected")
                 .isEmpty();
     }

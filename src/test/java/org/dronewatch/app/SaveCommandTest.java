@@ -75,7 +75,7 @@ class SaveCommandTest {
         for (String out : List.of("mine.yaml", "link.yaml")) {
             assertThat(command(2, Stream.of("save", "camera-range", "--out", path(out))))
                     .isEqualToIgnoringNewLines("--out " + path(out)
-                            + ": exists already, and 'save' did not write it: name another file, or delete it");
+                            + ": already exists, and 'save' did not write it: name another file, or delete it");
         }
         assertThat(text("mine.yaml")).startsWith("# my scene\n");
 
@@ -96,8 +96,8 @@ class SaveCommandTest {
 
         Path lost = Files.createSymbolicLink(directory.resolve("lost.yaml"), Path.of("nowhere.yaml"));
         assertThat(command(2, Stream.of("save", "camera-range", "--out", lost.toString())))
-                .isEqualToIgnoringNewLines(
-                        "--out " + lost + ": is a link to a file that does not exist: name another file, or delete it");
+                .isEqualToIgnoringNewLines("--out " + lost
+                        + ": is a link to a file that does not exist: name another file, or delete the" + " link");
         assertThat(directory.resolve("nowhere.yaml")).doesNotExist();
     }
 

@@ -182,7 +182,7 @@ class PlacingWindowTest {
         double pixel = view.metresPerPixel(world.getHeight());
         assertThat(camera().x()).isEqualTo(14.0, within(3.0 * pixel));
         assertThat(camera().z()).isEqualTo(2.0, within(0.02));
-        assertThat(placing.said()).startsWith("'camera' is at east 1").endsWith("2.0 m above what is below it.");
+        assertThat(placing.said()).startsWith("'camera' is at east 1").endsWith("2.0 m above the surface below it.");
         assertThat(placing.covered()).startsWith("At 2 m, ").contains("; before 'camera' was moved, it was ");
         int drawn = covered();
         assertThat(drawn).isNotEqualTo(before);
@@ -233,7 +233,7 @@ class PlacingWindowTest {
         enter(fields.get(3), "45");
         enter(fields.get(4), "-0.1 rad");
         assertThat(camera()).isEqualTo(new Position(12, -6, 2.5));
-        assertThat(placing.said()).isEqualTo("'camera' points to 45.0 degrees, tilted by -5.7 degrees.");
+        assertThat(placing.said()).isEqualTo("'camera' has an azimuth of 45.0 degrees and a tilt of -5.7 degrees.");
         enter(fields.get(1), "far");
         assertThat(placing.said()).startsWith("north far: 'far' is not a number");
         enter(fields.get(1), "5000");

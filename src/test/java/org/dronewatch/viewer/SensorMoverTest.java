@@ -53,7 +53,8 @@ class SensorMoverTest {
         mover.begin();
         mover.drag(Optional.of(new Position(50.004, -20, 0)), mover.above());
         assertThat(place("round")).isEqualTo(new Position(50.0, -20, 4));
-        assertThat(told).isEqualTo("'round' is at east 50.0 m, north -20.0 m, up 4.0 m, 4.0 m above what is below it");
+        assertThat(told)
+                .isEqualTo("'round' is at east 50.0 m, north -20.0 m, up 4.0 m, 4.0 m above the surface below" + " it");
         // The roof of the building.
         mover.drag(Optional.of(new Position(5, 65, 30)), mover.above());
         assertThat(place("round")).isEqualTo(new Position(5, 65, 34));
@@ -98,7 +99,7 @@ class SensorMoverTest {
         Aim.Direction to = mover.direction().orElseThrow();
         assertThat(Math.toDegrees(to.azimuth())).isEqualTo(5.0, EXACT);
         assertThat(Math.toDegrees(to.elevation())).isEqualTo(2.0, EXACT);
-        assertThat(told).isEqualTo("'round' points to 5.0 degrees, tilted by +2.0 degrees");
+        assertThat(told).isEqualTo("'round' has an azimuth of 5.0 degrees and a tilt of +2.0 degrees");
         mover.select("turning");
         mover.turn(0.5, 0.0);
         assertThat(told).startsWith("'turning' is on a positioner that turns it to the drone");
@@ -188,7 +189,7 @@ class SensorMoverTest {
         assertThat(layout.unsaved()).isEmpty();
         assertThat(asked).hasSize(4);
         assertThat(UnsavedMoves.words(Set.of("round")))
-                .isEqualTo("'round' was moved or turned, and this is in no scene file yet.");
+                .isEqualTo("'round' was moved or turned, and the scene has not been saved since.");
     }
 
     /** Two sensors on one mast: each can be selected and moved, and the other stays. */

@@ -107,7 +107,7 @@ public final class CampaignFiles implements AutoCloseable {
             }
             if (!resume) {
                 throw new InputException(asked()
-                        + " holds this campaign already: add --resume to complete it, or name another directory");
+                        + " already holds this campaign: add --resume to complete it, or name another directory");
             }
         } else if (Files.isDirectory(directory) && !isEmpty()) {
             throw new InputException(asked() + " holds other files: name a new directory");

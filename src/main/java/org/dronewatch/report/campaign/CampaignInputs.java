@@ -49,8 +49,9 @@ final class CampaignInputs {
                 + settings.until()
                         .map(until -> String.format(
                                 Locale.ROOT,
-                                "The outcomes decided how many cases were run: until the probability of '%s' for %s was known to within %s."
-                                        + " The other intervals are approximate. ",
+                                "The outcomes determined how many cases were run: cases were added until the"
+                                        + " probability of '%s' for %s was known to within %s. The other intervals are"
+                                        + " approximate. ",
                                 ShareWords.name(until.of()),
                                 plan.observed(),
                                 CampaignWords.points(until.halfWidth())))
@@ -77,7 +78,7 @@ final class CampaignInputs {
                 .or(() -> variation.uniform().map(one -> "uniform from " + one.from() + " to " + one.to()))
                 .or(() -> variation
                         .triangular()
-                        .map(one -> "triangular from " + one.from() + " to " + one.to() + ", likeliest " + one.mode()))
+                        .map(one -> "triangular from " + one.from() + " to " + one.to() + " with mode " + one.mode()))
                 .or(() -> variation.normal().map(CampaignInputs::words))
                 .orElse(""));
     }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -59,7 +58,7 @@ final class CampaignReport {
             page.section("Expectations", expectations());
         }
         page.section("How often the defence succeeds", response() + tables.shares());
-        page.section("By the direction of the attack", tables.rose());
+        page.section("By direction of attack", tables.rose());
         page.section("Warning time and range", tables.quantiles());
         Optional<String> deciding = pairs.html();
         if (deciding.isPresent()) {
@@ -123,7 +122,7 @@ final class CampaignReport {
                                 variants.get(name).proportion(headline).orElseThrow())
                         + (isAlone ? "" : " with " + name))
                 .collect(Collectors.joining(", in "));
-        return String.format(Locale.ROOT, "In %,d attacks, ", cases) + ShareWords.clause(headline) + " in " + named
+        return "In " + Counted.of(cases, "attack") + ", " + ShareWords.clause(headline) + " in " + named
                 + (ranked.size() > MOST_NAMED ? ", and less often with the others" : "")
                 + ". In brackets: the 95 % confidence interval of the probability.";
     }

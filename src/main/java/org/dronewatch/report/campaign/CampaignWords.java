@@ -38,9 +38,9 @@ public final class CampaignWords {
         lines.add(
                 isSobol
                         ? "what explains the " + what + ", in % of its variance, with 95 % confidence intervals:"
-                        : "effect on the " + what + " of a change across the whole distribution"
+                        : "effect of a change across the whole distribution on the " + what
                                 + (output.unit().isEmpty() ? "" : " [" + output.unit() + "]")
-                                + ": mean magnitude (mu*), deviation (sigma)");
+                                + ": mean magnitude (mu*), standard deviation (sigma)");
         int width =
                 influences.stream().mapToInt(one -> name(one).length()).max().orElseThrow();
         for (Sensitivity.Influence one : influences) {
@@ -146,8 +146,8 @@ public final class CampaignWords {
         return counts.isEmpty()
                 ? Optional.empty()
                 : Optional.of("The run ends too early in " + counts
-                        + ": the drone, for which there is no alert yet, is still coming closer; make run.duration"
-                        + " longer.");
+                        + ": the drone, for which there is no alert yet, is still coming closer; increase"
+                        + " run.duration.");
     }
 
     private static String text(OptionalDouble value) {

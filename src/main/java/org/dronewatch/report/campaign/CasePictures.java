@@ -70,7 +70,8 @@ public final class CasePictures {
         Backdrop site =
                 picture.backdrop(above, WIDTH, HEIGHT, picture.openRoof(moment.time()), Fineness.FINE, () -> false);
         String caption = flown.name() + ", from above, north up, " + moment.words()
-                + ". The colour of the flight shows which sensors detect the drone; it is dashed where none does.";
+                + ". The colour of the flight path shows which sensors detect the drone; the path is dashed where none"
+                + " does.";
         return Figure.of(caption, picture.draw(site, state, SiteStyle.DEFAULT));
     }
 

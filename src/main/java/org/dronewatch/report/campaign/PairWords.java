@@ -99,9 +99,10 @@ final class PairWords {
                         " With %,d pairs, p must be below %.2g for a difference to count as more than chance.",
                         pairs.size(),
                         SIGNIFICANT / pairs.size());
-        return "All variants face the same attacks. Only attacks in which one of a pair is better show which one"
-                + " is better: p is the probability that chance alone would divide them at least as unevenly." + limit
-                + (pairs.size() > MOST_PAIRS ? " These are " + MOST_PAIRS + " of them; campaign.json has all." : "");
+        return "All variants face the same attacks. Only attacks in which one variant of a pair does better than the"
+                + " other show which is better: p is the probability that chance alone would divide them at least as"
+                + " unevenly." + limit
+                + (pairs.size() > MOST_PAIRS ? " The list has " + MOST_PAIRS + " pairs; campaign.json has all." : "");
     }
 
     private String words(VariantComparison pair) {

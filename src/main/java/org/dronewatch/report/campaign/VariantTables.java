@@ -96,8 +96,8 @@ final class VariantTables {
     }
 
     private String introduction(List<Integer> seen, int variants) {
-        return "The share of the attacks from each of eight directions in which " + ShareWords.clause(headline)
-                + ": the rim is 100 %."
+        return "For each of eight directions, the share of the attacks from there in which "
+                + ShareWords.clause(headline) + "; the rim is 100 %."
                 + (seen.size() < VariantSummary.SECTORS ? " Attacks came only from " + names(seen) + "." : "")
                 + (variants > SeriesStyle.MOST
                         ? " The figure shows the first " + SeriesStyle.MOST + " of " + variants + " variants."
@@ -160,9 +160,9 @@ final class VariantTables {
         });
         return Html.plain(
                         "p",
-                        "The warning time, and the range of the first detection, that at least this share of the cases"
-                                + " reaches. A case without one counts as worse than any with one; a dash means that"
-                                + " too few cases have one.")
+                        "The warning time and the range of first detection that at least 95 %, 50 % and 5 % of the"
+                                + " cases reach. A case without a warning or a detection counts as worse than any with"
+                                + " one; a dash means that too few cases have one.")
                 + Html.table(
                         List.of("variant", "warning [s]: 95 %", "50 %", "5 %", "range [m]: 95 %", "50 %", "5 %"), rows);
     }

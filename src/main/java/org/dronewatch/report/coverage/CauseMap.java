@@ -41,7 +41,8 @@ public final class CauseMap {
         sheet.line("percentages of the known area"
                 + inputs.area().map(name -> " in '" + name + "'").orElse(""));
         sheet.line("cells of " + Numbers.text(grid.cell()) + " m");
-        sheet.caption("At " + above + " above the ground: where the drone is detected, and the main reason elsewhere.");
+        sheet.caption("At " + above + " above the ground: where the drone is detected, and elsewhere the main reason"
+                + " why not.");
     }
 
     /** What the colours stand for: detection as it is asked for, and elsewhere the causes of a missed look. */

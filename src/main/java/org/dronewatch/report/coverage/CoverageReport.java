@@ -164,7 +164,7 @@ final class CoverageReport {
                                         : inputs.hasDefaultProbability()
                                                 ? "elsewhere."
                                                 : "where none detects it with a probability of "
-                                                        + number(FieldCoverage.DEFAULT_COVERED) + "."))
+                                                        + number(FieldCoverage.DEFAULT_COVERED) + " or more."))
                 + Html.table(head, rows);
     }
 
@@ -209,7 +209,7 @@ final class CoverageReport {
         boolean mayHover =
                 summary.coverage().field().courses().stream().anyMatch(course -> course.kind() == Course.Kind.HOVER);
         items.add("Only the drone '" + inputs.drone() + "' flies, level and at its cruise speed"
-                + (mayHover ? ", or hovers where that counts as its heading" : "") + "; sensors on positioners "
+                + (mayHover ? ", or hovers where hovering counts as its heading" : "") + "; sensors on positioners "
                 + (inputs.terms().pointing() == FieldTerms.Turning.CUED
                         ? "have turned to it."
                         : "search for it: probabilities are means over one period of the search."));

@@ -117,8 +117,8 @@ public final class Losses {
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,
-                        "If one sensor fails, most is lost without '%s': at %s, %s %% of the area instead of %s %%"
-                                + " remains covered.",
+                        "If one sensor fails, the loss is greatest without '%s': at %s, %s %% of the area remains"
+                                + " covered instead of %s %%.",
                         worst,
                         metres(where),
                         percent(where.covered() - where.lost().get(worst), where),
@@ -133,13 +133,13 @@ public final class Losses {
                     ? "Nothing is covered, so nothing can be lost."
                     : "Every sensor changes the coverage.";
         }
-        String names = "'" + String.join("', '", idle) + "'";
+        String names = ("'" + String.join("', '", idle) + "'").replaceFirst(", ('[^']+')$", " and $1");
         return idle.size() == 1
                 ? names
                         + " adds nothing on this heading: without it, the same cells are covered at every height. It"
                         + " still serves as a backup if another sensor fails, and may confirm what others detect."
                 : names + " each add nothing on this heading: without any one of them, the same cells are covered at"
-                        + " every height. Without several of them, they may not be.";
+                        + " every height. Without several of them, some cells may no longer be covered.";
     }
 
     private static String metres(HeightSummary height) {

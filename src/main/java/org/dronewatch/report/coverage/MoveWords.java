@@ -59,7 +59,7 @@ public final class MoveWords {
                 + share(now) + " of the known area is covered"
                 + (off.isEmpty() ? "" : " without " + names(off))
                 + "; before " + names(moved) + (moved.size() == 1 ? " was" : " were") + " moved, it was "
-                + share(before)
+                + (before.remaining() == 0 ? "0 %" : share(before))
                 + String.format(Locale.ROOT, " (%+.1f).", change)
                 + fineness.words
                 + (reduced.isEmpty() ? "" : reduction(reduced));

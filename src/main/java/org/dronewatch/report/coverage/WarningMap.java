@@ -40,9 +40,9 @@ public final class WarningMap {
         sheet.drawMap(below, (column, row) -> WarningMap::pale, site.sensors());
         sheet.credits(site.stage().credits());
         sheet.title(inputs.scene());
-        sheet.line("where a drone '" + inputs.drone() + "' that flies in straight");
+        sheet.line("where the drone '" + inputs.drone() + "', flying straight in");
         sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
-        sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + " is first detected;");
+        sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + ", is first detected;");
         if (inputs.within().isPresent()) {
             sheet.line("it counts as detected " + inputs.timeInWords() + " after it");
             sheet.line("reaches the first place where a sensor covers it;");

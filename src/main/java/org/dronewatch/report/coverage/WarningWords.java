@@ -47,11 +47,11 @@ public final class WarningWords {
                 limit
                         + (isShort
                                 ? " That is less than the required response: the model of the site ends there, or the"
-                                        + " flights have their maximum number of cells. Use a model of a larger site,"
-                                        + " or larger cells (--cell)."
+                                        + " flights have reached their maximum number of cells. Use a model of a larger"
+                                        + " site, or larger cells (--cell)."
                                 : "")
                         + (warnings.all().stream().anyMatch(Warning::isFromStart)
-                                ? " Where the drone is detected where its flight or the known ground begins, the"
+                                ? " If the drone is detected where its flight or the known ground begins, the"
                                         + " warning is at least as long as stated."
                                 : ""));
     }

@@ -115,7 +115,7 @@ public final class HtmlReport {
                 .count();
         String which = folds == result.runs().size()
                 ? "Each run is detailed below, with the worst one expanded."
-                : "The first run and the " + (folds - 1) + " worst of all "
+                : "The first run and the " + (folds == 2 ? "" : (folds - 1) + " ") + "worst of all "
                         + result.runs().size()
                         + " are detailed below, with the worst one expanded; the others are listed in this table only.";
         return (which + " " + SweepVerdict.note(result.runs().get(0))).strip();

@@ -123,7 +123,7 @@ final class SettingTables {
                 ? "a circle of radius " + number(area.radius().orElseThrow()) + " m about ("
                         + number(area.centre().orElseThrow().x()) + ", "
                         + number(area.centre().orElseThrow().y()) + ") m"
-                : "a polygon of " + area.area().size() + " corners";
+                : "a polygon with " + area.area().size() + " corners";
     }
 
     private static String rule(AlertRule rule, String confirmed) {

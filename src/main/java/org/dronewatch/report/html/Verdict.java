@@ -150,7 +150,8 @@ final class Verdict {
                 ? "all sensors detect it"
                 : missing + " of " + pairs.size() + " sensors never " + (missing == 1 ? "detects it" : "detect it");
         return first(new DroneGroup(drone, false, List.of(drone), ThreatLabel.Role.ATTACK))
-                .map(pair -> "'" + drone + "' is first detected " + where(pair) + "; " + others + ".")
+                .map(pair -> "'" + drone + "' is first detected " + where(pair)
+                        + (pairs.size() == 1 ? "." : "; " + others + "."))
                 .orElse("'" + drone + "' is not detected by any sensor.");
     }
 

@@ -49,7 +49,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
         for (int i = 0; i < chosen.size(); i++) {
             check(option, chosen.get(i), first);
             if (chosen.indexOf(chosen.get(i)) < i) {
-                throw new InputException(option + " " + chosen.get(i) + ": is named twice");
+                throw new InputException(option + " " + chosen.get(i) + ": is given twice");
             }
         }
         List<String> cameras =
@@ -109,7 +109,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
     public String inWords() {
         return String.format(
                 Locale.ROOT,
-                "%s by %s, %.1f megapixels",
+                "%s taken by %s, %.1f megapixels",
                 Counted.of(pictures, "picture"),
                 String.join(", ", cameras),
                 pixels / MEGA);

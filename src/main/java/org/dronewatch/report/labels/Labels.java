@@ -160,7 +160,7 @@ public final class Labels implements AutoCloseable {
     public void finish(String scene) throws IOException {
         closeParts();
         ObjectNode info = JsonNodeFactory.instance.objectNode();
-        info.put("description", "Drones in the pictures by the cameras of the scene '" + scene + "'");
+        info.put("description", "Drones in the pictures taken by the cameras of the scene '" + scene + "'");
         try (BufferedWriter coco = Files.newBufferedWriter(target.file(COCO), StandardCharsets.UTF_8)) {
             coco.write("{\n\"info\": " + MAPPER.writeValueAsString(info) + ",\n\"licenses\": [],\n");
             String birds = hasBirds ? ",{\"id\":2,\"name\":\"bird\",\"supercategory\":\"animal\"}" : "";

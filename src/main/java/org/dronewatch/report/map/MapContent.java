@@ -73,8 +73,8 @@ final class MapContent implements DrawnFeatures {
     /** What the heights of buildings count from, and the attribution that their map asks for. */
     private String buildings() {
         return stage.buildings()
-                .map(town -> " Heights of buildings are those above the lowest ground below them; 'assumed' marks those"
-                        + " that their map does not state."
+                .map(town -> " Heights of buildings are measured from the lowest ground below them; 'assumed' marks"
+                        + " those that the map does not state."
                         + town.attribution()
                                 .map(text -> " Buildings: " + text + ".")
                                 .orElse(""))

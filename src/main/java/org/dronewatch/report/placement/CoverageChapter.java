@@ -59,9 +59,10 @@ final class CoverageChapter {
         }
         return Html.plain(
                         "p",
-                        "The coverage" + FieldsTable.heading(fields)
-                                + ", in % of the known area at each height; after the loss of the sensor that matters most"
-                                + " there; and the largest gap. " + FieldsTable.worstPlace(fields.layout()))
+                        "The table states the coverage" + FieldsTable.heading(fields)
+                                + ", in % of the known area at each height; the same after the loss of the sensor that"
+                                + " matters most there; and the largest gap. "
+                                + FieldsTable.worstPlace(fields.layout()))
                 + Html.table(head, rows)
                 + Html.plain(
                         "p",
@@ -92,7 +93,7 @@ final class CoverageChapter {
                         + air.area()
                                 .map(name -> "that over '" + name + "', in ")
                                 .orElse("")
-                        + "a square of " + number(grid.columns() * grid.cell()) + " m in cells of "
+                        + "a square with sides of " + number(grid.columns() * grid.cell()) + " m, in cells of "
                         + number(grid.cell()) + " m, at heights of "
                         + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
                         + " m above the ground: what is smaller than a cell may be missed.",

@@ -56,7 +56,7 @@ record DetectionMeasure() implements PlaceMeasure {
     @Override
     public String columns() {
         return "'Alone' is the probability that a sensor by itself detects the drone on the weakest route past it,"
-                + " 'together' the same for all sensors so far.";
+                + " 'together' the same probability for all sensors so far.";
     }
 
     @Override

@@ -110,6 +110,6 @@ final class FlownTable {
     }
 
     private static String of(String whom, String line) {
-        return line.startsWith("The weakest route") ? whom + ", the" + line.substring(3) : line;
+        return line.startsWith("On the weakest route") ? whom + ", on" + line.substring(2) : line;
     }
 }

@@ -78,7 +78,7 @@ final class PlacePictures {
         sheet.title(isToday ? "today's layout" : "best layout");
         map.writeLegend(sheet);
         sheet.caption((isToday ? "Today's layout" : "The best layout") + " at " + Numbers.text(above(height))
-                + " m above the ground: where it detects the drone, and the main reason elsewhere.");
+                + " m above the ground: where it detects the drone, and elsewhere the main reason why not.");
         return sheet.figure();
     }
 
@@ -102,7 +102,7 @@ final class PlacePictures {
         sheet.line("dots: sensors of the best layout");
         sheet.line("cells of " + Numbers.text(results.best().grid().cell()) + " m");
         sheet.caption("At " + above + " above the ground: what the best layout covers and today's does not, and the"
-                + " reverse: " + map.inWords() + ".");
+                + " reverse (" + map.inWords() + ").");
         return sheet.figure();
     }
 

@@ -56,7 +56,7 @@ final class PlaceReport {
         pictures.put(
                 FRONT,
                 Figure.of(
-                        "What the best layouts are worth versus their cost, and the most that any layout could reach.",
+                        "The value of the best layouts versus their cost, and the most that any layout could achieve.",
                         Charts.picture(new FrontPicture(results.front(), measure).chart())));
         pictures.putAll(chapter.pictures());
         return pictures;
@@ -123,7 +123,8 @@ final class PlaceReport {
         }
         return Html.plain(
                         "p",
-                        "The sensors in the order in which to buy them: each time the one that adds most for its price. "
+                        "The sensors, in the order in which to buy them: at each step, the one that adds most for its"
+                                + " price. "
                                 + measure.columns())
                 + Html.table(head, rows);
     }
@@ -156,9 +157,9 @@ final class PlaceReport {
         return Html.plain(
                         "p",
                         "Each row is the best layout that was found for its cost, in a separate search; a dearer layout"
-                                + " need not contain a cheaper one. 'At most' is what no layout for that money can exceed."
-                                + " The change states what is bought, and where most is gained, seen from the middle of the"
-                                + " area.")
+                                + " need not contain a cheaper one. 'At most' is what no layout for that money can"
+                                + " exceed. 'Change' states what is bought, and where most is gained, as seen from the"
+                                + " middle of the area.")
                 + Html.table(List.of(words.priced("cost"), "more", measure.heading(), "at most", "change"), rows);
     }
 

@@ -69,9 +69,9 @@ final class PlaceTable {
                         "The scene's own " + counted(own) + " " + measure.claim(own.sensors() == 1, own.value()) + ".");
     }
 
-    /** {@code 4 sensors}. */
+    /** {@code 4 sensors}, or {@code sensor} for a single one, after a possessive. */
     static String counted(PresentLayout own) {
-        return Counted.of(own.sensors(), "sensor");
+        return own.sensors() == 1 ? "sensor" : Counted.of(own.sensors(), "sensor");
     }
 
     /** What remains without the sensor whose loss is worst, in a sentence; empty if it is not known. */

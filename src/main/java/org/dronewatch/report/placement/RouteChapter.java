@@ -89,12 +89,12 @@ final class RouteChapter {
     private List<String> scope() {
         FieldGrid grid = best.grid();
         return List.of(
-                "Routes are searched for in a square of " + number(grid.side())
+                "Routes are searched for in a square with sides of " + number(grid.side())
                         + " m around the protected zone, in cells"
                         + " of " + number(grid.cell()) + " m, at heights of "
                         + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
                         + " m above the ground: what hides a drone and is smaller than a cell may be missed.",
-                "Only the drone '" + plan.drone() + "' flies, within its limits of climb, descent and turns; sensors on"
+                "Only the drone '" + plan.drone() + "' flies, within its limits on climb, descent and turns; sensors on"
                         + " positioners "
                         + (plan.settings()
                                         .air()

@@ -62,7 +62,7 @@ final class RouteSentences {
         return best.lower() > 0.0
                 ? "No route past the layout has an exposure below " + exposure(best.lower()) + " ("
                         + detected(best.lower()) + "): this is proven."
-                : "For routes that the search did not find, no lower bound of the exposure is proven.";
+                : "For routes that the search did not find, no lower bound on the exposure is proven.";
     }
 
     static String exposure(double exposure) {

@@ -44,11 +44,11 @@ final class WarningChapter {
             LayoutWarnings warnings = results.warnings().get();
             int[] ground = MapSheet.ground(stage.world(), best.grid());
             pictures.put("warnings.png", map(warnings.layout(), warnings.settings(), "best layout", ground));
-            sections.add(section("Warning by the best layout", warnings.layout(), pictures, "warnings.png"));
+            sections.add(section("Warning given by the best layout", warnings.layout(), pictures, "warnings.png"));
             if (warnings.present().isPresent()) {
                 InboundWarnings own = warnings.present().get();
                 pictures.put("warnings-today.png", map(own, plan.present(), "today's layout", ground));
-                sections.add(section("Warning by today's layout", own, pictures, "warnings-today.png"));
+                sections.add(section("Warning given by today's layout", own, pictures, "warnings-today.png"));
             }
         }
         String verdict = best.chosen().isEmpty() ? "" : new WarningSentences(best, results.measure()).detected();
@@ -84,7 +84,8 @@ final class WarningChapter {
                                 .map(height -> number(height))
                                 .collect(Collectors.joining(", "))
                         + " m above the ground, and is looked for every "
-                        + number(best.grid().cell()) + " m: sensors that see it for less than that may be missed.",
+                        + number(best.grid().cell()) + " m: a sensor that sees it over a shorter distance may be"
+                        + " missed.",
                 PlaceReport.flight(plan),
                 "The command 'coverage layout.yaml " + SameCoverage.options(best)
                         + "' gives the warnings of the layout.");

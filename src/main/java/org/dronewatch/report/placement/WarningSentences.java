@@ -30,8 +30,8 @@ final class WarningSentences {
 
     /** How many flights the layout detects at all, and the longest warning that can be found. */
     String detected() {
-        return "It detects " + best.detected() + " of " + best.flights()
-                + " before they arrive; a flight that is detected where it begins gives "
-                + measure.text(best.longest()) + " at most.";
+        return "The layout detects " + best.detected() + " of " + Counted.of(best.flights(), "flight")
+                + " before they arrive; the warning of one that is detected where it begins is at most "
+                + measure.text(best.longest()) + ".";
     }
 }

@@ -51,8 +51,8 @@ public record RecordedCommand(List<String> words, JsonNode content) {
         }
         JsonNode command = root.path("command");
         if (!command.isArray() || command.isEmpty() || command.size() > MOST_WORDS) {
-            throw new InputException(
-                    PlainText.value(file) + ": states no command; a run by a program is repeated by that program");
+            throw new InputException(PlainText.value(file)
+                    + ": records no command; a run that another program started must be repeated" + " by that program");
         }
         List<String> words = new ArrayList<>();
         command.forEach(word -> words.add(word.asString("")));

@@ -108,8 +108,8 @@ final class RouteNotes {
                 ? Optional.of("The probability that an alert comes in time cannot be computed "
                         + (inputs.isCued()
                                 ? "where sensors on positioners count as cued: flights have no cues."
-                                : "for the alert rule of this scene: only for rules by which any sensor alone raises one,"
-                                        + " after at most twelve looks."))
+                                : "for the alert rule of this scene, but only for rules by which a single sensor raises"
+                                        + " the alert, after at most twelve looks."))
                 : Optional.empty();
     }
 }

@@ -103,7 +103,7 @@ final class TimeToGoPicture {
         sheet.caption("The time that the drone needs to reach " + inputs.targetInWords() + " by the fastest route"
                 + (inputs.response() > 0.0
                         ? "; once it is inside the red line, an alert comes too late for the response."
-                        : ": an alert must come at least the response time before that."));
+                        : "; an alert must precede its arrival by at least the response time."));
         return sheet;
     }
 

@@ -138,7 +138,8 @@ class CoverageReportTest {
     void theReportSaysThatTheDroneMayHover() {
         assertThat(text)
                 .contains(
-                        "flies, level and at its cruise speed, or hovers where that counts as its heading; sensors on");
+                        "flies, level and at its cruise speed, or hovers where hovering counts as its heading; sensors"
+                                + " on");
     }
 
     @Test
@@ -147,7 +148,7 @@ class CoverageReportTest {
         assertThat(verdict)
                 .startsWith(
                         "The drone 'one', on the heading on which it is most likely to be detected, is detected in ")
-                .contains("most is lost without 'round'")
+                .contains("the loss is greatest without 'round'")
                 .contains("'short' adds nothing");
         assertThat(text).contains("Without 'round', at least half of the coverage is lost at 2 to 60 m.");
     }

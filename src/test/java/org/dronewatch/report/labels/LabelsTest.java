@@ -351,7 +351,7 @@ class LabelsTest {
         assertThat(run(2, "run", "multi-sensor", "--labels", "nobody", "--out", out))
                 .contains("--labels nobody: no such camera; the scene has north-east-1");
         assertThat(run(2, "run", "scenes/daylight.yaml", "--labels", "west", "--labels", "west", "--out", out))
-                .contains("--labels west: is named twice");
+                .contains("--labels west: is given twice");
         assertThat(run(
                         2,
                         "run",
