@@ -24,15 +24,15 @@ final class CaseOptions {
 
     @Option(
             names = "--view",
-            description = "With --case: also opens a window that shows the case with the first variant, or with that of"
-                    + " --variant.")
+            description = "With --case: also opens a window that shows the case with the first variant, or with the one"
+                    + " given by --variant.")
     private boolean view;
 
     @Option(
             names = "--picture",
             paramLabel = "FILE.png",
-            description = "With --case: also writes a picture from above, of the first variant or of that of --variant;"
-                    + " the colour of the flight path shows which sensors detect the drone.")
+            description = "With --case: also writes a picture from above, of the first variant or of the one given by"
+                    + " --variant; the colour of the flight path shows which sensors detect the drone.")
     private String picture;
 
     @Option(names = "--variant", paramLabel = "NAME", description = "With --case: only this variant.")

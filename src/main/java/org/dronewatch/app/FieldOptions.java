@@ -40,9 +40,9 @@ final class FieldOptions {
     @Option(
             names = COVERED,
             paramLabel = "P",
-            description =
-                    "Minimum probability of detection, in one look or within a time (--within), at which a sensor covers a"
-                            + " cell: 0.008 to 0.996, or 1, compared in steps of 1/250; 0.5 by default.")
+            description = "Minimum probability of detection, in one look or within a time (--within), at which a sensor"
+                    + " covers a cell: 0.008 to 0.996, or 1; probabilities are compared in steps of 1/250; 0.5"
+                    + " by default.")
     private Double covered;
 
     @Option(

@@ -29,8 +29,8 @@ import picocli.CommandLine.Spec;
         name = "merge",
         mixinStandardHelpOptions = true,
         description = {
-            "Joins the parts of a campaign that were run with --shard into the results of the whole campaign, byte for"
-                    + " byte.",
+            "Joins the parts of a campaign that were run with --shard into the results of the whole campaign,"
+                    + " byte-identical to those of a single run.",
             "The campaign file is read again, from the path that was given when the first part was run."
         },
         footer = {"", "Example:", "  dronewatch merge part-1 part-2 part-3 part-4 --out vendors"})

@@ -26,8 +26,8 @@ import picocli.CommandLine.Spec;
         name = "render",
         mixinStandardHelpOptions = true,
         description = {
-            "Draws a picture of a scene at a given time, without a window: that of one camera (PNG in shades of"
-                    + " blue or in colour, or PFM with distances in metres), or the whole site in 3D with its"
+            "Draws a picture of a scene at a given time, without a window: from one camera (PNG in shades of"
+                    + " blue or in colour, or PFM with distances in metres), or of the whole site in 3D with its"
                     + " sensors, drones and sound rays (PNG); or makes a video of either (MP4, or GIF for pages that show"
                     + " pictures but no videos).",
             "For a video, and for a camera on a positioner, the run is simulated."

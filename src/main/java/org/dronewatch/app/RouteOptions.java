@@ -79,7 +79,7 @@ final class RouteOptions {
             names = MODES,
             paramLabel = "powered,glide",
             description = "Modes in which the drone may fly: powered; glide, with its motors off; or powered,glide, so"
-                    + " that it may stop its motors once. By default all in which it can fly.")
+                    + " that it may stop its motors once; by default, all in which it can fly.")
     private String modes;
 
     /** Checks what can be checked before anything is loaded, and passes on the response. */

@@ -49,7 +49,7 @@ final class SiteView {
     @Option(
             names = "--focus",
             paramLabel = "ID",
-            description = "Sensor or drone on which a picture of the site is centred, at a closer zoom.")
+            description = "Sensor or drone on which a picture of the site is centred and zoomed in.")
     private String focus;
 
     @Option(

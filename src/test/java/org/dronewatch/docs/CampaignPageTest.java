@@ -52,7 +52,7 @@ class CampaignPageTest {
 
     /** The drawing of the report as a file on a white ground. */
     private static String rose(String report) {
-        int begin = report.indexOf("<svg", report.indexOf("By the direction of the attack"));
+        int begin = report.indexOf("<svg", report.indexOf("By direction of attack"));
         int end = report.indexOf("</svg>", begin) + "</svg>".length();
         String svg = report.substring(begin, end);
         int inside = svg.indexOf('>') + 1;

@@ -180,9 +180,9 @@ public final class FieldTable {
     }
 
     private static String words(Gap gap) {
-        String rim = gap.touchesRim() ? ", reaches the edge of the area" : "";
+        String rim = gap.touchesRim() ? "; reaches the edge of the area" : "";
         return text(
-                "  %.2f ha, innermost point at x %.1f m, y %.1f m, mainly %s%s",
+                "  %.2f ha, innermost point at x %.1f m, y %.1f m; main cause: %s%s",
                 1e-4 * gap.area(), gap.x() + 0.0, gap.y() + 0.0, cause(gap), rim);
     }
 

@@ -80,9 +80,9 @@ final class FieldsTable {
                         "%.0f m %s of the middle of the area",
                         distance, CompassPoint.of(StrictMath.atan2(east, north)));
         return "The layout's largest gap is " + PlaceTable.text("%.1f ha", gap.area() / HECTARE) + " at "
-                + Numbers.text(worst.get().height()) + " m above the ground, " + where + ", mainly "
+                + Numbers.text(worst.get().height()) + " m above the ground, " + where + "; the main cause: "
                 + (gap.cause() == Cause.DETECTED
-                        ? "where a detection is too unlikely"
+                        ? "too low a probability of detection"
                         : CoverageTable.name(gap.cause()))
                 + ".";
     }
