@@ -10,6 +10,14 @@ public final class LongForm {
 
     private LongForm() {}
 
+    /**
+     * The seed of a check with random input: in the long form another one each time, unless
+     * {@code -Ddronewatch.seed=NUMBER} gives it.
+     */
+    public static long seed(long inTheBuild) {
+        return IS_ON ? Long.getLong("dronewatch.seed", System.nanoTime()) : inTheBuild;
+    }
+
     /** How often a check is repeated. */
     public static int count(int inTheBuild, int inTheLongForm) {
         return IS_ON ? inTheLongForm : inTheBuild;

@@ -2,10 +2,12 @@ package org.dronewatch.route.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
@@ -41,9 +43,19 @@ class ClosedFormTest {
 
     private static void assertBracket(RouteProblem problem, double expected, double width) {
         WeakestRoute route = solve(problem);
+        assertBracket(route.lower(), route.exposure(), expected, width);
+    }
 
-        assertThat(expected).isBetween(route.lower(), route.exposure() * (1.0 + 1e-9));
-        assertThat(route.exposure()).isLessThan((1.0 + width) * route.lower());
+    private static void assertBracket(double lower, double upper, double expected, double width) {
+        System.out.printf(
+                Locale.ROOT,
+                "ClosedFormTest: %.6f in %.6f to %.6f, %.2f %% wide%n",
+                expected,
+                lower,
+                upper,
+                100.0 * (upper / lower - 1.0));
+        assertThat(expected).isBetween(lower, upper * (1.0 + 1e-9));
+        assertThat(upper).isLessThan((1.0 + width) * lower);
     }
 
     private static Position at(double x, double y) {
@@ -90,14 +102,15 @@ class ClosedFormTest {
      */
     @Test
     void withLimitedLength() {
-        RouteProblem problem =
-                problem(rectangle(-0.2, 1.2, -0.2, 1.2, 0.0125), PointExposure.of(0, 0, 2), at(1, 0), at(0, 1));
+        RouteGrid grid = rectangle(-0.05, 1.1, -0.05, 1.1, LongForm.IS_ON ? 0.003125 : 0.0125);
+        RouteProblem problem = problem(grid, PointExposure.of(0, 0, 2), at(1, 0), at(0, 1));
         WeakestRoute free = solve(problem);
         double length = Math.PI / 2;
         EnduranceLimit limit =
                 new EnduranceLimit(problem.modes(), length, price -> WeakestRoutes.of(problem, problem.goals(), price));
         WeakestRoute limited = limit.from(problem.starts(), free).orElseThrow();
 
+        assertBracket(limited.lower(), limited.exposure(), Math.PI / 2, LongForm.IS_ON ? PLANE : 4.0 * PLANE);
         assertThat(limit.allows(free)).isFalse();
         assertThat(limited.seconds()).isLessThanOrEqualTo(length);
         assertThat(limited.exposure()).isBetween(Math.PI / 2 * (1.0 - 1e-9), 1.03 * Math.PI / 2);
@@ -111,6 +124,59 @@ class ClosedFormTest {
         ExposureField both =
                 ExposureField.ofSensors(Map.of("east", PointExposure.of(1, 0, 2), "west", PointExposure.of(-1, 0, 2)));
         assertBracket(problem(grid, both, at(0, -1), at(0, 1)), Math.PI, PLANE);
+    }
+
+    /** The sensor that sees better decides alone: on the line between them, the integral of 1 / (1 + y^2). */
+    @Test
+    void pastTheNearerOfTwoSensors() {
+        RouteGrid grid = rectangle(-0.3, 0.3, -1.1, 1.1, 0.00625);
+        ExposureField nearer = new Nearer(PointExposure.of(1, 0, 2), PointExposure.of(-1, 0, 2));
+        assertBracket(problem(grid, nearer, at(0, -1), at(0, 1)), Math.PI / 2, PLANE);
+    }
+
+    private record Nearer(ExposureField one, ExposureField other) implements ExposureField {
+        @Override
+        public double rate(double x, double y, double z, double heading, int mode) {
+            return Math.max(one.rate(x, y, z, heading, mode), other.rate(x, y, z, heading, mode));
+        }
+
+        @Override
+        public double least(Position low, Position high, int mode) {
+            return Math.max(one.least(low, high, mode), other.least(low, high, mode));
+        }
+    }
+
+    /**
+     * K/d^2, from one side of the sensor to the other inside a disc of radius R: inversion at the unit circle turns the
+     * rim into a circle of radius 1/R round which a string is drawn, {@code 2 sqrt(1 - 1/R^2) + (pi - 2 acos(1/R)) /
+     * R}. Outside the disc, the rate is that of the place at which inversion at the rim puts a drone, times the scale
+     * of this inversion, {@code K/R^2} everywhere: a way outside is as exposed as its mirror image inside. The northern
+     * half is as good as the southern one. The long form has grids that are fine enough for the width of the bracket.
+     */
+    @ParameterizedTest
+    @CsvSource({"2, 2.255650", "10, 2.010008"})
+    void insideADisc(double radius, double stated) {
+        assumeTrue(LongForm.IS_ON || radius < 10.0);
+        double expected =
+                2.0 * Math.sqrt(1.0 - 1.0 / (radius * radius)) + (Math.PI - 2.0 * Math.acos(1.0 / radius)) / radius;
+        assertThat(expected).isCloseTo(stated, within(5e-7));
+        double half = Math.min(6.0, radius + 0.1);
+        RouteGrid grid = rectangle(-half, half, 0.0, radius + 0.1, LongForm.IS_ON ? 0.00625 : 0.025);
+        ExposureField mirrored = new Mirrored(PointExposure.of(0, 0, 2), radius);
+        double width = LongForm.IS_ON ? PLANE : 4.0 * PLANE;
+        assertBracket(problem(grid, mirrored, at(1, 0), at(-1, 0)), expected, width);
+    }
+
+    private record Mirrored(PointExposure inside, double radius) implements ExposureField {
+        @Override
+        public double rate(double x, double y, double z, double heading, int mode) {
+            return Math.max(inside.rate(x, y, z, heading, mode), 1.0 / (radius * radius));
+        }
+
+        @Override
+        public double least(Position low, Position high, int mode) {
+            return Math.max(inside.least(low, high, mode), 1.0 / (radius * radius));
+        }
     }
 
     /** The posts of a box about the origin's octant, with steps of one length. */
