@@ -171,7 +171,7 @@ public final class Catalog implements Kinds.NamedSettings {
     public SensorSettings<?> settings(String name, Map<String, ?> parts) {
         if (!partsOf(name).isEmpty()) {
             throw new InputException("'" + name
-                    + "' is a system of several sensors: a scene file uses it by 'use: " + name
+                    + "' is a system of several sensors: a scene file uses it with 'use: " + name
                     + "', and --set sensors.ID=" + name + " replaces the sensor or system ID with it");
         }
         Node.Mapping known = find(name)

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.In;
@@ -101,8 +102,8 @@ public record CatalogEntry(
         Limits.check(CatalogEntry.class, title, source, basis, note, coverage, price, ranges, sensor);
         ranges = List.copyOf(ranges);
         if (ranges.isEmpty() != (basis == Basis.ASSUMED)) {
-            throw new IllegalArgumentException("basis is " + basis + " with " + ranges.size()
-                    + " ranges: an entry is 'assumed' if and only if no range is published");
+            throw new IllegalArgumentException("basis is " + basis + " with " + Counted.of(ranges.size(), "range")
+                    + ": an entry is 'assumed' if and only if no range is published");
         }
     }
 

@@ -29,12 +29,12 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
             throw new InputException(place + "its name must be 1 to 64 lower-case letters, digits and hyphens");
         }
         if (kind.type() == null || !kind.type().isInterface() || kind.type().isSealed()) {
-            throw new InputException(place + "its type must be a non-sealed interface, is " + kind.type());
+            throw new InputException(place + "its type must be a non-sealed interface, not " + kind.type());
         }
         Class<?> settings = kind.settings();
         if (settings == null || !settings.isRecord() || !kind.type().isAssignableFrom(settings)) {
             throw new InputException(place + "its settings must be a record that implements "
-                    + kind.type().getSimpleName() + ", is " + settings);
+                    + kind.type().getSimpleName() + ", not " + settings);
         }
         SettingsForm form = SettingsForm.of(settings);
         if (!form.names().containsAll(form.required())) {

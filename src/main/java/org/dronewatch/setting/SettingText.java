@@ -168,7 +168,7 @@ public final class SettingText {
         }
         if (texts.size() != form.parts().size()) {
             throw new IllegalArgumentException("'" + String.join(", ", texts) + "' has "
-                    + Counted.of(texts.size(), "number") + ", must have "
+                    + Counted.of(texts.size(), "number") + " but must have "
                     + form.parts().size() + ": "
                     + String.join(", ", form.names()));
         }

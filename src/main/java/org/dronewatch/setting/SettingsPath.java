@@ -166,7 +166,12 @@ public final class SettingsPath {
             if (!name.matches("\\d{1,6}") || Integer.parseInt(name) >= list.size()) {
                 throw unknown(
                         depth,
-                        list.isEmpty() ? "is an empty list" : "is a list with indices 0 to " + (list.size() - 1));
+                        list.isEmpty()
+                                ? "is an empty list"
+                                : "is a list with "
+                                        + (list.size() == 1
+                                                ? "the single index 0"
+                                                : "indices 0 to " + (list.size() - 1)));
             }
             return list.get(Integer.parseInt(name));
         }

@@ -51,6 +51,9 @@ public final class Spelling {
      */
     public static String closestMatches(String typed, Collection<String> names) {
         List<String> nearest = nearest(typed, names, SUGGESTIONS);
+        if (nearest.isEmpty()) {
+            return "there are none to choose from";
+        }
         return (nearest.size() == 1 ? "closest match: " : "closest matches: ") + String.join(", ", nearest);
     }
 

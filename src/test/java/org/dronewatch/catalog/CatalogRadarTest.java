@@ -102,7 +102,7 @@ class CatalogRadarTest {
         assertThat(radar.withRate(1.05 * radar.rate()).advice())
                 .singleElement()
                 .asString()
-                .startsWith("an antenna of 37.5 dBi needs at least " + beams + " beams for");
+                .startsWith("an antenna of 37.5 dBi needs at least " + beams + " beams to cover");
 
         // The program's own equation agrees: that hardware reaches 8 km.
         RadarSettings built = radar.withBudget(Hardware.of(4.0, gain, 0.02));
@@ -122,16 +122,16 @@ class CatalogRadarTest {
         RadarSettings dwelling = pencil.withBudget(sheet.withIntegrationTime(0.02));
         assertThat(dwelling.advice())
                 .containsExactly(
-                        "a beam of 2 x 10 deg needs 90 positions for 90 x 20 deg: at an integrationTime of 0.02 s"
-                                + " each, a scan takes 1.8 s, not 0.1429 s; lower the rate to 0.555 Hz, or the integrationTime to"
+                        "a beam of 2 x 10 deg needs 90 positions to cover 90 x 20 deg: at an integrationTime of 0.02"
+                                + " s each, a scan takes 1.8 s, not 0.1429 s; lower the rate to 0.555 Hz, or the integrationTime to"
                                 + " 0.00158 s");
         assertThat(dwelling.withRate(0.555).advice()).isEmpty();
         // Ten pulses, each of which is integrated for 20 ms: 18 s.
         RadarSettings pulsed = dwelling.withDetection(new RadarDetection.Chance(1e-6, 10));
         assertThat(pulsed.advice())
                 .containsExactly(
-                        "a beam of 2 x 10 deg needs 90 positions for 90 x 20 deg: at 10 pulses with an integrationTime of"
-                                + " 0.02 s each, a scan takes 18 s, not 0.1429 s; lower the rate to 0.0555 Hz, the number"
+                        "a beam of 2 x 10 deg needs 90 positions to cover 90 x 20 deg: at 10 pulses with an integrationTime"
+                                + " of 0.02 s each, a scan takes 18 s, not 0.1429 s; lower the rate to 0.0555 Hz, the number"
                                 + " of pulses, or the integrationTime to 0.000158 s");
         assertThat(pulsed.withRate(0.0555).advice()).isEmpty();
         assertThat(pulsed.withBudget(sheet.withIntegrationTime(0.000158)).advice())

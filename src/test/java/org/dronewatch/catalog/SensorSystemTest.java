@@ -88,8 +88,9 @@ class SensorSystemTest {
                 .withMessageContaining("sensors.gate-radar: unknown setting 'colour'");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> Catalog.packaged().settings("liteye", Map.of("position", MAST)))
-                .withMessage("'liteye' is a system of several sensors: a scene file uses it by 'use: liteye', and --set"
-                        + " sensors.ID=liteye replaces the sensor or system ID with it");
+                .withMessage(
+                        "'liteye' is a system of several sensors: a scene file uses it with 'use: liteye', and --set"
+                                + " sensors.ID=liteye replaces the sensor or system ID with it");
     }
 
     @Test

@@ -29,7 +29,7 @@ public final class BoundedFile {
             byte[] bytes = in.readNBytes(most + 1);
             if (bytes.length > most) {
                 throw new InputException(
-                        PlainText.value(file) + ": larger than " + most + " bytes, the most for such a file");
+                        PlainText.value(file) + ": larger than " + most + " bytes, the limit for such a file");
             }
             return bytes;
         } catch (IOException e) {

@@ -28,9 +28,9 @@ public enum FileKind {
     /** Wavefront OBJ, which has no fixed beginning. */
     OBJ("an OBJ model", "world.models", (name, start) -> name.endsWith(".obj")),
     /** OpenStreetMap XML. */
-    OSM("a map of OpenStreetMap", "world.buildings", (name, start) -> start.contains("<osm ")),
+    OSM("an OpenStreetMap extract", "world.buildings", (name, start) -> start.contains("<osm ")),
     /** OpenStreetMap data in the binary PBF format. */
-    PBF("a map of OpenStreetMap", "world.buildings", (name, start) -> start.contains("OSMHeader")),
+    PBF("an OpenStreetMap extract", "world.buildings", (name, start) -> start.contains("OSMHeader")),
     /** GeoJSON and CityJSON. */
     JSON("a JSON file", "world.buildings", (name, start) -> start.matches("(?s)\\s*\\{.*"));
 

@@ -209,7 +209,7 @@ final class SettingsWriter {
     }
 
     private static InputException refused(String path, String what) {
-        return new InputException(path + ": " + what + " cannot be written into a file");
+        return new InputException(path + ": " + what + " cannot be written to a file");
     }
 
     private static Node scalar(String text) {

@@ -75,7 +75,7 @@ public final class XmlText {
         }
         if (!element().equals(root)) {
             throw new InputException(
-                    at() + "begins with <" + PlainText.value(element()) + ">, must begin with <" + root + ">");
+                    at() + "begins with <" + PlainText.value(element()) + "> but must begin with <" + root + ">");
         }
     }
 
@@ -88,7 +88,7 @@ public final class XmlText {
     public int next() throws XMLStreamException {
         int event = xml.next();
         if (event == XMLStreamConstants.DTD) {
-            throw new InputException(at() + "has a document type, which is not allowed in such a file");
+            throw new InputException(at() + "has a document type declaration, which is not allowed in such a file");
         }
         if (event == XMLStreamConstants.START_ELEMENT && ++depth > MOST_DEPTH) {
             throw new InputException(at() + "nested more than " + MOST_DEPTH + " deep");

@@ -72,7 +72,7 @@ final class YamlFile {
     static String text(String name, InputStream in) throws IOException {
         byte[] bytes = in.readNBytes(MAX_BYTES + 1);
         if (bytes.length > MAX_BYTES) {
-            throw new InputException(name + ": larger than " + MAX_BYTES + " bytes, the most for such a file");
+            throw new InputException(name + ": larger than " + MAX_BYTES + " bytes, the limit for such a file");
         }
         return text(name, bytes);
     }
@@ -98,8 +98,8 @@ final class YamlFile {
             int end = text.indexOf('\n', start);
             end = end < 0 ? text.length() : end;
             if (end - start > MAX_LINE) {
-                throw new InputException(
-                        name + ":" + number + ": has " + (end - start) + " characters; a line may have " + MAX_LINE);
+                throw new InputException(name + ":" + number + ": has " + (end - start)
+                        + " characters; a line may have at most " + MAX_LINE);
             }
             start = end + 1;
         }
@@ -197,7 +197,7 @@ final class YamlFile {
                 problems.add(
                         place,
                         "",
-                        "'" + key + "' is given twice; it is first given in line "
+                        "'" + key + "' is given twice; it is first given on line "
                                 + keys.get(key).line());
             }
         }

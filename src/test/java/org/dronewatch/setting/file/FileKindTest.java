@@ -31,8 +31,8 @@ class FileKindTest {
                 "hall.txt|solid hall|world.terrain|an STL model, which belongs to world.models",
                 "hall.stl|\0\0\0\0|world.buildings|an STL model, which belongs to world.models",
                 "hall.obj|v 0 0 0|world.terrain|an OBJ model, which belongs to world.models",
-                "map|<?xml version='1.0'?><osm version='0.6'>|world.terrain|a map of OpenStreetMap, which belongs to world.buildings",
-                "map|\0\0\0\16OSMHeader|world.terrain|a map of OpenStreetMap, which belongs to world.buildings",
+                "map|<?xml version='1.0'?><osm version='0.6'>|world.terrain|an OpenStreetMap extract, which belongs to world.buildings",
+                "map|\0\0\0\16OSMHeader|world.terrain|an OpenStreetMap extract, which belongs to world.buildings",
                 "map| {type|world.terrain|a JSON file, which belongs to world.buildings",
             })
     void whereItBelongsIsSaid(String name, String start, String wanted, String words) {
