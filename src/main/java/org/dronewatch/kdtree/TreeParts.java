@@ -109,7 +109,7 @@ public record TreeParts(long[] nodes, int[] leafTriangles, int[] numbers, int de
 
     private static void check(boolean isRight, String what) {
         if (!isRight) {
-            throw new IllegalArgumentException("stored tree has a wrong " + what);
+            throw new IllegalArgumentException("stored tree is damaged: " + what);
         }
     }
 }

@@ -186,7 +186,7 @@ public final class Places {
         if (far > In.FARTHEST) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "%s lies %.1f km from world.origin, must be at most %.0f km along each axis",
+                    "%s lies %.1f km from world.origin, but must lie within %.0f km of it along each axis",
                     inWords(latitude, longitude),
                     far / 1000.0,
                     In.FARTHEST / 1000.0));

@@ -106,7 +106,7 @@ public final class World {
         int materials = index.tree().mesh().materialNames().size();
         if (surfaces.size() != materials) {
             throw new IllegalArgumentException(
-                    surfaces.size() + " surfaces for " + materials + " materials: needs one for each");
+                    surfaces.size() + " surfaces for " + materials + " materials: there must be one for each");
         }
         this.index = index;
         this.backgroundNoise = backgroundNoise;
@@ -198,7 +198,8 @@ public final class World {
      */
     public World withModels(NavigableMap<Integer, SiteModel> byFirstTriangle) {
         if (!byFirstTriangle.containsKey(0)) {
-            throw new IllegalArgumentException("no model begins at triangle 0, but at " + byFirstTriangle.keySet());
+            throw new IllegalArgumentException(
+                    "the first model must begin at triangle 0, but models begin at " + byFirstTriangle.keySet());
         }
         return new World(this, rain, light, noiseSources, known, new TreeMap<>(byFirstTriangle));
     }

@@ -109,7 +109,7 @@ class TreePartsTest {
                 Assertions.assertTimeoutPreemptively(
                         Duration.ofSeconds(20), () -> trace(tree, random), "bit changed by seed " + seed);
             } catch (IllegalArgumentException e) {
-                assertThat(e).as("seed " + seed).hasMessageStartingWith("stored tree has a wrong ");
+                assertThat(e).as("seed " + seed).hasMessageStartingWith("stored tree is damaged: ");
             }
         }
         assertThat(kept).isBetween(10, 290);

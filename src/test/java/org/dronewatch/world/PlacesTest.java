@@ -112,7 +112,8 @@ class PlacesTest {
                         .z())
                 .isEqualTo(300.0, within(1e-6));
         assertThatThrownBy(() -> places(PRAGUE.withHeight(0), Ground.NONE).at(place(51.08, 14.42, null, 300.0)))
-                .hasMessageContaining("lies 111.2 km from world.origin, must be at most 100 km along each axis");
+                .hasMessageContaining(
+                        "lies 111.2 km from world.origin, but must lie within 100 km of it along each axis");
         assertThatThrownBy(() -> place(50.0, 14.0, 1.0, 2.0)).hasMessageContaining("omit one of them");
     }
 

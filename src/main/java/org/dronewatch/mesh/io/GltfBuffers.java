@@ -47,7 +47,7 @@ final class GltfBuffers {
             byte[] bytes = uri.isMissingNode() ? binary : bytes(uri.asString(""));
             long stated = buffer.path("byteLength").asLong(-1);
             if (stated < 0 || stated > bytes.length) {
-                throw wrong("buffer " + buffers.size() + " states " + stated + " bytes, has " + bytes.length);
+                throw wrong("buffer " + buffers.size() + " states " + stated + " bytes but has " + bytes.length);
             }
             buffers.add(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
         }
@@ -62,7 +62,7 @@ final class GltfBuffers {
         if (uri.startsWith("data:")) {
             int comma = uri.indexOf(',');
             if (comma < 0 || !uri.substring(0, comma).endsWith(";base64")) {
-                throw wrong("a buffer whose data is not base64");
+                throw wrong("the data of a buffer is not base64");
             }
             budget.take(uri.length());
             try {
@@ -122,10 +122,11 @@ final class GltfBuffers {
         JsonNode accessor = root.path("accessors").path(number);
         String name = "accessor " + number;
         if (!accessor.path("type").asString("").equals(type)) {
-            throw wrong(name + " is '" + PlainText.value(accessor.path("type").asString("")) + "', must be " + type);
+            throw wrong(name + " is '" + PlainText.value(accessor.path("type").asString("")) + "' but must be " + type);
         }
         if (accessor.has("sparse")) {
-            throw wrong(name + " is sparse, which is not read: 'gltf-transform copy' writes a file without it");
+            throw wrong(
+                    name + " is sparse, which is not supported: 'gltf-transform copy' writes a file that can be read");
         }
         int component = accessor.path("componentType").asInt(0);
         int size = size(component, name);
@@ -160,7 +161,7 @@ final class GltfBuffers {
             case BYTE, UNSIGNED_BYTE -> 1;
             case SHORT, UNSIGNED_SHORT -> 2;
             case UNSIGNED_INT, FLOAT -> 4;
-            default -> throw wrong(name + " has components of type " + component + ", must be 5120 to 5126");
+            default -> throw wrong(name + " has components of type " + component + " but must have 5120 to 5126");
         };
     }
 

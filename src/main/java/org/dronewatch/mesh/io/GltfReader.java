@@ -64,7 +64,7 @@ public final class GltfReader implements MeshReader {
             }
             int version = Integer.reverseBytes(in.readInt());
             if (version != 2) {
-                throw new InputException(file.name() + ": glTF version " + version + ", must be 2");
+                throw new InputException(file.name() + ": glTF version " + version + " must be 2");
             }
             in.readInt();
             JsonNode root = null;

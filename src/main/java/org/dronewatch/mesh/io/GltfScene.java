@@ -50,16 +50,16 @@ final class GltfScene {
         if (!root.path("asset").path("version").asString("").startsWith("2.")) {
             throw new InputException(file.name() + ": asset.version is '"
                     + PlainText.value(root.path("asset").path("version").asString(""))
-                    + "', must be 2.0: not glTF");
+                    + "' but must be 2.0: not glTF");
         }
         for (JsonNode extension : root.path("extensionsRequired")) {
             if (PACKED.contains(extension.asString(""))) {
-                throw new InputException(file.name() + ": is compressed by " + extension.asString()
-                        + ": 'gltf-transform copy' writes a file without it");
+                throw new InputException(file.name() + ": is compressed with " + extension.asString()
+                        + ": 'gltf-transform copy' writes an uncompressed file");
             }
             if (!HARMLESS.matcher(extension.asString("")).matches()) {
                 throw new InputException(file.name() + ": requires the extension '"
-                        + PlainText.value(extension.asString("")) + "', which is not read");
+                        + PlainText.value(extension.asString("")) + "', which is not supported");
             }
         }
         this.buffers = new GltfBuffers(file, root, binary, collector.budget());

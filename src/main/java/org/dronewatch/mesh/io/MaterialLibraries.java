@@ -73,8 +73,8 @@ final class MaterialLibraries {
         }
         int more = undefined.size() - MAX_NAMES;
         List<String> first = undefined.stream().limit(MAX_NAMES).toList();
-        warnings.add(model.name() + ": used but defined in no material library: " + String.join(", ", first)
-                + (more > 0 ? " and " + more + " more" : ""));
+        warnings.add(model.name() + ": materials that are used but defined in no material library: "
+                + String.join(", ", first) + (more > 0 ? " and " + more + " more" : ""));
     }
 
     private void read(ModelFile library) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.HeapBudget;
 
@@ -83,8 +84,8 @@ public final class ModelCollector {
      */
     public void addFace(String material, int... corners) {
         if (corners.length < 3) {
-            throw new InputException(
-                    file.name() + ": face " + faces + " has " + corners.length + " corners, needs 3 or more");
+            throw new InputException(file.name() + ": face " + faces + " has " + Counted.of(corners.length, "corner")
+                    + " but needs 3 or more");
         }
         for (int corner : corners) {
             if (corner < 0 || corner >= vertices.size() / 3) {
@@ -128,7 +129,8 @@ public final class ModelCollector {
      */
     public LoadedModel toModel() {
         if (triangles.size() == 0) {
-            throw new InputException(file.name() + ": none of its " + stated + " triangles has an area: not a mesh");
+            throw new InputException(
+                    file.name() + ": has no area (" + Counted.of(stated, "triangle") + "): not a mesh");
         }
         TriangleMesh mesh = triangles.toMesh(List.copyOf(materials.keySet()));
         int dropped = (int) stated - mesh.triangleCount();

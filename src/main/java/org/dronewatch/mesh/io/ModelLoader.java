@@ -53,9 +53,8 @@ public final class ModelLoader {
         ModelFile file = ModelFile.find(directory, settings.file()).inScene(sceneOrigin);
         MeshReaders readers = MeshReaders.found();
         if (file.name().toLowerCase(Locale.ROOT).endsWith(".ifc") && !readers.knows(file.name())) {
-            throw new InputException(
-                    file.name() + ": IFC files are not read: 'IfcConvert --use-world-coords model.ifc model.glb' of"
-                            + " IfcOpenShell converts them");
+            throw new InputException(file.name() + ": IFC files are not supported: IfcOpenShell converts them, as in"
+                    + " 'IfcConvert --use-world-coords model.ifc model.glb'");
         }
         try {
             LoadedModel model = readers.of(file.name()).read(file, settings);

@@ -66,8 +66,8 @@ public record ModelSettings(
                     "crs " + crs.get() + " has coordinates in degrees: a model needs a grid in metres or feet");
         }
         if (crs.isPresent() && heading != 0.0) {
-            throw new IllegalArgumentException("heading must be 0 deg if 'crs' is given, is "
-                    + Quantity.ANGLE.inWords(heading) + ": the grid states the direction of north");
+            throw new IllegalArgumentException("heading must be 0 deg if 'crs' is given, not "
+                    + Quantity.ANGLE.inWords(heading) + ": the grid defines the direction of north");
         }
     }
 

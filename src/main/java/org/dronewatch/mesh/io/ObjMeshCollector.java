@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.file.HeapBudget;
 
@@ -67,7 +68,8 @@ final class ObjMeshCollector {
     void addFace(Ints indices) {
         int size = indices.size();
         if (size < 3) {
-            throw new InputException(lines.at(file) + "face has " + size + " corners, needs 3 or more");
+            throw new InputException(
+                    lines.at(file) + "face has " + Counted.of(size, "corner") + " but needs 3 or more");
         }
         triangles += size - 2;
         if (triangles > MAX_TRIANGLES) {
@@ -87,14 +89,18 @@ final class ObjMeshCollector {
             throw new InputException(lines.at(file) + "vertex index 0, but the first vertex has index 1");
         }
         if (index < -vertexCount()) {
-            throw new InputException(lines.at(file) + "vertex index " + index + " points before the first of "
-                    + vertexCount() + " vertices");
+            throw new InputException(lines.at(file) + "vertex index " + index + " lies before the first vertex ("
+                    + vertices() + " so far)");
         }
         return index < 0 ? vertexCount() + index : index - 1;
     }
 
     private int vertexCount() {
         return vertices.size() / 3;
+    }
+
+    private String vertices() {
+        return Counted.of(vertexCount(), "vertex", "vertices");
     }
 
     void useMaterial(String name) {
@@ -119,11 +125,11 @@ final class ObjMeshCollector {
             }
             if (corners.get(i) >= vertexCount()) {
                 throw new InputException(file + ":" + lineOfFace.get(face) + ": vertex index " + (corners.get(i) + 1)
-                        + " is beyond the last of " + vertexCount() + " vertices");
+                        + " lies beyond the last vertex (" + vertices() + ")");
             }
         }
         if (corners.size() == 0) {
-            throw new InputException(file + ": has no faces (" + vertexCount() + " vertices): not a mesh");
+            throw new InputException(file + ": has no faces (" + vertices() + "): not a mesh");
         }
     }
 
@@ -150,7 +156,7 @@ final class ObjMeshCollector {
                     + (uncut > 1 ? "; so were " + (uncut - 1) + " more" : ""));
         }
         if (mesh.size() == 0) {
-            throw new InputException(file + ": none of its " + triangles + " triangles has an area: not a mesh");
+            throw new InputException(file + ": has no area (" + Counted.of(triangles, "triangle") + "): not a mesh");
         }
         return mesh.toMesh(materialNames());
     }

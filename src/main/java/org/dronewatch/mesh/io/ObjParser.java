@@ -3,6 +3,7 @@ package org.dronewatch.mesh.io;
 import java.io.IOException;
 import java.util.Locale;
 import org.dronewatch.geometry.Ints;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -70,7 +71,7 @@ final class ObjParser {
             count++;
         }
         if (count < coordinates.length) {
-            throw wrong("vertex has " + count + " coordinates, needs 3");
+            throw wrong("vertex has " + Counted.of(count, "coordinate") + " but needs 3");
         }
         collector.addVertex(coordinates[0], coordinates[1], coordinates[2]);
     }

@@ -127,7 +127,7 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements) {
             case "binary_big_endian" -> Optional.of(ByteOrder.BIG_ENDIAN);
             default ->
                 throw new InputException(where
-                        + "format must be ascii, binary_little_endian or binary_big_endian, is '"
+                        + "format must be ascii, binary_little_endian or binary_big_endian, not '"
                         + PlainText.value(words.length > 1 ? words[1] : "") + "'");
         };
     }

@@ -115,8 +115,8 @@ public final class PlyReader implements MeshReader {
     private static int length(PlyHeader.Property list, Numbers numbers, ModelFile file) throws IOException {
         double count = numbers.next(list.count().orElseThrow());
         if (!(count >= 0.0 && count <= MOST_CORNERS && count == Math.rint(count))) {
-            throw new InputException(file.name() + ": a list '" + PlainText.value(list.name()) + "' of " + (float) count
-                    + " values, must have 0 to " + MOST_CORNERS);
+            throw new InputException(file.name() + ": a list '" + PlainText.value(list.name()) + "' has "
+                    + (float) count + " values but must have 0 to " + MOST_CORNERS);
         }
         return (int) count;
     }

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -98,9 +99,9 @@ public final class StlReader implements MeshReader {
             if (file.size() < needed) {
                 throw new InputException(String.format(
                         Locale.ROOT,
-                        "%s: states %,d facets, which need %,d bytes, but has %,d: not STL, or cut off",
+                        "%s: states %s, which would take %,d bytes, but has %,d: not STL, or cut off",
                         file.name(),
-                        facets,
+                        Counted.of(facets, "facet"),
                         needed,
                         file.size()));
             }
@@ -141,15 +142,15 @@ public final class StlReader implements MeshReader {
                         throw new InputException(lines.at(file.name())
                                 + (words.length != 4
                                         ? "a vertex needs three coordinates"
-                                        : "a facet with more than three corners"));
+                                        : "a facet has more than three corners"));
                     }
                     for (int axis = 0; axis < 3; axis++) {
                         corners[count++] = number(words[axis + 1], lines, file);
                     }
                 } else if (word.equals("endloop")) {
                     if (count != COORDINATES) {
-                        throw new InputException(
-                                lines.at(file.name()) + "a facet with " + count / 3 + " corners, needs 3");
+                        throw new InputException(lines.at(file.name()) + "a facet has "
+                                + Counted.of(count / 3, "corner") + " but needs 3");
                     }
                     int last = 0;
                     for (int i = 0; i < COORDINATES; i += 3) {
@@ -175,7 +176,7 @@ public final class StlReader implements MeshReader {
             double number = Double.parseDouble(text);
             if (!Double.isFinite(number)) {
                 throw new InputException(
-                        lines.at(file.name()) + "a coordinate must be finite, is " + PlainText.value(text));
+                        lines.at(file.name()) + "a coordinate must be finite, not " + PlainText.value(text));
             }
             return number;
         } catch (NumberFormatException e) {

@@ -205,7 +205,7 @@ class ModelFormatsTest {
         assertWedge(load("wedge.stl", Arrays.copyOf(whole, whole.length + 7)), 12.0, 4, 3, 2);
         assertThatThrownBy(() -> load("wedge.stl", Arrays.copyOf(whole, whole.length - 1)))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("states 8 facets, which need 484 bytes, but has 483: not STL, or cut off");
+                .hasMessageContaining("states 8 facets, which would take 484 bytes, but has 483: not STL, or cut off");
     }
 
     @Test
@@ -402,9 +402,9 @@ class ModelFormatsTest {
             value = {
                 "a.stl | solid a%nfacet normal 0 0 1%nvertex 1 2%n | a.stl:3: a vertex needs three coordinates",
                 "a.stl | solid a%nvertex 1 2 x%n | a.stl:2: not a number: 'x'",
-                "a.stl | solid a%nendloop%n | a.stl:2: a facet with 0 corners, needs 3",
+                "a.stl | solid a%nendloop%n | a.stl:2: a facet has 0 corners but needs 3",
                 "a.stl | solid a%nblob%n | a.stl:2: unknown keyword 'blob'",
-                "a.stl | solid a%nvertex 1 2 NaN%n | a.stl:2: a coordinate must be finite, is NaN",
+                "a.stl | solid a%nvertex 1 2 NaN%n | a.stl:2: a coordinate must be finite, not NaN",
                 "a.stl | solid a%nfacet normal 0 0 1%nvertex 1 2 3%n | ends without 'endsolid': it is cut off",
                 "a.stl | abc | ends too early",
                 "a.ply | ply%nformat ascii 1.0%nelement vertex 1%nproperty float x%nproperty float y%nproperty float z%nend_header%n0 1 0.00000000000000000000000000000000000000000000000000000000000000000000001%n | a number of more than 64 characters",
@@ -413,10 +413,10 @@ class ModelFormatsTest {
                 "a.ply | ply%nformat ascii 1.0%nelement vertex 1%nproperty float x%nend_header%n1%n | its vertices have no 'y'",
                 "a.ply | ply%nformat ascii 1.0%nend_header%n | has no faces: a cloud of points is not a mesh",
                 "a.ply | plx | a.ply:1: the header does not end",
-                "a.gltf | {} | asset.version is '', must be 2.0: not glTF",
+                "a.gltf | {} | asset.version is '' but must be 2.0: not glTF",
                 "a.gltf | [ | not glTF",
                 "a.glb | glTF | ends too early",
-                "a.ifc | ISO-10303-21; | IFC files are not read: 'IfcConvert",
+                "a.ifc | ISO-10303-21; | IFC files are not supported: IfcOpenShell converts them, as in 'IfcConvert",
             })
     void whatIsWrongIsNamed(String name, String text, String message) {
         assertThatThrownBy(() -> load(name, ascii(text.replace("%n", "\n"))))
@@ -434,7 +434,7 @@ class ModelFormatsTest {
                 "\"count\":6 | \"count\":2147483647 | does not lie within its buffer",
                 "\"count\":6 | \"count\":-1 | does not lie within its buffer",
                 "\"count\":6 | \"byteOffset\":-12,\"count\":6 | does not lie within its buffer",
-                "\"byteLength\":120 | \"byteLength\":121 | buffer 0 states 121 bytes, has 120",
+                "\"byteLength\":120 | \"byteLength\":121 | buffer 0 states 121 bytes but has 120",
                 "\"componentType\":5126 | \"componentType\":1 | has components of type 1",
                 "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"mesh\":4}] | mesh 4 does not exist",
                 "\"nodes\":[{\"mesh\":0}] | \"nodes\":[{\"children\":[0]}] | node 0 is a child twice, or its own ancestor",
@@ -443,9 +443,9 @@ class ModelFormatsTest {
                 "\"material\":0 | \"material\":7 | material 7 does not exist",
                 "\"count\":24 | \"count\":23 | a primitive of 23 corners, not a whole number of triangles",
                 "\"count\":6 | \"count\":5 | accessor 1: vertex index 5 must be 0 to 4",
-                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"] | requires the extension 'EXT_mesh_gpu_instancing', which is not read",
+                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"] | requires the extension 'EXT_mesh_gpu_instancing', which is not supported",
                 "\"nodes\":[0] | \"nodes\":[5] | node 5 does not exist",
-                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"] | is compressed by",
+                "\"version\":\"2.0\"} | \"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"] | is compressed with",
                 "\"count\":6 | \"sparse\":{},\"count\":6 | accessor 0 is sparse",
             })
     void gltfThatLiesIsRefused(String part, String lie, String message) {

@@ -171,7 +171,11 @@ class ModelLoaderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"'',has no faces", "'v 0 0 0\n',has no faces", "'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n',none of its 1"})
+    @CsvSource({
+        "'',has no faces",
+        "'v 0 0 0\n',has no faces",
+        "'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n',has no area (1 triangle)"
+    })
     void aFileWithoutAMeshIsRefused(String text, String what) {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> load(text))

@@ -204,7 +204,7 @@ class ObjStatementsTest {
         "v, 0 coordinates",
         "f, 0 corners",
         "f 1 2 0, index 0",
-        "f 1 2 -4, -4 points before"
+        "f 1 2 -4, -4 lies before"
     })
     void aNumberThatCannotBeReadIsNamed(String line, String what) {
         assertThatExceptionOfType(InputException.class)
@@ -220,7 +220,7 @@ class ObjStatementsTest {
         assertThat(PolygonCutterTest.area(model.mesh())).isEqualTo(4.0);
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> load(TRIANGLE + "f 1 2 3\n\nf 1 2 3 7\nf 1 2 3\n"))
-                .withMessageContaining("model.obj:6: vertex index 7 is beyond the last of 3 vertices");
+                .withMessageContaining("model.obj:6: vertex index 7 lies beyond the last vertex (3 vertices)");
     }
 
     @ParameterizedTest
