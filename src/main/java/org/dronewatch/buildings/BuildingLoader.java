@@ -18,6 +18,7 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.LongTask;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.PackagedSite;
@@ -175,7 +176,7 @@ public final class BuildingLoader {
         BuildingParts parts = new BuildingParts(buildings);
         SolidMesh solids = new SolidMesh();
         int count = buildings.size();
-        String what = String.format(Locale.ROOT, "buildings: extruding %,d buildings", count);
+        String what = String.format(Locale.ROOT, "buildings: extruding %s", Counted.of(count, "building"));
         try (LongTask task = LongTask.begin(what, count, count > MANY, progress)) {
             for (Building building : buildings) {
                 site.build(building, parts, solids);

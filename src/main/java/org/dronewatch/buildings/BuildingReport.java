@@ -74,7 +74,7 @@ final class BuildingReport {
                 deepest = climb - top;
                 deepestBuried = String.format(
                         Locale.ROOT,
-                        "%s is %.1f m high on ground that climbs by %.1f m",
+                        "%s is %.1f m high on ground that rises by %.1f m",
                         id,
                         tenths(top),
                         tenths(climb));
@@ -182,9 +182,11 @@ final class BuildingReport {
     private String cityModel(int triangles) {
         return String.format(
                         Locale.ROOT,
-                        "buildings: %s; %s had no floor, which was added",
+                        "buildings: %s; %s",
                         Counted.of(triangles, "triangle"),
-                        Counted.of(added, "solid"))
+                        added == 0
+                                ? "all solids have floors"
+                                : Counted.of(added, "solid") + " had no floor, which was added")
                 + (floors.isEmpty()
                         ? ""
                         : String.format(
@@ -243,7 +245,7 @@ final class BuildingReport {
         if (!floors.isEmpty() && Math.abs(floors.get(floors.size() / 2)) > FLOATING) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "%s: its buildings lie %.1f m %s the ground (median): their heights may refer to a different zero level; if so,"
+                    "%s: its buildings lie %.1f m %s the ground (median): their heights may refer to a different vertical datum; if so,"
                             + " set world.buildings.verticalOffset",
                     file,
                     Math.abs(floors.get(floors.size() / 2)),

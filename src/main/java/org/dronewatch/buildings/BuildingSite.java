@@ -228,7 +228,7 @@ final class BuildingSite {
     private void solid(String id, Footprint footprint, Dimensions dimensions, SolidMesh solids) {
         Footprint.Cut cut = footprint.cut();
         if (!cut.isWhole()) {
-            report.doubt("the outline crosses itself, so that its roof may have gaps", id);
+            report.doubt("the outline crosses itself, so its roof may have gaps", id);
         }
         double eaves = dimensions.top() - dimensions.rise();
         double bottom = dimensions.bottom() > 0.0 ? dimensions.bottom() : -BuildingLoader.BELOW;

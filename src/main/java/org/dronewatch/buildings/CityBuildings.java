@@ -60,7 +60,7 @@ final class CityBuildings {
                     report.doubt("the solid is not closed", solid.id());
                 }
                 if (!cut.isWhole()) {
-                    report.doubt("a surface crosses itself, so that it may have gaps", solid.id());
+                    report.doubt("a surface crosses itself, so it may have gaps", solid.id());
                 }
                 ground.ifPresent(level -> compare(cut.corners(), level));
             }

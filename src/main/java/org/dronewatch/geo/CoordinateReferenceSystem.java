@@ -65,11 +65,11 @@ public final class CoordinateReferenceSystem {
         String[] parameters = EpsgParameters.of(number);
         if (parameters.length == 0) {
             throw new InputException("coordinate reference system '" + name
-                    + "' is not known: give the code of the grid, or of longitude and latitude, that the file uses");
+                    + "' is not known: give the EPSG code of the system that the file uses");
         }
         if (Arrays.asList(parameters).contains("+proj=geocent")) {
             throw new InputException("coordinate reference system '" + name
-                    + "' has earth-centred coordinates: needs those of a map, as in EPSG:25832");
+                    + "' has earth-centred coordinates, but must have those of a map, as in EPSG:25832");
         }
         try {
             return new CoordinateReferenceSystem(name, new CRSFactory().createFromParameters(name, parameters));

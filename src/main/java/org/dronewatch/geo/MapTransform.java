@@ -77,8 +77,8 @@ public final class MapTransform {
      */
     public Position inWorld(double x, double y, double height) {
         if (!(Math.abs(height) <= HIGHEST)) {
-            throw new InputException(
-                    "point (" + x + ", " + y + ") has a height of " + height + " m, must be within " + HIGHEST + " m");
+            throw new InputException("point (" + x + ", " + y + ") has a height of " + height + " m but must be within "
+                    + HIGHEST + " m");
         }
         toEarth(x, y);
         return geodesy.inWorld(Math.toRadians(to.y), Math.toRadians(to.x), height);

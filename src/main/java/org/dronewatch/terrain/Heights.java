@@ -88,8 +88,8 @@ final class Heights {
         if (!statesNodata && zeros > MANY * heights.length && zeros < heights.length) {
             warnings.add(String.format(
                     Locale.ROOT,
-                    "terrain: %,d of %,d posts are exactly 0 m high: if that is not the sea, world.terrain.nodata: 0 makes holes"
-                            + " of them",
+                    "terrain: %,d of %,d posts are exactly 0 m high: if that is not the sea, world.terrain.nodata: 0 turns them"
+                            + " into holes",
                     zeros,
                     heights.length));
         }

@@ -61,7 +61,7 @@ final class Mosaic {
                     .orElseThrow(() -> new InputException(file.name()
                             + ": does not state its coordinate reference system: set it, as in crs: EPSG:25832"));
             if (!own.equals(first.crs().orElseThrow())) {
-                throw new InputException(file.name() + ": is in " + own + ", but " + first.name() + " in "
+                throw new InputException(file.name() + ": is in " + own + ", but " + first.name() + " is in "
                         + first.crs().orElseThrow() + ": gdalwarp -t_srs "
                         + first.crs().orElseThrow() + " converts it");
             }
@@ -148,8 +148,8 @@ final class Mosaic {
                 || found.rows() > Triangulation.MAX_SIDE) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: %,d x %,d posts within %s m of the origin, must be at most %,d and %,d a side: choose a smaller"
-                            + " radius, or gdalwarp -tr with larger steps",
+                    "%s: %,d x %,d posts within %s m of the origin; there must be at most %,d in all and %,d a side: choose a"
+                            + " smaller radius, or gdalwarp -tr with larger steps",
                     files.get(0).name(),
                     found.columns(),
                     found.rows(),

@@ -61,9 +61,11 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                         ? ", no holes"
                         : String.format(
                                 Locale.ROOT,
-                                "; %,d %s without a height (holes)",
+                                "; %,d %s",
                                 heights.holes(),
-                                heights.holes() == 1 ? "post" : "posts")));
+                                heights.holes() == 1
+                                        ? "post without a height (a hole)"
+                                        : "posts without heights (holes)")));
         settings.credit().ifPresent(text -> lines.add("elevations: " + PlainText.line(text)));
         return lines;
     }
@@ -74,7 +76,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
         return isInside
                 ? String.format(
                         Locale.ROOT,
-                        "extends %.2f km to the west, %.2f east, %.2f north and %.2f south of the origin",
+                        "extends %.2f km west, %.2f km east, %.2f km north and %.2f km south of the origin",
                         -west,
                         east,
                         north,
@@ -141,7 +143,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                 .findFirst()
                 .ifPresent(file -> warnings.add(String.format(
                         Locale.ROOT,
-                        "%s: %s is a grid in feet, but the unit of the heights is not stated: they are taken as metres; if"
+                        "%s: %s is a grid in feet, but the unit of the heights is not stated: they are taken to be in metres; if"
                                 + " they are in US survey feet, state that, as in gdal_translate -a_srs %2$s+6360",
                         file.name(),
                         crs)));

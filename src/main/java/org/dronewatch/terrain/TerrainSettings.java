@@ -114,8 +114,8 @@ public record TerrainSettings(
 
     private static void checkAttribution(String text) {
         if (text.isBlank() || text.length() > LONGEST_ATTRIBUTION) {
-            throw new IllegalArgumentException(
-                    "attribution has " + text.strip().length() + " characters, must have 1 to " + LONGEST_ATTRIBUTION);
+            throw new IllegalArgumentException("attribution has " + text.strip().length()
+                    + " characters but must have 1 to " + LONGEST_ATTRIBUTION);
         }
     }
 

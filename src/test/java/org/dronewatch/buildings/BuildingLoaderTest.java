@@ -500,7 +500,7 @@ class BuildingLoaderTest {
         assertThat(load(BuildingSettings.of("map.osm"), Optional.of(new TerrainGround(slope)))
                         .warnings())
                 .containsExactly("map.osm: buildings whose roofs lie below the highest ground under them: 2 of 4; way/"
-                        + worst + " is 9.0 m high on ground that climbs by 25.0 m; heights are measured from the lowest"
+                        + worst + " is 9.0 m high on ground that rises by 25.0 m; heights are measured from the lowest"
                         + " ground");
         assertThat(load().warnings()).isEmpty();
     }

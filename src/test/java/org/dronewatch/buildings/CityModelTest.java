@@ -102,7 +102,7 @@ class CityModelTest {
             assertThat(loaded.warnings()).isEmpty();
         }
         assertThat(open.description()).contains("buildings: 12 triangles; 1 solid had no floor, which was added");
-        assertThat(closed.description()).contains("buildings: 12 triangles; 0 solids had no floor, which was added");
+        assertThat(closed.description()).contains("buildings: 12 triangles; all solids have floors");
     }
 
     /** A court of 2 m x 2 m: the floor has an opening, and so has the roof. */
@@ -176,10 +176,10 @@ class CityModelTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "[0,1,99] | city.json: b: vertex '99', must be 0 to 7",
-                "[0,1,-1] | city.json: b: vertex '-1', must be 0 to 7",
-                "[0,1,1.5] | city.json: b: vertex '1.5', must be 0 to 7",
-                "[0,1,\"x\"] | city.json: b: vertex '\"x\"', must be 0 to 7",
+                "[0,1,99] | city.json: b: vertex '99' must be 0 to 7",
+                "[0,1,-1] | city.json: b: vertex '-1' must be 0 to 7",
+                "[0,1,1.5] | city.json: b: vertex '1.5' must be 0 to 7",
+                "[0,1,\"x\"] | city.json: b: vertex '\"x\"' must be 0 to 7",
             })
     void verticesThatAreNotThereAreRefused(String ring, String message) {
         assertThatThrownBy(() -> load(city(BOX, solid("[" + ring + "]"))))

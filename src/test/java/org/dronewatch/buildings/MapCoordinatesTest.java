@@ -119,7 +119,7 @@ class MapCoordinatesTest {
             assertThatThrownBy(() -> load(text, crs))
                     .isInstanceOf(InputException.class)
                     .hasMessageMatching(
-                            "map: feature/0: corner 0 of an outline is \\[\\d+\\.\\d+,\\d+\\.\\d+\\], must be longitude"
+                            "map: feature/0: corner 0 of an outline is \\[\\d+\\.\\d+,\\d+\\.\\d+\\] but must be longitude"
                                     + " and latitude, -180 to 180 and -90 to 90 degrees: for coordinates of a grid, set crs, as in"
                                     + " crs: EPSG:25832");
         }
@@ -161,10 +161,10 @@ class MapCoordinatesTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "urn:ogc:def:crs:ESRI::102100 | map: crs is 'urn:ogc:def:crs:ESRI::102100', must end in an EPSG code; state"
+                "urn:ogc:def:crs:ESRI::102100 | map: crs is 'urn:ogc:def:crs:ESRI::102100' but must end in an EPSG code; state"
                         + " world.buildings.crs instead",
-                "EPSG:1111 | map: crs: coordinate reference system 'EPSG:1111' is not known: give the code of the grid, or of"
-                        + " longitude and latitude, that the file uses",
+                "EPSG:1111 | map: crs: coordinate reference system 'EPSG:1111' is not known: give the EPSG code of the"
+                        + " system that the file uses",
             })
     void aSystemThatIsNotKnownMayBeReplaced(String name, String message) throws IOException {
         String text = square(String.format(NAMED, name), EAST, NORTH, 20);
@@ -190,9 +190,8 @@ class MapCoordinatesTest {
         drawn.area(new double[] {0, 0, 20, 0, 20, 20, 0, 20}, "building=yes height=10");
         assertThatThrownBy(() -> load(drawn.osm(), Optional.of("EPSG:28992")))
                 .isInstanceOf(InputException.class)
-                .hasMessage(
-                        "map: has longitude and latitude, like all maps of OpenStreetMap, but crs is EPSG:28992: leave"
-                                + " out crs");
+                .hasMessage("map: has longitude and latitude, like all OpenStreetMap data, but crs is EPSG:28992: leave"
+                        + " out crs");
         assertAtOrigin(load(drawn.osm(), Optional.of("EPSG:4326")));
         assertThat(new MapFiles(directory).needsCrs("map")).isFalse();
     }

@@ -277,7 +277,7 @@ class TerrainLoaderTest {
         assertThat(gap.surfaceHeight(-20.0, 0.2)).isPresent();
         assertThat(gap.surfaceHeight(20.0, 0.2)).isPresent();
         assertThat(broken.warnings()).contains("terrain: there is no ground at the origin");
-        assertThat(String.join("\n", broken.description())).contains("600 posts without a height (holes)");
+        assertThat(String.join("\n", broken.description())).contains("600 posts without heights (holes)");
     }
 
     /** The island of Taveuni lies on both sides of the date line, and so does its ground. */
@@ -341,7 +341,7 @@ class TerrainLoaderTest {
         assertThatThrownBy(() -> load(TerrainSettings.of(List.of("fine.tif", "shifted.tif")), origin))
                 .hasMessageContaining("shifted.tif: its posts");
         assertThatThrownBy(() -> load(TerrainSettings.of(List.of("fine.tif", "other.tif")), origin))
-                .hasMessageContaining("other.tif: is in EPSG:32632, but fine.tif in EPSG:32633")
+                .hasMessageContaining("other.tif: is in EPSG:32632, but fine.tif is in EPSG:32633")
                 .hasMessageContaining("gdalwarp -t_srs EPSG:32633");
     }
 
@@ -439,7 +439,8 @@ class TerrainLoaderTest {
         assertThatThrownBy(() -> load(
                         TerrainSettings.of("large.asc").withCrs("EPSG:32633").withRadius(4000), at(3000, 3000, 1)))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("6,000 x 6,000 posts within 4000.0 m of the origin, must be at most 25,000,000")
+                .hasMessageContaining(
+                        "6,000 x 6,000 posts within 4000.0 m of the origin; there must be at most 25,000,000")
                 .hasMessageContaining("smaller radius");
     }
 
@@ -490,9 +491,9 @@ class TerrainLoaderTest {
         assertThat(load(TerrainSettings.of("own.tif"), at(10, 10, 1)).description())
                 .noneMatch(line -> line.startsWith("elevations:"));
         assertThatThrownBy(() -> settings.withAttribution("x".repeat(301)))
-                .hasMessage("attribution has 301 characters, must have 1 to 300");
+                .hasMessage("attribution has 301 characters but must have 1 to 300");
         assertThatThrownBy(() -> settings.withAttribution(" "))
-                .hasMessage("attribution has 0 characters, must have 1 to 300");
+                .hasMessage("attribution has 0 characters but must have 1 to 300");
     }
 
     /** z counts from the origin's height, and from the file's level where the origin has none; an offset moves both. */

@@ -42,8 +42,8 @@ final class CityJsonFile {
     static MapFeatures read(String file, JsonNode root, FileHash hash) {
         String version = root.path("version").asString("");
         if (!version.startsWith("1.") && !version.startsWith("2.")) {
-            throw new InputException(file + ": CityJSON of version '" + PlainText.value(version)
-                    + "', must be 1.0 to 2.0; 'cjio " + file + " upgrade' converts older files");
+            throw new InputException(file + ": CityJSON version '" + PlainText.value(version)
+                    + "' must be 1.0 to 2.0; 'cjio " + file + " upgrade' converts older files");
         }
         CityJsonFile reader = new CityJsonFile(file, root);
         root.path("CityObjects").properties().forEach(one -> reader.object(one.getKey(), one.getValue()));
@@ -93,7 +93,7 @@ final class CityJsonFile {
     private double number(JsonNode node, String where) {
         if (!node.isNumber() || !Double.isFinite(node.doubleValue())) {
             throw new InputException(
-                    file + ": " + where + " has '" + PlainText.value(node) + "', must have three numbers");
+                    file + ": " + where + " has '" + PlainText.value(node) + "' but must have three numbers");
         }
         return node.doubleValue();
     }
@@ -119,7 +119,7 @@ final class CityJsonFile {
         if (best != null) {
             geometry(id, best);
         } else if (object.path("children").isEmpty()) {
-            leftOut.merge("building without a solid of level 1 or 2", 1, Integer::sum);
+            leftOut.merge("building without a solid at level of detail 1 or 2", 1, Integer::sum);
         }
     }
 
@@ -131,8 +131,8 @@ final class CityJsonFile {
             case "MultiSolid", "CompositeSolid" -> boundaries.forEach(solid -> surfaces(id, solid.path(0)));
             case "MultiSurface", "CompositeSurface" -> surfaces(id, boundaries);
             default ->
-                throw new InputException(file + ": " + PlainText.value(id) + ": a geometry of type '"
-                        + PlainText.value(geometry.path("type").asString("")) + "', must be Solid or MultiSurface");
+                throw new InputException(file + ": " + PlainText.value(id) + ": geometry type '"
+                        + PlainText.value(geometry.path("type").asString("")) + "' must be Solid or MultiSurface");
         }
     }
 
@@ -159,7 +159,7 @@ final class CityJsonFile {
             int number = corner.isInt() ? corner.intValue() : -1;
             if (number < 0 || 3 * number >= vertices.length) {
                 throw new InputException(file + ": " + PlainText.value(id) + ": vertex '" + PlainText.value(corner)
-                        + "', must be 0 to " + (vertices.length / 3 - 1));
+                        + "' must be 0 to " + (vertices.length / 3 - 1));
             }
             corners[i] = number;
         }

@@ -57,7 +57,7 @@ final class GeoJsonFile {
         if (!List.of("FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection")
                 .contains(type)) {
             throw new InputException(file + ": 'type' is '" + PlainText.value(type)
-                    + "', must be FeatureCollection or CityJSON: not a map with areas");
+                    + "' but must be FeatureCollection or CityJSON: not a map with areas");
         }
         reader.object(root, "geometry", Map.of(), 0);
         MapSystem system = new MapSystem(
@@ -161,7 +161,7 @@ final class GeoJsonFile {
                 JsonNode value = corner.path(axis);
                 if (!value.isNumber() || !Double.isFinite(value.doubleValue())) {
                     throw new InputException(file + ": " + PlainText.value(id) + ": corner " + i + " of an outline is "
-                            + PlainText.value(corner) + ", must be numbers: [longitude, latitude]");
+                            + PlainText.value(corner) + " but must be numbers: [longitude, latitude]");
                 }
                 ring[2 * i + axis] = value.doubleValue();
             }

@@ -58,9 +58,8 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
     public CoordinateReferenceSystem crs(String file, Optional<CoordinateReferenceSystem> given) {
         if (rule == Rule.ALWAYS_DEGREES) {
             given.filter(grid -> !grid.isGeographic()).ifPresent(grid -> {
-                throw new InputException(
-                        file + ": has longitude and latitude, like all maps of OpenStreetMap, but crs is " + grid
-                                + ": leave out crs");
+                throw new InputException(file + ": has longitude and latitude, like all OpenStreetMap data, but crs is "
+                        + grid + ": leave out crs");
             });
             return CoordinateReferenceSystem.WGS_84;
         }
@@ -72,7 +71,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
                 given.orElseGet(() -> stated.map(text -> parsed(file, text)).orElse(CoordinateReferenceSystem.WGS_84));
         if (crs.isGeographic() && foreign.isPresent()) {
             throw new InputException(file + ": " + foreign.get()
-                    + ", must be longitude and latitude, -180 to 180 and -90 to 90 degrees: for coordinates of a grid, set"
+                    + " but must be longitude and latitude, -180 to 180 and -90 to 90 degrees: for coordinates of a grid, set"
                     + " crs, as in crs: EPSG:25832");
         }
         return crs;
@@ -99,7 +98,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
         String code = code(text);
         if (code.isEmpty()) {
             throw new InputException(file + ": " + member + " is '" + PlainText.value(text)
-                    + "', must end in an EPSG code; state world.buildings.crs instead");
+                    + "' but must end in an EPSG code; state world.buildings.crs instead");
         }
         try {
             return CoordinateReferenceSystem.of(code);

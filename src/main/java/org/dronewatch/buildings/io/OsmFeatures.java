@@ -173,7 +173,7 @@ final class OsmFeatures implements OsmElements {
             if (!way.isClosed()) {
                 leave("outline not closed");
             } else if (!nodes.containsAll(way.nodes)) {
-                leave("outline beyond the area or the file");
+                leave("outline reaching beyond the area or the file");
             } else if (!built.add(key(way.nodes))) {
                 leave("outline given twice");
             } else {
@@ -190,7 +190,7 @@ final class OsmFeatures implements OsmElements {
             // A relation of type 'building' may only bind together an outline and its parts, which are separate
             // ways.
             if ("multipolygon".equals(relation.tags.get("type")) && isNear(relation)) {
-                leave("outline beyond the area or the file");
+                leave("outline reaching beyond the area or the file");
             }
             return Optional.empty();
         }

@@ -133,7 +133,7 @@ final class OsmPbf {
         // A quotient by a power of ten is the closest number to the decimal fraction; a product is not.
         double degrees = nanodegrees / PER_DEGREE;
         if (!(Math.abs(degrees) <= most)) {
-            throw new IOException("a node at " + degrees + " degrees, must be within " + most);
+            throw new IOException("a node at " + degrees + " degrees; the limit is " + most);
         }
         return degrees;
     }

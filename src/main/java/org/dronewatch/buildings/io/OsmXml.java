@@ -78,7 +78,7 @@ final class OsmXml {
             if (event == XMLStreamConstants.START_ELEMENT) {
                 if (!isOsm && !xml.getLocalName().equals("osm")) {
                     throw new InputException(file + ": begins with <" + PlainText.value(xml.getLocalName())
-                            + ">, must begin with <osm>: not a file of OpenStreetMap");
+                            + "> but must begin with <osm>: not an OpenStreetMap file");
                 }
                 isOsm = true;
                 start(xml);
@@ -178,10 +178,10 @@ final class OsmXml {
     }
 
     private InputException wrong(XMLStreamReader xml, String attribute, String text, String must, Exception cause) {
-        String what = text == null ? " is missing" : "='" + PlainText.value(text) + "'";
+        String what = text == null ? " is missing; it" : "='" + PlainText.value(text) + "'";
         return new InputException(
                 file + ":" + xml.getLocation().getLineNumber() + ": <" + xml.getLocalName() + "> " + attribute + what
-                        + ", must be " + must,
+                        + " must be " + must,
                 cause);
     }
 }

@@ -49,7 +49,7 @@ final class PbfBlocks {
         }
         int length = first << 24 | in.readUnsignedByte() << 16 | in.readUnsignedShort();
         if (length <= 0 || length > MOST_HEADER) {
-            throw new IOException("a block's header has " + length + " bytes, must have 1 to " + MOST_HEADER);
+            throw new IOException("a block's header has " + length + " bytes but must have 1 to " + MOST_HEADER);
         }
         type = "";
         long size = -1;
@@ -68,7 +68,7 @@ final class PbfBlocks {
     }
 
     private static IOException tooLarge(long size) {
-        return new IOException("a block has " + size + " bytes, must have at most " + MOST_BLOB
+        return new IOException("a block has " + size + " bytes but must have at most " + MOST_BLOB
                 + (MOST_BLOB < FORMAT_LIMIT ? ", a part of the memory that Java may use (-Xmx)" : ""));
     }
 
@@ -99,7 +99,7 @@ final class PbfBlocks {
                 case 4, 5, 6, 7 ->
                     throw new InputException(file + ": its blocks are compressed with "
                             + List.of("LZMA", "bzip2", "LZ4", "Zstandard").get(reader.field() - 4)
-                            + "; 'osmium cat -f pbf' writes one that is compressed with zlib");
+                            + "; 'osmium cat -f pbf' writes a file compressed with zlib");
                 default -> reader.skip();
             }
         }
@@ -128,7 +128,7 @@ final class PbfBlocks {
             }
             return target;
         } catch (DataFormatException e) {
-            throw new IOException("a block is not in zlib's format", e);
+            throw new IOException("a block is not in zlib format", e);
         } finally {
             inflater.end();
         }

@@ -131,7 +131,7 @@ final class ProtoReader {
 
     private void expect(int wanted) throws IOException {
         if (type != wanted) {
-            throw new IOException("field " + field + " has wire type " + type + ", must have " + wanted);
+            throw new IOException("field " + field + " has wire type " + type + " but must have " + wanted);
         }
     }
 

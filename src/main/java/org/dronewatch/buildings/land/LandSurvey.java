@@ -164,9 +164,11 @@ public final class LandSurvey {
         if (offTheGround > 0) {
             lines.add(String.format(
                     Locale.ROOT,
-                    "land cover: left out: %,d %s on bridges, in tunnels or underground",
+                    "land cover: left out: %,d %s",
                     offTheGround,
-                    offTheGround == 1 ? "road or area" : "roads and areas"));
+                    offTheGround == 1
+                            ? "road or area on a bridge, in a tunnel or underground"
+                            : "roads and areas on bridges, in tunnels or underground"));
         }
         return lines;
     }
@@ -177,7 +179,7 @@ public final class LandSurvey {
                 : Optional.of(String.format(
                         Locale.ROOT,
                         "%s: land cover: %,d %s left out: %s%s;"
-                                + " 'osmium extract --strategy smart' extracts a map with whole areas",
+                                + " 'osmium extract --strategy smart' extracts a map with complete areas",
                         file,
                         cutOff.size(),
                         cutOff.size() == 1

@@ -131,12 +131,13 @@ public final class Features {
                     + (names.isEmpty() ? "nothing there has a name" : Spelling.closestMatches(name, names)));
         }
         if (named.size() > 1) {
-            throw new IllegalArgumentException(shown + ": there are " + named.size() + " in " + file + ", at "
+            throw new IllegalArgumentException(shown + ": there are " + named.size() + " in " + file
+                    + (named.size() > 2 ? ", the first two at " : ", at ")
                     + named.get(0).where() + " and " + named.get(1).where());
         }
         if (named.get(0).point().isEmpty()) {
             throw new IllegalArgumentException(shown + " at " + named.get(0).where() + " of " + file + " is a "
-                    + PlainText.value(named.get(0).shape()) + ", must be a Point");
+                    + PlainText.value(named.get(0).shape()) + " but must be a Point");
         }
         return named.get(0);
     }

@@ -44,7 +44,7 @@ final class GeoJsonFeatures {
             }
         } else {
             throw new InputException(
-                    file + ": 'type' is '" + PlainText.value(type) + "', must be FeatureCollection or Feature");
+                    file + ": 'type' is '" + PlainText.value(type) + "' but must be FeatureCollection or Feature");
         }
     }
 

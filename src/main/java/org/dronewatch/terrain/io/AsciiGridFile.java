@@ -176,8 +176,8 @@ final class AsciiGridFile implements ElevationFile {
                 }
             }
             if (window.row() + window.rows() == rows && !words.isAtEnd()) {
-                throw new InputException(bytes.name() + ":" + words.line() + ": has more than the "
-                        + (long) rows * columns + " heights of its header");
+                throw new InputException(bytes.name() + ":" + words.line() + ": has more heights than the "
+                        + (long) rows * columns + " that its header states");
             }
         }
         return heights;

@@ -107,7 +107,7 @@ public final class ElevationFiles {
     private static void checkSize(String name, long bytes) {
         if (bytes > MOST_BYTES) {
             throw new InputException(
-                    String.format(Locale.ROOT, "%s: has %,d bytes, must have at most %,d", name, bytes, MOST_BYTES));
+                    String.format(Locale.ROOT, "%s: has %,d bytes but must have at most %,d", name, bytes, MOST_BYTES));
         }
     }
 
@@ -177,7 +177,7 @@ public final class ElevationFiles {
                 }
                 if (entry.getName().toLowerCase(Locale.ROOT).endsWith(".hgt")) {
                     if (found.isPresent()) {
-                        throw new InputException(bytes.name() + ": has several .hgt files, must have one");
+                        throw new InputException(bytes.name() + ": has several .hgt files but must have one");
                     }
                     found = Optional.of(
                             new HgtFile(tile(bytes.name(), zip), ElevationBytes.shortName(entry.getName())));

@@ -70,7 +70,7 @@ final class GeoTiffFile implements ElevationFile {
         long bands = tags.single(BANDS, 1);
         if (bands != 1) {
             throw new InputException(bytes.name() + ": has " + bands
-                    + " bands, elevations have one; gdal_translate -b 1 takes the first");
+                    + " bands, but elevations have one; gdal_translate -b 1 takes the first");
         }
         this.block = block();
         this.isTiled = tags.has(TILE_OFFSETS);
@@ -92,9 +92,9 @@ final class GeoTiffFile implements ElevationFile {
     private int number(int tag, String what, int from, int to) throws IOException {
         long value = tags.single(tag, -1);
         if (value < from || value > to) {
-            throw new InputException(
-                    bytes.name() + ": " + (value < 0 ? "does not state its number of " + what : value + " " + what)
-                            + ", must be " + from + " to " + to);
+            throw new InputException(bytes.name() + ": "
+                    + (value < 0 ? "does not state its number of " + what : "has " + value + " " + what)
+                    + "; there must be " + from + " to " + to);
         }
         return (int) value;
     }
@@ -103,7 +103,7 @@ final class GeoTiffFile implements ElevationFile {
         int compression = (int) tags.single(COMPRESSION, 1);
         if (!COMPRESSIONS.containsKey(compression)) {
             throw unreadable(
-                    "its compression, " + REFUSED.getOrDefault(compression, "number") + " (" + compression + "),");
+                    "its compression, " + REFUSED.getOrDefault(compression, "unknown") + " (" + compression + "),");
         }
         int bits = (int) tags.single(BITS, 1);
         int format = (int) tags.single(FORMAT, 1);
@@ -254,7 +254,7 @@ final class GeoTiffFile implements ElevationFile {
         String what = (isTiled ? "tile " : "strip ") + number;
         if (lengths[number] < 0 || lengths[number] > MOST_BLOCK_BYTES) {
             throw new InputException(bytes.name() + ": " + what + " has " + lengths[number]
-                    + " bytes, must have at most " + MOST_BLOCK_BYTES);
+                    + " bytes but must have at most " + MOST_BLOCK_BYTES);
         }
         if (offsets[number] < 0 || offsets[number] > bytes.size() - lengths[number]) {
             throw new InputException(String.format(

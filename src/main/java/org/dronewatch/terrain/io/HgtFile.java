@@ -54,7 +54,7 @@ final class HgtFile implements ElevationFile {
                 return side;
             }
         }
-        throw new InputException(bytes.name() + ": has " + bytes.size() + " bytes, must have "
+        throw new InputException(bytes.name() + ": has " + bytes.size() + " bytes but must have "
                 + 2 * THREE_SECONDS * THREE_SECONDS + " (posts 3 arc seconds apart) or " + MOST_BYTES
                 + " (1 arc second)");
     }

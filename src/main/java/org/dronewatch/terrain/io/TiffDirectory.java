@@ -90,7 +90,7 @@ final class TiffDirectory {
     private void checkTags(long count) {
         if (count < 1 || count > MOST_TAGS) {
             throw new InputException(
-                    bytes.name() + ": states " + count + " tags, must be 1 to " + MOST_TAGS + ": it is damaged");
+                    bytes.name() + ": states " + count + " tags but must state 1 to " + MOST_TAGS + ": it is damaged");
         }
     }
 
@@ -109,8 +109,8 @@ final class TiffDirectory {
     private ByteBuffer values(int number, Tag tag) throws IOException {
         int size = size(tag.type());
         if (size == 0 || tag.count() < 0 || tag.count() > MOST_VALUES) {
-            throw new InputException(bytes.name() + ": tag " + number + " of type " + tag.type() + " with "
-                    + tag.count() + " values: at most " + MOST_VALUES + " of a known type; the file is damaged");
+            throw new InputException(bytes.name() + ": tag " + number + " of type " + tag.type() + " has " + tag.count()
+                    + " values but must have at most " + MOST_VALUES + " of a known type: the file is damaged");
         }
         try {
             return buffer(bytes.read(tag.at(), (int) (size * tag.count())));

@@ -192,13 +192,13 @@ class MapFilesTest {
             delimiter = '|',
             quoteCharacter = '~',
             value = {
-                "<kml/> | map: begins with <kml>, must begin with <osm>: not a file of OpenStreetMap",
-                "<osm><node id='x' lat='1' lon='1'/></osm> | map:1: <node> id='x', must be a whole number",
-                "<osm><node id='1' lon='1'/></osm> | map:1: <node> lat is missing, must be a number",
-                "<osm><node id='1' lat='91' lon='1'/></osm> | map:1: <node> lat='91', must be -90.0 to 90.0",
-                "<osm><node id='1' lat='NaN' lon='1'/></osm> | map:1: <node> lat='NaN', must be -90.0 to 90.0",
-                "{\"type\": \"Topology\"} | map: 'type' is 'Topology', must be FeatureCollection or CityJSON: not a map with areas",
-                "{\"type\": \"Polygon\", \"coordinates\": [[[1]]]} | map: geometry: corner 0 of an outline is [1], must be numbers:"
+                "<kml/> | map: begins with <kml> but must begin with <osm>: not an OpenStreetMap file",
+                "<osm><node id='x' lat='1' lon='1'/></osm> | map:1: <node> id='x' must be a whole number",
+                "<osm><node id='1' lon='1'/></osm> | map:1: <node> lat is missing; it must be a number",
+                "<osm><node id='1' lat='91' lon='1'/></osm> | map:1: <node> lat='91' must be -90.0 to 90.0",
+                "<osm><node id='1' lat='NaN' lon='1'/></osm> | map:1: <node> lat='NaN' must be -90.0 to 90.0",
+                "{\"type\": \"Topology\"} | map: 'type' is 'Topology' but must be FeatureCollection or CityJSON: not a map with areas",
+                "{\"type\": \"Polygon\", \"coordinates\": [[[1]]]} | map: geometry: corner 0 of an outline is [1] but must be numbers:"
                         + " [longitude, latitude]",
                 "hello | map: is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson map'"
                         + " converts most other formats",
@@ -262,7 +262,7 @@ class MapFilesTest {
         byte[] huge = PbfWriter.header("OSMHeader", 0x7FFFFFFF);
         assertThatThrownBy(() -> read(huge))
                 .isInstanceOf(InputException.class)
-                .hasMessageStartingWith("map: cannot be read: a block has 2147483647 bytes, must have at most ");
+                .hasMessageStartingWith("map: cannot be read: a block has 2147483647 bytes but must have at most ");
         byte[] bomb = PbfWriter.blob("OSMHeader", new byte[1 << 20], 10);
         assertThatThrownBy(() -> read(bomb))
                 .isInstanceOf(InputException.class)

@@ -163,7 +163,7 @@ class LandSurveyTest {
         assertThat(area(cover, LandClass.WOOD)).isCloseTo((100 - 6) * (100 - 5) - 34 * 35, within(1e-6));
         assertThat(area(cover, LandClass.FARMLAND)).isCloseTo((160 - 6) * (160 - 5) - 94 * 95, within(1e-6));
         assertThat(load(map.osm()).description())
-                .contains("land cover: left out: 1 road or area on bridges, in tunnels or underground")
+                .contains("land cover: left out: 1 road or area on a bridge, in a tunnel or underground")
                 .anyMatch(line ->
                         line.startsWith("land cover: 200 x 200 cells of 1 m: farmland 14,940 m2, wood 7,740 m2, "))
                 .anyMatch(line -> line.endsWith("; not stated for 35 %"));
@@ -199,7 +199,7 @@ class LandSurveyTest {
         assertThat(area(loaded.landCover().orElseThrow(), LandClass.WATER)).isZero();
         assertThat(loaded.warnings())
                 .containsExactly("map: land cover: 1 area whose outline is incomplete in the file is left out:"
-                        + " relation/9; 'osmium extract --strategy smart' extracts a map with whole areas");
+                        + " relation/9; 'osmium extract --strategy smart' extracts a map with complete areas");
         map.wayThrough(99, "natural=water", 1, 2, 4711, 1);
         map.wayThrough(98, "highway=track", 2, 4711, 2, 3);
         LandRaster cover = load(map.osm()).landCover().orElseThrow();

@@ -88,9 +88,9 @@ class FeaturesTest {
         assertThatThrownBy(() -> place(KML, "nroth gate"))
                 .hasMessageContaining("there is none in map; closest matches: north gate");
         assertThatThrownBy(() -> place(KML, "fence"))
-                .hasMessage("feature 'fence' at 8 of map is a LineString, must be a Point");
+                .hasMessage("feature 'fence' at 8 of map is a LineString but must be a Point");
         assertThatThrownBy(() -> place(KML, "twin")).hasMessage("feature 'twin': there are 2 in map, at 9 and 10");
-        assertThatThrownBy(() -> place(GEOJSON, "yard")).hasMessageContaining("is a Polygon, must be a Point");
+        assertThatThrownBy(() -> place(GEOJSON, "yard")).hasMessageContaining("is a Polygon but must be a Point");
     }
 
     @ParameterizedTest
@@ -101,7 +101,7 @@ class FeaturesTest {
                 "7.42,43.73,12 | 7.42,x | map:3: coordinates '7.42,x' must be",
                 "7.42,43.73,12 | 7.42,143.73 | map:3: latitude 143.73 must be -90.0 to 90.0",
                 "<kml xmlns | <!DOCTYPE kml [<!ENTITY a SYSTEM \"file:///etc/passwd\">]><kml xmlns | map:2: has a document type",
-                "<kml xmlns=\"http://www.opengis.net/kml/2.2\"> | <osm> | map:2: begins with <osm>, must begin with <kml>",
+                "<kml xmlns=\"http://www.opengis.net/kml/2.2\"> | <osm> | map:2: begins with <osm> but must begin with <kml>",
                 "</Folder> | '' | map:12: not well-formed XML",
             })
     void wrongKmlIsRefusedInALine(String old, String wrong, String message) {
@@ -114,7 +114,7 @@ class FeaturesTest {
             value = {
                 "[7.42, 43.73] | [7.42] | map:features.0: coordinates [7.42] must be numbers",
                 "[7.42, 43.73] | [743, 43.73] | map:features.0: longitude 743.0 must be -180.0 to 180.0",
-                "FeatureCollection | Topology | map: 'type' is 'Topology', must be FeatureCollection or Feature",
+                "FeatureCollection | Topology | map: 'type' is 'Topology' but must be FeatureCollection or Feature",
                 "]} | ] | not valid JSON",
             })
     void wrongGeoJsonIsRefusedInALine(String old, String wrong, String message) {

@@ -59,7 +59,7 @@ class AsciiGridFileTest {
     @ParameterizedTest
     @CsvSource({
         "1 2 3 4 5, ends after 5 of 6 heights",
-        "1 2 3 4 5 6 7, dem.asc:6: has more than the 6 heights",
+        "1 2 3 4 5 6 7, dem.asc:6: has more heights than the 6",
         "1 2 x 4 5 6, dem.asc:6: 'x' must be a number",
     })
     void heightsMustBeThere(String heights, String message) {
