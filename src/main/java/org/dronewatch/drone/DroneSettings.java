@@ -132,7 +132,7 @@ public record DroneSettings(
                 || radar.rotorLevel().isPresent()) {
             throw new IllegalArgumentException(
                     "label.role bird: a bird has neither a transmitter nor motors nor rotors:"
-                            + " radio.control must be autonomous, soundLevel and soundPowerLevel 0, without radar.rotorLevel");
+                            + " radio.control must be autonomous, soundLevel and soundPowerLevel 0, and radar.rotorLevel omitted");
         }
     }
 

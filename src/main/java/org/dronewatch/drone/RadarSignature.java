@@ -74,7 +74,7 @@ public record RadarSignature(
         aspects = List.copyOf(aspects);
         if (aspects.isEmpty() || aspects.size() > MAX_ASPECTS) {
             throw new IllegalArgumentException(
-                    "aspects has " + aspects.size() + " values, must have 1 to " + MAX_ASPECTS);
+                    "aspects has " + aspects.size() + " values but must have 1 to " + MAX_ASPECTS);
         }
         if (spread.isPresent() && fluctuation != Fluctuation.STEADY) {
             throw twoAnswers("spread", "fluctuation");

@@ -42,7 +42,8 @@ public record RotorTones(
         Limits.check(RotorTones.class, rotorSpeed, blades, shares);
         shares = List.copyOf(shares);
         if (shares.isEmpty() || shares.size() > MAX_LINES) {
-            throw new IllegalArgumentException("shares has " + shares.size() + " values, must have 1 to " + MAX_LINES);
+            throw new IllegalArgumentException(
+                    "shares has " + shares.size() + " values but must have 1 to " + MAX_LINES);
         }
         double[] inOctave = new double[OctaveBands.COUNT];
         for (Tone line : lines(rotorSpeed * blades, shares)) {
@@ -52,7 +53,7 @@ public record RotorTones(
             if (inOctave[band] > 1.0 + ROUNDING) {
                 throw new IllegalArgumentException(
                         "shares of the lines in the octave band at " + OctaveBands.nominal(band) + " Hz are "
-                                + Quantity.RATIO.inBrief(inOctave[band]) + " together, must be at most 1");
+                                + Quantity.RATIO.inBrief(inOctave[band]) + " together but must be at most 1");
             }
         }
     }

@@ -90,7 +90,7 @@ public record FalseAlertRate(
             if (perSecond * several.within() > MOST_AT_A_TIME) {
                 throw new IllegalArgumentException("alert.rule.within " + several.within() + " s with "
                         + brief(perSecond) + " confirmed false alarms a second makes "
-                        + brief(perSecond * several.within()) + " that count at a time, must be at most "
+                        + brief(perSecond * several.within()) + " that count at a time; there must be at most "
                         + MOST_AT_A_TIME);
             }
         }

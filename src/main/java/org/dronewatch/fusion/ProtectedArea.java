@@ -63,18 +63,19 @@ public record ProtectedArea(
     void checkOutline(String name) {
         if (!area.isEmpty() && (centre.isPresent() || radius.isPresent())) {
             throw new IllegalArgumentException(
-                    name + ": has both an area and a circle: leave out 'area', or 'centre' and 'radius'");
+                    name + ": has both an area and a circle: leave out either 'area' or both 'centre' and 'radius'");
         }
         if (area.isEmpty() && (centre.isEmpty() || radius.isEmpty())) {
             throw new IllegalArgumentException(
-                    name + ": needs an outline: 'area', a list of corners, or 'centre' and 'radius'");
+                    name + ": needs an outline: either 'area', a list of corners, or both 'centre' and 'radius'");
         }
     }
 
     private static void checkPolygon(List<GroundPoint> corners) {
         int count = corners.size();
         if (count < 3 || count > MOST) {
-            throw new IllegalArgumentException("area has " + Counted.of(count, "corner") + ", must have 3 to " + MOST);
+            throw new IllegalArgumentException(
+                    "area has " + Counted.of(count, "corner") + " but must have 3 to " + MOST);
         }
         for (int i = 0; i < count; i++) {
             for (int k = i + 2; k < count; k++) {
@@ -95,7 +96,7 @@ public record ProtectedArea(
         }
         if (!(Math.abs(0.5 * twice) >= SMALLEST)) {
             throw new IllegalArgumentException(
-                    "area encloses " + Math.abs(0.5 * twice) + " m2, must be at least " + SMALLEST + " m2");
+                    "area encloses " + Math.abs(0.5 * twice) + " m2 but must enclose at least " + SMALLEST + " m2");
         }
     }
 

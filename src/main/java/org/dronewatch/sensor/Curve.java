@@ -19,7 +19,8 @@ public record Curve(String name, String title, String xTitle, String yTitle, Lis
         x = List.copyOf(x);
         y = List.copyOf(y);
         if (x.size() != y.size()) {
-            throw new IllegalArgumentException("curve '" + name + "' has " + x.size() + " x and " + y.size() + " y");
+            throw new IllegalArgumentException(
+                    "x and y of curve '" + name + "' differ in length: " + x.size() + " and " + y.size());
         }
     }
 }

@@ -38,8 +38,8 @@ public interface Thresholded {
          */
         public Scale {
             if (!(highest > lowest) || !(step > 0.0)) {
-                throw new IllegalArgumentException("scale of " + setting + " from " + lowest + " to " + highest + " by "
-                        + step + " has no values");
+                throw new IllegalArgumentException("scale of " + setting + " from " + lowest + " to " + highest
+                        + " in steps of " + step + " has no values");
             }
         }
 

@@ -51,8 +51,8 @@ public record BandFractions(
      */
     public static BandFractions of(double... fractions) {
         if (fractions.length != OctaveBands.COUNT) {
-            throw new IllegalArgumentException(
-                    fractions.length + " fractions: needs one for each of the " + OctaveBands.COUNT + " octave bands");
+            throw new IllegalArgumentException(fractions.length + " fractions: there must be one for each of the "
+                    + OctaveBands.COUNT + " octave bands");
         }
         int band = 0;
         return new BandFractions(

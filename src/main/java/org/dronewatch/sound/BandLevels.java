@@ -62,8 +62,8 @@ public record BandLevels(
      */
     public static BandLevels of(double... levels) {
         if (levels.length != OctaveBands.COUNT) {
-            throw new IllegalArgumentException("a spectrum of " + levels.length + " levels: needs one for each of the "
-                    + OctaveBands.COUNT + " octave bands");
+            throw new IllegalArgumentException("a spectrum of " + levels.length
+                    + " levels: there must be one for each of the " + OctaveBands.COUNT + " octave bands");
         }
         int band = 0;
         return new BandLevels(

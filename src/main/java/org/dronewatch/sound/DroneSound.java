@@ -27,7 +27,7 @@ public record DroneSound(String name, double level, List<Double> shape, Basis ba
     public DroneSound {
         shape = List.copyOf(shape);
         if (shape.size() != OctaveBands.COUNT) {
-            throw new IllegalArgumentException("spectrum '" + name + "' has " + shape.size() + " bands, needs 8");
+            throw new IllegalArgumentException("spectrum '" + name + "' has " + shape.size() + " bands but needs 8");
         }
     }
 

@@ -166,10 +166,10 @@ class ProtectionTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "a: {area: [[0, 0], [9, 0]], height: 5} | area has 2 corners, must have 3 to 1000",
+                "a: {area: [[0, 0], [9, 0]], height: 5} | area has 2 corners but must have 3 to 1000",
                 "a: {area: [[0, 0], [9, 9], [9, 0], [0, 9]], height: 5} | area crosses itself: its side from corner 1 to 2"
                         + " meets that from corner 3 to 4",
-                "a: {area: [[0, 0], [9, 0], [18, 0]], height: 5} | area encloses 0.0 m2, must be at least 0.01 m2",
+                "a: {area: [[0, 0], [9, 0], [18, 0]], height: 5} | area encloses 0.0 m2 but must enclose at least 0.01 m2",
                 "a: {area: [[0, 0], [9, 0], [9, 9]]} | needs 'height'",
                 "a: {area: [[0, 0], [9, 0], [9, 9]], height: 0} | must be above 0",
                 "a: {area: [[0, 0], [9, 0], [9, 9]], floor: 6, height: 5} | floor 6.0 m must be below the height",

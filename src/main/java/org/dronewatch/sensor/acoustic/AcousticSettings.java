@@ -85,7 +85,7 @@ public record AcousticSettings(
         if (array.isPresent() && arrayGain != 0.0) {
             throw new IllegalArgumentException("arrayGain " + Quantity.LEVEL.inWords(arrayGain) + " and an array of "
                     + array.get().microphones()
-                    + " microphones: set one of them, as the gain of an array follows from its microphones");
+                    + " microphones: set only one of the two, as the gain of an array follows from its microphones");
         }
     }
 

@@ -30,8 +30,8 @@ public final class DepthImage {
      */
     public DepthImage(int width, int height, float[] distances, boolean[] hits) {
         if (width <= 0 || height <= 0 || distances.length != width * height || hits.length != distances.length) {
-            throw new IllegalArgumentException("image of " + width + " x " + height + " pixels from " + distances.length
-                    + " distances and " + hits.length + " marks");
+            throw new IllegalArgumentException("image of " + width + " x " + height + " pixels with " + distances.length
+                    + " distances and " + hits.length + " hit flags");
         }
         this.width = width;
         this.height = height;

@@ -216,7 +216,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         if (!(Math.abs(across / upwards - 1.0) <= 1e-6)) {
             throw new IllegalArgumentException("frustum of " + wide + " m x " + high + " m has pixels of " + across
                     + " m x " + upwards + " m in an image of " + width() + " x " + height()
-                    + ": they must be square");
+                    + ": pixels must be square");
         }
         Projection projection = new Projection(0.5 * (left + right) / wide, 0.5 * (bottom + top) / high, near, far);
         double fov = 2.0 * Math.atan(0.5 * high / near);

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
 import org.dronewatch.setting.AdvisedLimit;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.Quantity;
 
 /** Warnings about settings of a radar that contradict each other. */
@@ -48,7 +49,7 @@ final class RadarAdvice {
     private static String tooLong(RadarSettings radar, long beams, double scan) {
         int pulses = radar.detection().pulses();
         return String.format(
-                "%s for %s: at %san integrationTime of %s s each, a scan takes %s s, not %s s; lower the rate to %s Hz,"
+                "%s to cover %s: at %san integrationTime of %s s each, a scan takes %s s, not %s s; lower the rate to %s Hz,"
                         + " %sor the integrationTime to %s s",
                 need(radar, beams),
                 degrees(radar.azimuthWidth(), radar.elevationWidth()),
@@ -64,11 +65,11 @@ final class RadarAdvice {
     private static String need(RadarSettings radar, long beams) {
         return radar.beam()
                 .map(one -> String.format(
-                        "a beam of %s needs %d position%s",
-                        degrees(one.azimuthBeamwidth(), one.elevationBeamwidth()), beams, beams == 1 ? "" : "s"))
+                        "a beam of %s needs %s",
+                        degrees(one.azimuthBeamwidth(), one.elevationBeamwidth()), Counted.of(beams, "position")))
                 .orElseGet(() -> String.format(
-                        "an antenna of %s dBi needs at least %d beams",
-                        Quantity.LEVEL.inBrief(radar.budget().lowerGain().orElseThrow()), beams));
+                        "an antenna of %s dBi needs at least %s",
+                        Quantity.LEVEL.inBrief(radar.budget().lowerGain().orElseThrow()), Counted.of(beams, "beam")));
     }
 
     private static String degrees(double azimuth, double elevation) {

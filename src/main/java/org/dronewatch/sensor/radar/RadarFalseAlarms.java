@@ -62,8 +62,8 @@ public record RadarFalseAlarms(
         double each = probability(budget, detection);
         if (all * each > FalseAlarmRate.MOST_PER_LOOK) {
             throw new IllegalArgumentException("falseAlarms: " + Quantity.NUMBER.inWords(Math.rint(all))
-                    + " cells with a probability of " + Quantity.NUMBER.inWords(each) + " each raise "
-                    + Quantity.NUMBER.inBrief(all * each) + " false alarms per scan, must be at most "
+                    + " cells, each with a probability of " + Quantity.NUMBER.inWords(each) + ", raise "
+                    + Quantity.NUMBER.inBrief(all * each) + " false alarms per scan; there must be at most "
                     + (int) FalseAlarmRate.MOST_PER_LOOK);
         }
         return new FalseAlarmRate(all * each, (long) Math.max(1.0, Math.floor(all / gate)), 1, scans);

@@ -172,7 +172,7 @@ public record RadarSettings(
         if (Math.abs(tilt) > most + 1e-9) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "aim: elevation %s must be %s to %s, the limit of its mount (maxTilt)",
+                    "aim: elevation %s must be %s to %s, the limits of its mount (maxTilt)",
                     Quantity.ANGLE.inWords(tilt),
                     Quantity.ANGLE.inWords(-most),
                     Quantity.ANGLE.inWords(most)));

@@ -76,8 +76,7 @@ public record OwnSurface(
                 flowResistivity);
         absorptionByAngle = absorptionByAngle.map(List::copyOf);
         if (absorption.isPresent() && absorptionByAngle.isPresent()) {
-            throw new IllegalArgumentException(
-                    "absorptionByAngle: absorption is given, too; one of them must be omitted");
+            throw new IllegalArgumentException("absorptionByAngle: absorption is given, too: omit one of the two");
         }
         material("own", absorption, absorptionByAngle, scattering, transmissionLoss, wall, speed, flowResistivity);
     }

@@ -89,7 +89,7 @@ public record SurfaceMaterial(
     private static List<Double> shares(String what, String name, List<Double> values) {
         if (values.size() != OctaveBands.COUNT) {
             throw new IllegalArgumentException(what + " of material '" + name + "' has " + values.size()
-                    + " values, needs one for each of the " + OctaveBands.COUNT + " octave bands");
+                    + " values but needs one for each of the " + OctaveBands.COUNT + " octave bands");
         }
         for (double value : values) {
             Check.between(what + " of material '" + name + "'", value, 0.0, 1.0, Quantity.NUMBER);
@@ -100,7 +100,7 @@ public record SurfaceMaterial(
     private static void checkTransmission(String name, List<Double> absorption, List<Double> losses) {
         if (losses.size() != OctaveBands.COUNT) {
             throw new IllegalArgumentException(
-                    "transmissionLoss of material '" + name + "' has " + losses.size() + " values, needs 8 or none");
+                    "transmissionLoss of material '" + name + "' has " + losses.size() + " values but needs 8 or none");
         }
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             Check.notNegative("transmissionLoss of material '" + name + "'", losses.get(band), Quantity.LEVEL);

@@ -96,7 +96,7 @@ class ListeningPostTest {
         assertThat(MICROPHONE.withArrayGain(12.0).gain()).isEqualTo(12.0);
         assertThat(MICROPHONE.withArrayGain(12.0).withArray(ARRAY).arrayGain()).isZero();
         assertThatThrownBy(() -> array.withArrayGain(5.0))
-                .hasMessageContaining("arrayGain 5 dB and an array of 32 microphones: set one of them");
+                .hasMessageContaining("arrayGain 5 dB and an array of 32 microphones: set only one of the two");
     }
 
     /**

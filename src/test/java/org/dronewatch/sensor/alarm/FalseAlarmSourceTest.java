@@ -318,7 +318,8 @@ class FalseAlarmSourceTest {
         // Too many are too many in any weather.
         FalseAlarms storm =
                 FalseAlarms.of(1.0).withWeather(List.of(WeatherRate.of(1e7).withWind(30.0)));
-        assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(storm)).hasMessageContaining("must be 0 to 1000");
+        assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(storm))
+                .hasMessageContaining("there must be 0 to 1000");
     }
 
     /** A quieter night, stated alone, is quieter: the rate of fair weather is not another that applies. */
@@ -380,7 +381,7 @@ class FalseAlarmSourceTest {
     void anEntryWithoutConditionsIsWarnedOf() {
         FalseAlarms always = FalseAlarms.of(5.0).withWeather(List.of(WeatherRate.of(0.0)));
         assertThat(always.advice())
-                .containsExactly("falseAlarms.weather.0 has no conditions, so that it always applies and perHour never"
+                .containsExactly("falseAlarms.weather.0 has no conditions, so it always applies and perHour never"
                         + " does: state rain, wind, visibility or illuminance");
         assertThat(always.withWeather(List.of(
                                 WeatherRate.of(12.0).withRain(2.0),
@@ -405,10 +406,10 @@ class FalseAlarmSourceTest {
         assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(5e6)))
                 .hasMessage(
                         "falseAlarms: 1388.8889 false alarms that begin in each look, each of which lasts for 5 looks,"
-                                + " make 6944.4443 at a time, must be 0 to 1000");
+                                + " make 6944.4443 at a time; there must be 0 to 1000");
         assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(5e6, 1, 0)))
-                .hasMessage("falseAlarms: 1388.8889 false alarms that begin in each look make 1388.8889 at a time,"
-                        + " must be 0 to 1000");
+                .hasMessage("falseAlarms: 1388.8889 false alarms that begin in each look make 1388.8889 at a time;"
+                        + " there must be 0 to 1000");
         assertThat(RfSettings.at(PLACE)
                         .withFalseAlarms(new FalseAlarms(36_000, 1, 100))
                         .falseAlarmRate())

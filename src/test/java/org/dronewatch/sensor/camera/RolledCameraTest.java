@@ -321,7 +321,7 @@ class RolledCameraTest {
         assertThat(projection.m32()).isCloseTo(-2 * far * near / (far - near), within(1e-12));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> LEVEL.withFrustum(-1, 1, -0.5, 0.5, 1, 2))
-                .withMessageEndingWith("in an image of 96 x 96: they must be square");
+                .withMessageEndingWith("in an image of 96 x 96: pixels must be square");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> LEVEL.withFrustum(1, -1, -1, 1, 1, 2))
                 .withMessageContaining("left must be less than right");

@@ -172,19 +172,20 @@ class BeamPatternTest {
         RadarSettings pencil = wide.withBeam(BeamPattern.of(rad(1), rad(1)));
         assertThat(wide.advice()).isEmpty();
         assertThat(pencil.advice())
-                .containsExactly("a beam of 1 x 1 deg needs 3600 positions for 180 x 20 deg: at an integrationTime of"
-                        + " 0.02 s each, a scan takes 72 s, not 1 s; lower the rate to 0.0138 Hz, or the"
-                        + " integrationTime to 0.000277 s");
+                .containsExactly(
+                        "a beam of 1 x 1 deg needs 3,600 positions to cover 180 x 20 deg: at an integrationTime"
+                                + " of 0.02 s each, a scan takes 72 s, not 1 s; lower the rate to 0.0138 Hz, or the"
+                                + " integrationTime to 0.000277 s");
         assertThat(pencil.withRate(0.0138).advice()).isEmpty();
         assertThat(pencil.withBeam(BeamPattern.of(rad(1), rad(20)).withSteering(Steering.AZIMUTH))
                         .advice())
                 .hasSize(1)
-                .allMatch(text -> text.startsWith("a beam of 1 x 20 deg needs 180 positions for 180 x 20 deg"));
+                .allMatch(text -> text.startsWith("a beam of 1 x 20 deg needs 180 positions to cover 180 x 20 deg"));
         RadarSettings staring =
                 pencil.withBeam(BeamPattern.of(rad(180), rad(20)).withSteering(Steering.NONE));
         assertThat(staring.advice()).noneMatch(text -> text.contains("scan"));
         assertThat(staring.withRate(100).advice())
-                .anyMatch(text -> text.startsWith("a beam of 180 x 20 deg needs 1 position for 180 x 20 deg"));
+                .anyMatch(text -> text.startsWith("a beam of 180 x 20 deg needs 1 position to cover 180 x 20 deg"));
     }
 
     @Test

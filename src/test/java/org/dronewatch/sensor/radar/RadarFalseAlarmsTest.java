@@ -101,8 +101,9 @@ class RadarFalseAlarmsTest {
                         .withFalseAlarms(none.withCells(10).withProbability(1e-6)))
                 .hasMessageContaining("are mutually exclusive");
         assertThatThrownBy(() -> blighter().withFalseAlarms(none.withProbability(1e-4)))
-                .hasMessage("falseAlarms: 50373696 cells with a probability of 0.0001 each raise 5037 false alarms per"
-                        + " scan, must be at most 1000");
+                .hasMessage(
+                        "falseAlarms: 50373696 cells, each with a probability of 0.0001, raise 5037 false alarms per"
+                                + " scan; there must be at most 1000");
         assertThatThrownBy(() -> none.withGate(0.5)).hasMessage("gate 0.5 must be 1 to 1e6");
     }
 }

@@ -114,7 +114,7 @@ class RadarSensorTest {
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> tilted.withAim(steep))
                     .withMessageMatching(
-                            "aim: elevation -?4\\d.* deg must be -40 deg to 40 deg, the limit of its mount.*");
+                            "aim: elevation -?4\\d.* deg must be -40 deg to 40 deg, the limits of its mount.*");
         }
         assertThatIllegalArgumentException().isThrownBy(() -> tilted.withMaxTilt(Math.toRadians(39)));
     }
@@ -256,8 +256,8 @@ class RadarSensorTest {
         assertThat(ScanTime.beams(Math.PI, Math.toRadians(10), 33)).isEqualTo(87);
         assertThat(wide.advice())
                 .containsExactly(
-                        "an antenna of 33 dBi needs at least 174 beams for 180 x 20 deg: at an integrationTime of"
-                                + " 0.02 s each, a scan takes 3.48 s, not 1 s; lower the rate to 0.287 Hz, or the"
+                        "an antenna of 33 dBi needs at least 174 beams to cover 180 x 20 deg: at an integrationTime"
+                                + " of 0.02 s each, a scan takes 3.48 s, not 1 s; lower the rate to 0.287 Hz, or the"
                                 + " integrationTime to 0.00574 s");
         assertThat(wide.withRate(0.287).advice()).isEmpty();
         Hardware quick = new Hardware(4, 33, 0.00574, 10e6, 0, 0);

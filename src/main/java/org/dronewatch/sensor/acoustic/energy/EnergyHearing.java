@@ -230,7 +230,7 @@ public final class EnergyHearing implements SoundTracer {
         }
         String title = String.format(
                 Locale.ROOT,
-                "sound of '%s' dying away, T30 = %.2f s, standard error %.2f s",
+                "decay of the sound of '%s', T30 = %.2f s, standard error %.2f s",
                 drone,
                 time.seconds(),
                 time.error());
@@ -250,7 +250,7 @@ public final class EnergyHearing implements SoundTracer {
             }
         }
         String title = String.format(
-                Locale.ROOT, "reverberation time of '%s' by octave band, standard error up to %.2f s", drone, worst);
+                Locale.ROOT, "reverberation time for '%s' by octave band, standard error up to %.2f s", drone, worst);
         return new Curve("t30", title, "midband frequency [Hz]", "T30 [s]", frequencies, times);
     }
 
