@@ -31,7 +31,7 @@ public record Dive(
         double diving = diving(height, angle);
         if (distance <= diving) {
             throw new IllegalArgumentException("distance " + (float) distance + " m must be above " + (float) diving
-                    + " m, at which the dive from height " + (float) height + " m begins");
+                    + " m, the distance at which the dive from height " + (float) height + " m begins");
         }
     }
 

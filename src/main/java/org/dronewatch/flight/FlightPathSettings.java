@@ -138,7 +138,7 @@ public interface FlightPathSettings {
             points = List.copyOf(Check.present("points", points));
             if (points.size() < 2 || points.size() > MOST_WAYPOINTS) {
                 throw new IllegalArgumentException(
-                        "points has " + Counted.of(points.size(), "waypoint") + ", needs 2 to " + MOST_WAYPOINTS);
+                        "points has " + Counted.of(points.size(), "waypoint") + " but needs 2 to " + MOST_WAYPOINTS);
             }
             for (int i = 1; i < points.size(); i++) {
                 Check.atLeast(

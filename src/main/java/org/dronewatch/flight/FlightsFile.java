@@ -129,14 +129,15 @@ public final class FlightsFile {
         }
         for (String column : COLUMNS) {
             if (!seen.contains(column)) {
-                throw new InputException(name + ":1: no column '" + column + "'; needs " + String.join(",", COLUMNS));
+                throw new InputException(name + ":1: no column '" + column + "' among the columns, which must be "
+                        + String.join(",", COLUMNS));
             }
         }
     }
 
     private void add(NamedCsvRecord row) {
         if (row.getFieldCount() != row.getHeader().size()) {
-            throw new InputException(at(row) + Counted.of(row.getFieldCount(), "value") + ", needs "
+            throw new InputException(at(row) + "has " + Counted.of(row.getFieldCount(), "value") + " but needs "
                     + row.getHeader().size() + ", one for each column");
         }
         double run = number(row, "run", 0.0, LAST_RUN);

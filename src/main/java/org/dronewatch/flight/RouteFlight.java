@@ -36,7 +36,7 @@ public record RouteFlight(
         legs = List.copyOf(Check.present("legs", legs));
         Limits.check(RouteFlight.class, from, legs, delay);
         if (legs.isEmpty() || legs.size() > MOST_WAYPOINTS) {
-            throw new IllegalArgumentException("legs has " + legs.size() + " legs, needs 1 to " + MOST_WAYPOINTS);
+            throw new IllegalArgumentException("legs has " + legs.size() + " legs but needs 1 to " + MOST_WAYPOINTS);
         }
         Position at = from;
         for (int i = 0; i < legs.size(); i++) {
@@ -44,7 +44,7 @@ public record RouteFlight(
             Check.atLeast("length of leg " + (i + 1), at.distance(to), SHORTEST, Quantity.LENGTH);
             if (!legs.get(i).powered() && to.z() >= at.z()) {
                 throw new IllegalArgumentException("leg " + (i + 1) + " without power ends at " + (float) to.z()
-                        + " m: must be below its beginning at " + (float) at.z() + " m");
+                        + " m: it must end below its beginning at " + (float) at.z() + " m");
             }
             at = to;
         }

@@ -38,7 +38,7 @@ public record TerrainFollowing(
         points = List.copyOf(points);
         if (points.size() < 2) {
             throw new IllegalArgumentException(
-                    "points has " + Counted.of(points.size(), "point") + ", needs 2 or more");
+                    "points has " + Counted.of(points.size(), "point") + " but needs 2 or more");
         }
         double length = 0.0;
         for (int i = 1; i < points.size(); i++) {

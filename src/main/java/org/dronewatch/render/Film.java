@@ -47,7 +47,7 @@ public record Film(double from, double to, int fps, double speed) {
         if (frames > MOST_FRAMES) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "a video of %.0f frames: must be at most %d; show less of the run, or play it faster",
+                    "a video of %.0f frames: there must be at most %d; show less of the run, or play it faster",
                     frames,
                     MOST_FRAMES));
         }

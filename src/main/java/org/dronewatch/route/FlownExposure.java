@@ -44,7 +44,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         flights = flights.stream().map(List::copyOf).toList();
         bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
         if (flights.isEmpty()) {
-            throw new IllegalArgumentException("0 flights: must be at least one");
+            throw new IllegalArgumentException("0 flights: there must be at least one");
         }
     }
 

@@ -30,7 +30,7 @@ public final class LayoutRoutes {
     public LayoutRoutes(Collection<SensorFields> sensors, Stage stage, String drone) {
         SensorFields first = sensors.stream()
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("0 sensors: must be at least one"));
+                .orElseThrow(() -> new IllegalArgumentException("0 sensors: there must be at least one"));
         this.site = RouteSite.of(
                 first.modes(),
                 first.settings(),

@@ -24,7 +24,7 @@ public record RouteProfile(List<RoutePoint> points) {
     public RouteProfile {
         points = List.copyOf(points);
         if (points.isEmpty()) {
-            throw new IllegalArgumentException("0 points: must be at least one");
+            throw new IllegalArgumentException("0 points: there must be at least one");
         }
     }
 

@@ -50,8 +50,8 @@ record RouteSite(
     private static final double PRICE_OF_ENDURANCE = 1e-3;
 
     private static final String NO_CELL =
-            "no cell there has its middle above known ground and outside everything solid,"
-                    + " at any of the heights; smaller cells or other heights may have one";
+            "no cell there has its centre above known ground and outside everything solid,"
+                    + " at any of the heights; smaller cells or other heights may help";
 
     RouteSite {
         modes = List.copyOf(modes);
@@ -97,12 +97,12 @@ record RouteSite(
     private static void checkPosts(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
         if (starts.isEmpty()) {
             throw new IllegalArgumentException(
-                    "no route begins " + (isLaunch ? "in the launch area" : "on the edge") + ": " + NO_CELL);
+                    "no route can begin " + (isLaunch ? "in the launch area" : "on the edge") + ": " + NO_CELL);
         }
         if (goals.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "no route ends " + (isZone ? "in the protected zone or beside it" : "at the middle of the sensors")
-                            + ": " + NO_CELL);
+            throw new IllegalArgumentException("no route can end "
+                    + (isZone ? "in the protected zone or beside it" : "at the middle of the sensors") + ": "
+                    + NO_CELL);
         }
     }
 

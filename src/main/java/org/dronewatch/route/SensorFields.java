@@ -19,7 +19,8 @@ public record SensorFields(SceneSettings settings, List<ModeField> modes) {
         modes = List.copyOf(modes);
         if (modes.isEmpty()
                 || modes.stream().anyMatch(mode -> mode.field().sensors().size() != 1)) {
-            throw new IllegalArgumentException(modes.size() + " modes: must be at least one, with one sensor in each");
+            throw new IllegalArgumentException(
+                    modes.size() + " modes: there must be at least one, each with one sensor");
         }
     }
 

@@ -100,7 +100,7 @@ public final class SiteRoutes {
     public static SiteRoutes of(
             List<ModeField> modes, SceneSettings settings, Stage stage, String drone, Optional<AreaZone> launch) {
         if (modes.isEmpty()) {
-            throw new IllegalArgumentException("0 modes: must be at least one");
+            throw new IllegalArgumentException("0 modes: there must be at least one");
         }
         Position middle = InboundTarget.of(settings, stage.protection());
         DetectionField field = modes.get(0).field();

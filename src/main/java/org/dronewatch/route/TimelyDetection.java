@@ -27,7 +27,7 @@ public record TimelyDetection(List<PathTask> tasks, Sensing sensing, double comm
     public TimelyDetection {
         tasks = List.copyOf(tasks);
         if (tasks.isEmpty()) {
-            throw new IllegalArgumentException("0 tasks: must be at least one");
+            throw new IllegalArgumentException("0 tasks: there must be at least one");
         }
         Check.between("communication", communication, 0.0, 1.0, Quantity.RATIO);
     }

@@ -66,7 +66,7 @@ final class GroundOffsets {
         if (Math.abs(median) > DOUBTFUL) {
             target.accept(String.format(
                     Locale.ROOT,
-                    "%s: %s %.1f m %s the ground%s: its heights may refer to a different zero level; if so, correct them by"
+                    "%s: %s %.1f m %s the ground%s: its heights may refer to a different vertical datum; if so, correct them with"
                             + " world.models.%d.position",
                     part.getValue().file(),
                     offsets.length == 1 ? "its lowest point lies" : "its lowest points lie",

@@ -46,7 +46,7 @@ record PathAdvice(String id, World world, Ground ground, double duration) {
         if (first != null) {
             target.accept(String.format(
                     Locale.ROOT,
-                    "drone '%s' flies below the ground or through a solid building: first at %s, at most %.1f m below"
+                    "drone '%s' flies below the ground or through a solid building: first at %s, and up to %.1f m below"
                             + " the surface above it",
                     id,
                     first,

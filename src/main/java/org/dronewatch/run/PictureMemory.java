@@ -27,7 +27,7 @@ public final class PictureMemory {
         long bytes = pixels * Float.BYTES;
         if (bytes > most) {
             throw new InputException("sensors: pictures of " + pixels + " px need " + bytes / MEBIBYTE
-                    + " MiB, must be at most the " + most / MEBIBYTE
+                    + " MiB, more than the " + most / MEBIBYTE
                     + " MiB that Java may use: give Java more (-Xmx), or the cameras fewer pixels");
         }
     }

@@ -224,8 +224,10 @@ public final class Stage {
     public FlightPath flight(String drone) {
         FlightPath path = flights().get(drone);
         if (path == null) {
-            throw new IllegalArgumentException("no drone '" + drone + "'; the drones are "
-                    + (airborne.isEmpty() ? "none" : String.join(", ", flights().keySet())));
+            throw new IllegalArgumentException("no drone '" + drone + "'; the scene has "
+                    + (airborne.isEmpty()
+                            ? "no drones"
+                            : String.join(", ", flights().keySet())));
         }
         return path;
     }

@@ -58,8 +58,8 @@ public record SceneCondition(String name, List<Change> changes) {
                         + PlainText.value(name));
             }
             if (name.strip().equalsIgnoreCase(AS_IT_IS)) {
-                throw new InputException(
-                        mark + ": " + PlainText.value(name) + ": tables call the scene without a condition so");
+                throw new InputException(mark + ": " + PlainText.value(name)
+                        + ": in tables, this is the name of the scene without a condition");
             }
             List<Change> changes = new ArrayList<>();
             add(changes, "", entry.getValue());
@@ -70,7 +70,7 @@ public record SceneCondition(String name, List<Change> changes) {
         }
         if (conditions.isEmpty() || conditions.size() > MOST) {
             throw new InputException(
-                    PlainText.value(file) + ": has " + conditions.size() + " conditions, must have 1 to " + MOST);
+                    PlainText.value(file) + ": has " + conditions.size() + " conditions but must have 1 to " + MOST);
         }
         return conditions;
     }

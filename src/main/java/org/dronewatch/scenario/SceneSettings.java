@@ -64,7 +64,7 @@ public record SceneSettings(
         Map<String, SensorSettings<?>> all = sensors;
         if (alert.response() > 0.0 && !alert.isProtecting()) {
             throw new IllegalArgumentException("alert.response " + alert.response()
-                    + " s needs an alert.protect or alert.zones, the area that the drone must not reach");
+                    + " s needs alert.protect or alert.zones, the area that the drone must not reach");
         }
         if (!sensors.isEmpty()) {
             // Without sensors it may be a scene that is still being read.
@@ -125,7 +125,7 @@ public record SceneSettings(
         double looks = rate * duration;
         if (looks > MOST_LOOKS) {
             throw new IllegalArgumentException("sensors." + id + ".rate " + rate + " Hz for run.duration " + duration
-                    + " s makes " + (float) looks + " looks, must be at most " + MOST_LOOKS);
+                    + " s makes " + (float) looks + " looks; there must be at most " + MOST_LOOKS);
         }
     }
 
@@ -229,8 +229,8 @@ public record SceneSettings(
     public SceneSettings withEnabled(String sensor, boolean enabled) {
         if (!sensors.containsKey(sensor)) {
             throw new IllegalArgumentException("sensor '" + sensor + "' cannot be switched " + (enabled ? "on" : "off")
-                    + ": the scene's sensors are "
-                    + (sensors.isEmpty() ? "none" : String.join(", ", sensors.keySet())));
+                    + ": the scene has "
+                    + (sensors.isEmpty() ? "no sensors" : String.join(", ", sensors.keySet())));
         }
         Set<String> off = new LinkedHashSet<>(disabled);
         if (enabled) {

@@ -35,7 +35,7 @@ public record SoundAdvice(String id, DroneSettings drone) {
             if (Math.abs(drone.soundPowerLevel() - level) > USUAL_SPREAD) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "drone '%s' has the sound of %s at %.1f dB: the drone measured had %.1f dB",
+                        "drone '%s' has the sound of %s at %.1f dB: the measured drone had %.1f dB",
                         id,
                         drone.sound(),
                         drone.soundPowerLevel(),

@@ -24,7 +24,7 @@ final class SwarmExpansion {
                 .sum();
         if (count > MOST) {
             throw new IllegalArgumentException(
-                    "drones: " + count + " in all, including swarms; must be at most " + MOST);
+                    "drones: " + count + " in all, including swarms; there must be at most " + MOST);
         }
         Map<String, DroneSettings> individuals = new LinkedHashMap<>();
         Map<String, String> sources = new HashMap<>();

@@ -48,7 +48,7 @@ public sealed interface SweepSettings {
             values = List.copyOf(values);
             if (values.isEmpty() || values.size() > MAX_RUNS) {
                 throw new IllegalArgumentException(
-                        "values has " + values.size() + " entries, must have 1 to " + MAX_RUNS);
+                        "values has " + values.size() + " entries but must have 1 to " + MAX_RUNS);
             }
         }
 

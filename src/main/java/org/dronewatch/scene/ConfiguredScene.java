@@ -99,7 +99,7 @@ final class ConfiguredScene {
         String other = overridden.putIfAbsent(current, path);
         if (other != null) {
             throw new InputException(option + ": it is already given as --set " + other
-                    + ": they are names of the same setting, now called '" + current + "'");
+                    + ": both are names of the same setting, now called '" + current + "'");
         }
         return current;
     }

@@ -51,7 +51,7 @@ public final class PilotedRun {
      */
     public void after(double seconds, Runnable action) {
         if (!(seconds >= 0.0)) {
-            throw new InputException(here() + "after " + seconds + " s: must be 0 or more");
+            throw new InputException(here() + "after " + seconds + " s: the delay must be 0 s or more");
         }
         if (action == null) {
             throw new InputException(here() + "after " + seconds + " s: action is missing");
@@ -80,9 +80,10 @@ public final class PilotedRun {
         beginning = false;
         return late.stream()
                 .min(Double::compare)
-                .map(first -> "the pilot schedules " + late.size() + (late.size() == 1 ? " action" : " actions")
-                        + " after the end of the run at "
-                        + settings().run().duration() + " s, the first at " + first + " s: "
+                .map(first -> "the pilot schedules " + late.size()
+                        + (late.size() == 1 ? " action, at " : " actions, the first at ")
+                        + first + " s, after the end of the run at "
+                        + settings().run().duration() + " s: "
                         + (late.size() == 1 ? "it has" : "they have") + " no effect");
     }
 

@@ -140,7 +140,7 @@ public final class SceneFile extends Scene {
         if (OF_THE_SITE.matcher(sweep.parameter()).matches()) {
             String path = "sweep.parameter";
             throw new InputException(placeOf(path).orElse("") + ": " + path + ": '" + sweep.parameter()
-                    + "' cannot be swept in a scene with places by latitude and longitude, or above the surface: these"
+                    + "' cannot be swept in a scene with places given by latitude and longitude or above the surface: these"
                     + " are located only once, on a single site");
         }
     }

@@ -157,7 +157,7 @@ public final class SceneRunner {
      */
     public SceneRunner until(double seconds) {
         if (!(seconds >= 0.0)) {
-            throw new IllegalArgumentException("a run until " + seconds + " s: must be 0 or more");
+            throw new IllegalArgumentException("a run until " + seconds + " s: the time must be 0 s or later");
         }
         this.until = seconds;
         return this;

@@ -121,7 +121,7 @@ class FlightsFileTest {
             delimiter = '|',
             textBlock =
                     """
-            0,a,0,0,0,0,0,0,0,0,0,0 | flights.csv:3: 12 values, needs 13, one for each column
+            0,a,0,0,0,0,0,0,0,0,0,0 | flights.csv:3: has 12 values but needs 13, one for each column
             0,a,1,0,0,0,0,0,0,0,0,0,\\n0,a,1,0,0,0,0,0,0,0,0,0, | flights.csv:4: time_s 1.0 must be after 1.0, that of the flight's previous row
             0,b,0.5,0,0,0,0,0,0,0,0,0, | flights.csv:3: time_s 0.5 must be 0 in the first row of a flight
             0,a,1,NaN,0,0,0,0,0,0,0,0, | flights.csv:3: x_m NaN must be -1000000.0 to 1000000.0

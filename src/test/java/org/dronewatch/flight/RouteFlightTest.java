@@ -76,10 +76,10 @@ class RouteFlightTest {
     void rejectsWhatCannotBeFlown() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RouteFlight.of(START, List.of()))
-                .withMessage("legs has 0 legs, needs 1 to 10000");
+                .withMessage("legs has 0 legs but needs 1 to 10000");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RouteFlight.of(START, List.of(glide(0, 30, 100))))
-                .withMessage("leg 1 without power ends at 100.0 m: must be below its beginning at 100.0 m");
+                .withMessage("leg 1 without power ends at 100.0 m: it must end below its beginning at 100.0 m");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> RouteFlight.of(START, List.of(leg(0, 0, 100, 5))))
                 .withMessageContaining("length of leg 1");

@@ -250,7 +250,7 @@ class ThreatFlightTest {
                 .withMessage("points: path of 60000.0 m must be at most 50000.0 m long");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here), 10))
-                .withMessage("points has 1 point, needs 2 or more");
+                .withMessage("points has 1 point but needs 2 or more");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TerrainFollowing.over(List.of(here, here), 10))
                 .withMessageContaining("points: distance to point 1 0 m must be");
@@ -263,7 +263,8 @@ class ThreatFlightTest {
                 .withMessage("standoff 100.0 m must be less than distance 100.0 m by 0.001 m or more");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Dive(new Position(0, 0, 0), 0, 90, 100, Math.PI / 4))
-                .withMessage("distance 90.0 m must be above 100.0 m, at which the dive from height 100.0 m begins");
+                .withMessage(
+                        "distance 90.0 m must be above 100.0 m, the distance at which the dive from height 100.0 m begins");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Dive(new Position(0, 0, 0), 0, 9000, 100, 0.1))
                 .withMessageContaining("angle 5.729578 deg (0.1 rad) must be 10 to 90 deg");

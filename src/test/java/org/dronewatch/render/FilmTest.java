@@ -104,7 +104,7 @@ class FilmTest {
         }
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Film(0, 1e6, 25, 1))
-                .withMessageContaining("25000001 frames: must be at most 36000");
+                .withMessageContaining("25000001 frames: there must be at most 36000");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Film.checkSize(4097, 100))
                 .withMessageContaining("4097 x 100 pixels: each side must be at most 4096");

@@ -48,7 +48,7 @@ class PathAdviceTest {
                 .asString()
                 .matches(
                         "drone 'guest' flies below the ground or through a solid building: first at (9[.]0|9[.]2) s, at"
-                                + " \\(-(10[.]0|9[.]\\d|8[.]\\d), 0[.]0, 7[.]0\\) m, at most 3[.]0 m below the surface above it");
+                                + " \\(-(10[.]0|9[.]\\d|8[.]\\d), 0[.]0, 7[.]0\\) m, and up to 3[.]0 m below the surface above it");
     }
 
     /** A dive that ends 4 m below the ground. */
@@ -58,7 +58,7 @@ class PathAdviceTest {
                 .singleElement()
                 .asString()
                 .contains("flies below the ground")
-                .endsWith("at most 4.0 m below the surface above it");
+                .endsWith("up to 4.0 m below the surface above it");
     }
 
     @Test

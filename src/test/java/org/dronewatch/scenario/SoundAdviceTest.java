@@ -22,7 +22,7 @@ class SoundAdviceTest {
                 .containsExactly(
                         "drone 'intruder' has the sound of m300 but radiates it equally in all directions: the measured drone"
                                 + " has 'directivity: m300'",
-                        "drone 'intruder' has the sound of m300 at 85.0 dB: the drone measured had 92.6 dB");
+                        "drone 'intruder' has the sound of m300 at 85.0 dB: the measured drone had 92.6 dB");
         assertThat(advice(SettingsForm.with(named("m300"), "soundPowerLevel", 90.0)))
                 .singleElement()
                 .asString()

@@ -230,7 +230,7 @@ class BirdsTest {
         assertThat(bird.radar().fluctuation()).isEqualTo(RadarSignature.Fluctuation.SWERLING_1);
         String message =
                 "label.role bird: a bird has neither a transmitter nor motors nor rotors: radio.control must be"
-                        + " autonomous, soundLevel and soundPowerLevel 0, without radar.rotorLevel";
+                        + " autonomous, soundLevel and soundPowerLevel 0, and radar.rotorLevel omitted";
         assertThatThrownBy(() -> bird.withRadio(RadioLink.DEFAULT)).hasMessage(message);
         assertThatThrownBy(() -> bird.withSoundLevel(1.0)).hasMessage(message);
         assertThatThrownBy(() -> bird.withRadar(bird.radar().withRotorLevel(20.0)))

@@ -186,7 +186,7 @@ class DisabledSensorTest {
                     .withMessageStartingWith("sensor 'eyes' cannot be switched " + (enabled ? "on" : "off"));
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> SceneSettings.of(settings.world()).withEnabled("eye", enabled))
-                    .withMessageEndingWith("the scene's sensors are none");
+                    .withMessageEndingWith("the scene has no sensors");
         }
         assertThat(settings.withEnabled("eye", false).isEnabled("eye")).isFalse();
         assertThat(settings.withEnabled("eye", false).withEnabled("eye", true)).isEqualTo(settings);

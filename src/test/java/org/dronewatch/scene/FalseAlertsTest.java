@@ -239,7 +239,7 @@ class FalseAlertsTest {
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(
                         "alert.rule.within 3600.0 s with 388 confirmed false alarms a second makes 1.4e+06 that"
-                                + " count at a time, must be at most 200000");
+                                + " count at a time; there must be at most 200000");
         run(hour.withConfirmation(3, 5), Map.of("radar", radar(1, 4), "camera", CameraSettings.at(PLACE)), 1);
         run(AlertSettings.DEFAULT.withRule(new AlertRule.SeveralSensors(2, 60)), two, 1);
     }

@@ -52,8 +52,10 @@ class PilotErrorsTest {
                         "drone 'prey' at 1.0 s: its state at NaN s: the time must be 0 s or later"),
                 mistake(
                         run -> run.drone("nobody").state(),
-                        "pilot at 1.0 s: no drone 'nobody'; the drones are prey, hunter"),
-                mistake(run -> run.after(-1.0, () -> {}), "pilot at 1.0 s: after -1.0 s: must be 0 or more"));
+                        "pilot at 1.0 s: no drone 'nobody'; the scene has prey, hunter"),
+                mistake(
+                        run -> run.after(-1.0, () -> {}),
+                        "pilot at 1.0 s: after -1.0 s: the delay must be 0 s or more"));
     }
 
     private static Arguments mistake(Consumer<PilotedRun> action, String message) {
@@ -250,8 +252,8 @@ class PilotErrorsTest {
         assertThat(done).containsExactly(Pursuit.DURATION, Pursuit.DURATION);
         assertThat(notes.stream().filter(note -> note.contains("pilot")))
                 .containsExactly(
-                        "warning: the pilot schedules 2 actions after the end of the run at 6.0 s, the first at"
-                                + " 25.0 s: they have no effect");
+                        "warning: the pilot schedules 2 actions, the first at 25.0 s, after the end of the run at"
+                                + " 6.0 s: they have no effect");
     }
 
     /** An action that schedules itself again ends with the run, and that is what it is meant to do. */

@@ -350,7 +350,7 @@ class SavedSceneTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> own.text(own.settings(), file))
                 .withMessage("sensors.dice: " + DiceSettings.class.getName()
-                        + ", which is not one of the kinds camera, acoustic, radar, rf, thermal, cannot be written into a"
+                        + ", which is not one of the kinds camera, acoustic, radar, rf, thermal, cannot be written to a"
                         + " file");
 
         SceneRunner nameless = new SceneRunner(new Swept());

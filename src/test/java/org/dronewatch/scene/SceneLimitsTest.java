@@ -75,7 +75,7 @@ class SceneLimitsTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> PictureMemory.check(settings, (256L << 20) - 1))
                 .withMessageContaining("sensors: pictures of 67108864 px need 256 MiB")
-                .withMessageContaining("must be at most the 255 MiB");
+                .withMessageContaining("more than the 255 MiB");
         assertThatCode(() -> PictureMemory.check(settings, 256L << 20)).doesNotThrowAnyException();
     }
 

@@ -201,7 +201,7 @@ class SwarmTest {
         many.put("b", ONE.withSwarm(Swarm.of(401)));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> scene(many))
-                .withMessage("drones: 1001 in all, including swarms; must be at most 1000");
+                .withMessage("drones: 1001 in all, including swarms; there must be at most 1000");
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Swarm.of(1001))

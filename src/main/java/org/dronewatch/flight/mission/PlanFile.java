@@ -75,7 +75,7 @@ record PlanFile(
             String type = root.path("fileType").asString("");
             if (!type.equals("Plan")) {
                 throw new InputException(name + ": fileType is '" + PlainText.value(type)
-                        + "', must be 'Plan': not a plan of QGroundControl");
+                        + "' but must be 'Plan': not a QGroundControl plan");
             }
             JsonNode mission = root.path("mission");
             if (!mission.path("items").isArray()) {

@@ -44,7 +44,7 @@ final class CsvLog {
     static Fixes.Points read(String shown, byte[] bytes, Track.Heights heights, Optional<String> track) {
         String name = PlainText.value(shown);
         if (track.isPresent()) {
-            throw new InputException(name + ": a log in CSV has no tracks with names: leave 'track' out");
+            throw new InputException(name + ": a CSV log has no named tracks: leave 'track' out");
         }
         String text = new String(bytes, StandardCharsets.UTF_8);
         String header = text.lines().findFirst().orElse("");

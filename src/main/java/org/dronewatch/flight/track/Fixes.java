@@ -66,7 +66,7 @@ final class Fixes {
             }
             if (fix.time() < last.time()) {
                 throw new InputException(name + ":" + fix.line() + ": is " + (float) (last.time() - fix.time())
-                        + " s before the point in line " + last.line() + ": times must increase");
+                        + " s before the point on line " + last.line() + ": times must increase");
             }
             if (fix.time() == last.time()) {
                 repeated++;

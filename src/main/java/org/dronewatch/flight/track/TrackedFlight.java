@@ -52,8 +52,8 @@ final class TrackedFlight implements FlightSource {
         for (Fixes.Fix fix : points.fixes()) {
             if (fix.height().isEmpty() && settings.heights() != Track.Heights.SURFACE) {
                 throw new InputException(name + ":" + fix.line()
-                        + ": has no height: with 'heights: surface' and a 'verticalOffset' the drone flies that"
-                        + " much above the surface");
+                        + ": has no height: with 'heights: surface' and a 'verticalOffset' the drone flies at"
+                        + " that height above the surface");
             }
         }
     }
@@ -97,7 +97,7 @@ final class TrackedFlight implements FlightSource {
     private FlightPath waypoints(List<Position> apart, DroneSpeeds drone, Places places) {
         if (apart.size() > FlightPathSettings.MOST_WAYPOINTS) {
             throw new IllegalArgumentException(name + ": has " + apart.size()
-                    + " points without times, must have at most " + FlightPathSettings.MOST_WAYPOINTS);
+                    + " points without times but must have at most " + FlightPathSettings.MOST_WAYPOINTS);
         }
         return new FlightPathSettings.Waypoints(apart).create(drone.cruise(), drone.acceleration(), places.ground());
     }
@@ -153,7 +153,7 @@ final class TrackedFlight implements FlightSource {
             if (!(velocity.length() <= FASTEST)) {
                 throw new IllegalArgumentException(String.format(
                         Locale.ROOT,
-                        "%sis reached at %.0f m/s from line %d, must be at most %.0f m/s: delete points where the receiver had no position",
+                        "%sis reached at %.0f m/s from line %d, but at most %.0f m/s is possible: delete points where the receiver had no fix",
                         at(next),
                         velocity.length(),
                         fixes.get(i).line(),

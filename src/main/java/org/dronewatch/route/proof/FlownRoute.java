@@ -68,7 +68,7 @@ public final class FlownRoute {
     public static FlownRoute of(SceneSettings scene, ModelCache models, int estimates) {
         int drones = scene.individualDrones().size();
         if (drones != 1) {
-            throw new IllegalArgumentException(drones + " drones: must be 1 on a route");
+            throw new IllegalArgumentException(drones + " drones: there must be one on a route");
         }
         return new FlownRoute(RouteScene.withoutCues(scene), models, estimates);
     }
@@ -154,7 +154,7 @@ public final class FlownRoute {
      */
     public RouteProof prove(int runs, IntConsumer progress) {
         if (runs < 1) {
-            throw new IllegalArgumentException(runs + " runs: must be 1 or more");
+            throw new IllegalArgumentException(runs + " runs: there must be at least one");
         }
         return new ProofRuns(flights, models).of(runs, bySensor(MissedLooks.Wait.SEEN), progress);
     }

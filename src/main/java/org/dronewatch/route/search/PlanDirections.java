@@ -37,7 +37,7 @@ public final class PlanDirections {
      */
     public static PlanDirections of(int count) {
         if (!STEPS.containsKey(count)) {
-            throw new IllegalArgumentException(count + " directions: must be 8, 16, 32 or 48");
+            throw new IllegalArgumentException(count + " directions: there must be 8, 16, 32 or 48");
         }
         return new PlanDirections(
                 Stream.concat(Stream.of(new int[] {1, 0}, new int[] {1, 1}), Arrays.stream(STEPS.get(count)))

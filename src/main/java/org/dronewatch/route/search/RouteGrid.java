@@ -42,12 +42,13 @@ public final class RouteGrid {
             BitSet closed) {
         if (!(spacing > 0.0) || columns < 2 || rows < 2 || heights.length < 1 || ground.length != columns * rows) {
             throw new IllegalArgumentException(columns + " columns, " + rows + " rows and " + heights.length
-                    + " heights, " + spacing + " m apart, over " + ground.length + " values: must be at least 2, 2 and"
-                    + " 1, more than 0 m apart, with a value of the ground for each column of a row");
+                    + " heights, " + spacing + " m apart, over " + ground.length
+                    + " values: there must be at least 2, 2"
+                    + " and 1, more than 0 m apart, and a height of the ground for each column of each row");
         }
         if ((long) columns * rows * heights.length > Integer.MAX_VALUE) {
             throw new IllegalArgumentException(
-                    (long) columns * rows * heights.length + " posts: must be at most " + Integer.MAX_VALUE);
+                    (long) columns * rows * heights.length + " posts: there must be at most " + Integer.MAX_VALUE);
         }
         this.west = west;
         this.south = south;

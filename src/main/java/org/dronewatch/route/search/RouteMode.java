@@ -23,8 +23,9 @@ public record RouteMode(String name, double speed, double climb, double sink, do
      */
     public RouteMode {
         if (!(speed > 0.0 && speed < Double.POSITIVE_INFINITY && climb > 0.0 && sink > 0.0) || Double.isNaN(steepest)) {
-            throw new IllegalArgumentException("mode " + name + " with speed " + speed + ", climb " + climb + ", sink "
-                    + sink + " m/s and slope " + steepest + ": must be above 0, and the slope a number");
+            throw new IllegalArgumentException(
+                    "mode " + name + " with speed " + speed + ", climb " + climb + ", sink " + sink + " m/s and slope "
+                            + steepest + ": all but the slope must be above 0, and the slope a number");
         }
     }
 

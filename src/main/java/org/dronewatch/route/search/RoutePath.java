@@ -25,7 +25,7 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
         modes = List.copyOf(modes);
         if (points.isEmpty() || modes.size() != points.size() - 1) {
             throw new IllegalArgumentException(
-                    points.size() + " points with " + modes.size() + " modes: must be one mode for each leg");
+                    points.size() + " points with " + modes.size() + " modes: there must be one mode for each leg");
         }
     }
 

@@ -163,7 +163,7 @@ public final class SiteStore {
         } catch (IOException | SecurityException e) {
             failed = true;
             if (reported.add(directory.get())) {
-                notes.accept("what was prepared is not kept for the next start: " + PlainText.line(String.valueOf(e))
+                notes.accept("prepared data are not kept for the next start: " + PlainText.line(String.valueOf(e))
                         + " (--no-cache avoids the attempt)");
             }
         }

@@ -322,7 +322,7 @@ class MissionTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "\"Plan\" | \"Mission\" | a.plan: fileType is 'Mission', must be 'Plan'",
+                "\"Plan\" | \"Mission\" | a.plan: fileType is 'Mission' but must be 'Plan'",
                 "\"command\": 16 | \"command\": \"up\" | mission.items.0.command: must be the number of a MAVLink command",
                 "\"command\": 16 | \"command\": 1e300 | mission.items.0.command: must be the number of a MAVLink command",
                 "[0, 0, 0, null, 1.0, 2.0, 50.0] | [0] | mission.items.0.params: must be a list of 7 numbers",

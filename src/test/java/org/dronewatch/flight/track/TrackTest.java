@@ -171,13 +171,13 @@ class TrackTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "<gpx version= | <kml version= | a.gpx:2: begins with <kml>, must begin with <gpx>",
+                "<gpx version= | <kml version= | a.gpx:2: begins with <kml> but must begin with <gpx>",
                 "lat=\"1.0\" | lat=\"95\" | a.gpx:5: lat 95 must be -90.0 to 90.0",
                 "lat=\"1.0\" | lat=\"x\" | a.gpx:5: lat 'x' must be a number",
                 "lat=\"1.0\" | la=\"1\" | a.gpx:5: lat 'null' must be a number",
                 "<ele>120.0</ele> | <ele>NaN</ele> | a.gpx:5: ele NaN must be -100000.0 to 100000.0",
                 "03:00:10Z | 03:00:60Z | a.gpx:5: time '2026-11-24T03:00:60Z' must be written as in",
-                "03:00:10Z | 03:59:10Z | a.gpx:6: is 3529.5 s before the point in line 5: times must increase",
+                "03:00:10Z | 03:59:10Z | a.gpx:6: is 3529.5 s before the point on line 5: times must increase",
                 "<time>2026-11-24T03:00:10Z</time> | '' | a.gpx:6: has a time, but points before it have none",
                 "</trk> | '' | a.gpx:11: not well-formed XML",
                 "trkpt | point | a.gpx: has no track with points",
@@ -203,7 +203,7 @@ class TrackTest {
                 "altitude_above_seaLevel(feet) | altitude_barrels | a.csv:1: no column for the height",
                 "1.001 | x | a.csv:3: latitude 'x' must be a number",
                 "1.001 | 437314000 | a.csv:3: latitude 437314000 must be -90.0 to 90.0",
-                "10100, | 50, | a.csv:3: is 0.05 s before the point in line 2: times must increase",
+                "10100, | 50, | a.csv:3: is 0.05 s before the point on line 2: times must increase",
                 "1.001,2.0,100,600,1 | 1.001 | a.csv:3: has 3 values, none for longitude",
                 "100,2026-11-24 03:00:00,1.0,2.0,0,500,1 | \"100,2026 | a.csv:2: has 1 value, none for latitude",
             })
@@ -214,7 +214,7 @@ class TrackTest {
     @Test
     void jumpsAndEmptyFilesAreRefused() throws IOException {
         assertThatThrownBy(() -> fly(Track.of("a.csv"), DJI.replace("1.001", "1.1")))
-                .hasMessageContaining("a.csv:3: is reached at 1106 m/s from line 2, must be at most 400 m/s");
+                .hasMessageContaining("a.csv:3: is reached at 1106 m/s from line 2, but at most 400 m/s is possible");
         assertThatThrownBy(() -> fly(Track.of("a.csv"), DJI.replace("1.001", "7.1")))
                 .hasMessageContaining("a.csv:3: latitude 7.100000 deg, longitude 2.000000 deg lies");
         assertThatThrownBy(() -> read(Track.of("a.csv"), "")).isInstanceOf(InputException.class);

@@ -298,7 +298,7 @@ class PreparedSitesTest {
         isAsWithoutStore(new PreparedSites(site, store, 1, notes::add));
 
         assertThat(notes).hasSize(1);
-        assertThat(notes.get(0)).startsWith("what was prepared is not kept for the next start: ");
+        assertThat(notes.get(0)).startsWith("prepared data are not kept for the next start: ");
     }
 
     /** The stores of a process share a directory: models, and fields of a coverage. */
@@ -319,7 +319,7 @@ class PreparedSitesTest {
                 System.setProperty(StorePlace.PROPERTY, before);
             }
         }
-        assertThat(notes).singleElement().asString().contains("is not kept for the next start");
+        assertThat(notes).singleElement().asString().contains("are not kept for the next start");
     }
 
     @Test
