@@ -93,7 +93,7 @@ public final class CostStudy {
         }
         return new CostCurves(
                 "rays",
-                "One look of a microphone on " + Workers.available() + " threads",
+                "One look of a microphone on " + Counted.of(Workers.available(), "thread"),
                 "rays sent out",
                 "time [ms]",
                 List.of(level.line(), energy.line()));
@@ -112,7 +112,8 @@ public final class CostStudy {
         }
         return new CostCurves(
                 "sensors",
-                "One frame of full HD cameras or microphones on " + Workers.available() + " threads, drone at 60 m",
+                "One look of full HD cameras or microphones on " + Counted.of(Workers.available(), "thread")
+                        + ", drone at 60 m",
                 "sensors",
                 "time [us]",
                 List.of(look.line(), away.line(), ears.line()));
@@ -165,9 +166,9 @@ public final class CostStudy {
         }
         return new CostCurves(
                 "threads",
-                "How much faster with more threads",
+                "Speed-up with more threads",
                 "threads",
-                "times as fast",
+                "speed-up",
                 List.of(view.line(), level.line(), energy.line(), build.line()));
     }
 

@@ -40,7 +40,7 @@ public final class RayFile {
             long expected = Integer.BYTES + (long) count * RAY_BYTES;
             if (count < 1 || count > MAX_RAYS || Files.size(file) != expected) {
                 throw new InputException(file + ": states a count of " + count + " rays and has " + Files.size(file)
-                        + " bytes; needs 1 to " + MAX_RAYS + " rays: 4 bytes, and 24 for each ray");
+                        + " bytes; it must hold 1 to " + MAX_RAYS + " rays: 4 bytes, and 24 for each ray");
             }
             float[] rays = new float[count * RaySet.FLOATS];
             ByteBuffer buffer = ByteBuffer.allocate(RAY_BYTES).order(ByteOrder.LITTLE_ENDIAN);

@@ -10,6 +10,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.setting.Counted;
 import org.jogamp.vecmath.Vector3d;
 
 /** Measures how the costs of building trees and of tracing rays grow with the triangles of the ground. */
@@ -36,7 +37,7 @@ final class TracingStudy {
 
     /** Builds all grounds, then traces in them kind by kind. */
     List<CostCurves> run() {
-        CostCurves.Points build = new CostCurves.Points("tree build, " + Workers.available() + " threads");
+        CostCurves.Points build = new CostCurves.Points("tree build, " + Counted.of(Workers.available(), "thread"));
         CostCurves.Points memory = new CostCurves.Points("tree and triangles");
         for (int size : sizes(largest)) {
             TriangleMesh mesh = RollingTerrain.of(size);
@@ -53,13 +54,13 @@ final class TracingStudy {
                         "triangles",
                         "Tracing, one thread",
                         "triangles",
-                        "million rays a second",
+                        "million rays per second",
                         List.of(
                                 rates("pictures of 1920 x 1080", TraversalKind.TILES, TracingStudy::fullHd),
                                 rates("pictures of 1024 x 768", TraversalKind.TILES, TracingStudy::camera),
                                 rates("1024 x 768, rays one by one", TraversalKind.STACK, TracingStudy::camera),
                                 rates("diffuse rays", TraversalKind.BVH, TracingStudy::diffuse))),
-                new CostCurves("memory", "Memory", "triangles", "bytes a triangle", List.of(memory.line())));
+                new CostCurves("memory", "Memory", "triangles", "bytes per triangle", List.of(memory.line())));
     }
 
     /**

@@ -61,7 +61,8 @@ public record CampaignSettings(
         expect = List.copyOf(Check.present("expect", expect));
         Limits.check(CampaignSettings.class, scene, vary, table, variants, runs, until, sensitivity, expect, seed);
         if (variants.size() > MOST_VARIANTS) {
-            throw new IllegalArgumentException("variants has " + variants.size() + " entries, must have at most 100");
+            throw new IllegalArgumentException(
+                    "variants has " + variants.size() + " entries but must have at most 100");
         }
         vary.forEach(CampaignSettings::checkVariation);
         checkVaried(vary.keySet());

@@ -76,10 +76,12 @@ public record EvenlySpaced(
     private static int number(double width, double distance) {
         double steps = Math.floor(width / distance + ROUNDING);
         if (steps < 1.0) {
-            throw new IllegalArgumentException("step " + distance + " must be at most to - from = " + width);
+            throw new IllegalArgumentException(
+                    "step " + distance + " must be at most " + width + ", the difference between from and to");
         }
         if (steps >= Variation.MOST_VALUES) {
-            throw new IllegalArgumentException("step " + distance + " gives too many values, must give at most 10,000");
+            throw new IllegalArgumentException(
+                    "step " + distance + " gives too many values; it must give at most 10,000");
         }
         return (int) steps + 1;
     }

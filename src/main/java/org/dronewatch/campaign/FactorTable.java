@@ -96,7 +96,8 @@ final class FactorTable {
             paths.add(path);
         }
         if (paths.size() > MOST_COLUMNS) {
-            throw new InputException(name + ":1: " + paths.size() + " columns, must have at most " + MOST_COLUMNS);
+            throw new InputException(
+                    name + ":1: has " + paths.size() + " columns but must have at most " + MOST_COLUMNS);
         }
     }
 
@@ -113,7 +114,7 @@ final class FactorTable {
     private void addRow(CsvRecord record) {
         String line = name + ":" + record.getStartingLineNumber() + ": ";
         if (record.getFieldCount() != paths.size()) {
-            throw new InputException(line + "number of values is " + record.getFieldCount() + ", must be "
+            throw new InputException(line + "number of values is " + record.getFieldCount() + " but must be "
                     + paths.size() + ", one for each column");
         }
         if (rows.size() == MOST_ROWS) {

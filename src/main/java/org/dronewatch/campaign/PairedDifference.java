@@ -15,7 +15,7 @@ public record PairedDifference(int onlyA, int onlyB, int of) {
     /** Checks the limits. */
     public PairedDifference {
         if (onlyA < 0 || onlyB < 0 || (long) onlyA + onlyB > of) {
-            throw new IllegalArgumentException(onlyA + " and " + onlyB + " discordant cases of " + of);
+            throw new IllegalArgumentException(onlyA + " and " + onlyB + " discordant cases among " + of);
         }
     }
 

@@ -46,7 +46,7 @@ public final class SensitivityCases implements Cases {
                         factors, settings.base(), values, (group, factor, isSecond) -> draw(group, factor, ORDER));
         if ((long) design.base() * design.groupSize() > MOST) {
             throw new InputException("sensitivity.base " + settings.base() + " with " + design.groupSize()
-                    + " cases in each group: must be at most a million cases in all");
+                    + " cases in each group: there must be at most a million cases in all");
         }
     }
 

@@ -26,7 +26,7 @@ public final class SummedCases implements CampaignRun.Chunks {
     @Override
     public void put(int chunk, List<CaseResult> results) {
         if (chunk != next) {
-            throw new IllegalArgumentException("chunk " + chunk + ", must be " + next);
+            throw new IllegalArgumentException("chunk " + chunk + " must be chunk " + next);
         }
         next++;
         int cases = stopping.add(results);

@@ -67,7 +67,7 @@ public record Variation(
         range.ifPresent(EvenlySpaced::check);
         int listed = values.map(List::size).orElse(1);
         if (listed < 1 || listed > MOST_VALUES) {
-            throw new IllegalArgumentException("values has " + listed + " entries, must have 1 to 10,000");
+            throw new IllegalArgumentException("values has " + listed + " entries but must have 1 to 10,000");
         }
     }
 

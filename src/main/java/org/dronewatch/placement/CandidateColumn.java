@@ -43,7 +43,8 @@ public final class CandidateColumn {
     private static int[] checked(int[] rows) {
         for (int at = 0; at < rows.length; at++) {
             if (rows[at] < 0 || at > 0 && rows[at] <= rows[at - 1]) {
-                throw new IllegalArgumentException("row " + rows[at] + ": rows must be 0 or more, and ascend");
+                throw new IllegalArgumentException(
+                        "row " + rows[at] + ": rows must be 0 or more and in ascending order");
             }
         }
         return rows.clone();

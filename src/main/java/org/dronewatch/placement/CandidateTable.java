@@ -55,7 +55,7 @@ public final class CandidateTable {
             }
             if (columns.get(number).lastRow() >= weights.length) {
                 throw new IllegalArgumentException("candidate " + name + ": row "
-                        + columns.get(number).lastRow() + ", must be below " + weights.length);
+                        + columns.get(number).lastRow() + " must be below " + weights.length);
             }
         }
         if (Arrays.stream(weights).anyMatch(weight -> !(weight >= 0.0) || Double.isInfinite(weight))) {
@@ -100,7 +100,7 @@ public final class CandidateTable {
         }
         if (numbers.length != weights.length || used.cardinality() != used.length()) {
             throw new IllegalArgumentException(numbers.length + " groups for " + weights.length
-                    + " rows: needs one for each row, numbered from 0 on without gaps");
+                    + " rows: there must be one for each row, numbered from 0 without gaps");
         }
         return new CandidateTable(candidates, columns, weights, undetected, numbers.clone());
     }

@@ -76,7 +76,7 @@ final class CsvRows {
             addHeader(location, fields);
         } else if (fields.size() != columns.size()) {
             throw new InputException(
-                    location + ": number of values is " + fields.size() + ", must be " + columns.size());
+                    location + ": number of values is " + fields.size() + " but must be " + columns.size());
         } else {
             each.accept(new CsvRow(location, columns, fields));
         }

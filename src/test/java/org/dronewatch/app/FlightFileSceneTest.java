@@ -112,7 +112,7 @@ class FlightFileSceneTest extends CommandLines {
         assertThat(outcome.err().lines().reduce((a, b) -> b).orElseThrow())
                 .contains(
                         "scene.yaml:7:",
-                        "drones.visitor.flight.plan: other.plan: fileType is 'Parameters', must be 'Plan'");
+                        "drones.visitor.flight.plan: other.plan: fileType is 'Parameters' but must be 'Plan'");
         assertThat(directory.resolve("out")).doesNotExist();
         write("flight: {log: approach.gpx, heights: moon}");
         assertRefused("check DIR/scene.yaml", "drones.visitor.flight.heights", "sea, start, surface");

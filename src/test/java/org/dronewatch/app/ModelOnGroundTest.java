@@ -75,7 +75,7 @@ class ModelOnGroundTest extends CommandLines {
         } else {
             assertThat(lines)
                     .containsExactly("house.obj: its lowest point lies " + shown + " m " + side
-                            + " the ground: its heights may refer to a different zero level; if so, correct them by"
+                            + " the ground: its heights may refer to a different vertical datum; if so, correct them with"
                             + " world.models.0.position");
         }
     }

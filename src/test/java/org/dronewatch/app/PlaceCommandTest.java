@@ -156,7 +156,7 @@ class PlaceCommandTest {
                 "objective: weakest-route                         | 'objective weakest-route: the scene protects no zone'",
                 "objective: warning-time                          | 'objective warning-time: the scene protects no zone'",
                 "warning: best                                    | 'warning: ''best'' is not one of [worst, mean]'",
-                "conditions: {anyoneLost: {warning: 20 s}}        | 'conditions.anyoneLost: needs ''atLeast'' alone'",
+                "conditions: {anyoneLost: {warning: 20 s}}        | 'conditions.anyoneLost: must have only ''atLeast'''",
                 "conditions: {base: [0, 0, -5]}                  | 'candidates.radar: none of its places has a line of sight'",
                 "air: {area: yard}                               | 'air.area yard: no such zone; the scene protects nothing'",
                 "objective: weakest-route and fold                | 'conditions.fold: has no meaning for the objective'",

@@ -122,7 +122,7 @@ class RenamedSettingsTest {
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.complaints())
                 .containsExactly("--set world.surfaces.defaultSurface: it is already given as --set"
-                        + " world.surfaces.otherwise: they are names of the same setting, now called"
+                        + " world.surfaces.otherwise: both are names of the same setting, now called"
                         + " 'world.surfaces.defaultSurface'");
     }
 

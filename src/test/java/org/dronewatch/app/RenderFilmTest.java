@@ -96,7 +96,7 @@ class RenderFilmTest extends CuedCamera {
                 "--view top --from 5 --to 4 --out DIR/a.mp4   | --from 5: must not be after --to 4",
                 "--view top --fps 0 --out DIR/a.mp4           | fps 0: must be 1 to 60",
                 "--view top --speed 0 --out DIR/a.mp4         | speed 0.0: must be 0.01 to 1000",
-                "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: must be at most 36000",
+                "--view top --speed 0.01 --fps 60 --out DIR/a.mp4 | 84001 frames: there must be at most 36000",
                 "--view top --size 5000x100 --out DIR/a.mp4   | --size 5000x100: a video of 5000 x 100 pixels:"
                         + " each side must",
                 "--view top --rays --out DIR/a.mp4            | --rays: rays are traced at a single time",

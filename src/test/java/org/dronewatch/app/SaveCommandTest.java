@@ -144,7 +144,7 @@ class SaveCommandTest {
         assertRefused("must end in .yaml or .yml", "save", "camera-range", "--out", path("scene.txt"));
         assertRefused("--run 5: must be 0 to 4", "save", "camera-range", "--run", "5", "--out", path("s.yaml"));
         assertRefused(
-                "which is not one of the kinds camera, acoustic, radar, rf, thermal, cannot be written into a file",
+                "which is not one of the kinds camera, acoustic, radar, rf, thermal, cannot be written to a file",
                 "save",
                 "org.dronewatch.app.FaultyScenes$Asserting",
                 "--out",

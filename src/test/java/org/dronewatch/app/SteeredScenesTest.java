@@ -68,8 +68,8 @@ class SteeredScenesTest {
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.complaints())
                 .containsExactly(
-                        "warning: the pilot schedules 1 action after the end of the run at 5.0 s, the first at"
-                                + " 25.0 s: it has no effect",
+                        "warning: the pilot schedules 1 action, at 25.0 s, after the end of the run at"
+                                + " 5.0 s: it has no effect",
                         "drone 'drone' at 2.0 s: where a steered drone will be at 9.0 s is not known at 2.0 s");
         assertThat(directory.resolve("results")).doesNotExist();
     }

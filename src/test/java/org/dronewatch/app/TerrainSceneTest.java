@@ -78,7 +78,7 @@ class TerrainSceneTest {
         assertThat(new Visibility(world).isFree(0, 0, 10, 80, 0, 40)).isTrue();
         assertThat(String.join("\n", notes))
                 .contains("read ground.asc: 41 x 41 posts, EPSG:32633")
-                .contains("0.10 km to the west, 0.10 east, 0.10 north and 0.10 south of the origin")
+                .contains("0.10 km west, 0.10 km east, 0.10 km north and 0.10 km south of the origin")
                 .contains("200.0 to 220.0 m high, 200.0 m at the origin, which is z = 0.0 m")
                 .contains("3,200 of 3,200 triangles, maximum vertical error 0.000 m (accuracy: 0.0 m), no holes");
     }
@@ -394,7 +394,7 @@ class TerrainSceneTest {
         assertThat(outcome.err())
                 .contains("-2.0 to 608.0 m high")
                 .contains("of 5,118 triangles")
-                .contains("1 post without a height (holes)")
+                .contains("1 post without a height (a hole)")
                 .contains("889 buildings within 2000 m of the origin, 554,760 m2")
                 .contains("cells of 1 m: water 8,795,460 m2, residential area 1,038,957 m2, road 328,346 m2")
                 .containsOnlyOnce("warning: monaco.osm.gz: 889 of 889 buildings have no height")

@@ -71,7 +71,7 @@ class FactorTableTest {
         wrong("drones.intruder.speed\n12 m/s\nfast\n", "factors.csv:3: drones.intruder.speed: ", "fast");
         wrong("drones.intruder.speed\n12 m/s\n12 kg\n", "factors.csv:3: drones.intruder.speed: ", "kg");
         wrong("drones.intruder.sped\n12 m/s\n", "factors.csv:2: drones.intruder.sped: ", "did you mean 'speed'?");
-        wrong("a,b\n1,2\n3\n", "factors.csv:3: number of values is 1, must be 2, one for each column");
+        wrong("a,b\n1,2\n3\n", "factors.csv:3: number of values is 1 but must be 2, one for each column");
         wrong("a,b\n1,\n", "factors.csv:2: b: is empty");
         wrong("a,a\n1,2\n", "factors.csv:1: column 2: a appears twice");
         wrong("a,\n1,2\n", "factors.csv:1: column 2 has no path");

@@ -67,6 +67,6 @@ class PairedDifferenceTest {
 
     @Test
     void discordantCasesAreCases() {
-        assertThatThrownBy(() -> new PairedDifference(6, 5, 10)).hasMessage("6 and 5 discordant cases of 10");
+        assertThatThrownBy(() -> new PairedDifference(6, 5, 10)).hasMessage("6 and 5 discordant cases among 10");
     }
 }

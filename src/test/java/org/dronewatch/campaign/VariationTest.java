@@ -93,7 +93,7 @@ class VariationTest {
         assertThat(metres(above, 0.5)).isCloseTo(106.744897502, within(1e-4));
         assertThat(metres(above, Math.nextDown(1.0))).isLessThanOrEqualTo(150.0);
         assertThatThrownBy(() -> metres(normal(new Normal("0", "1", Optional.of("40"), Optional.of("50"))), 0.5))
-                .hasMessage("from 40.0 and to 50.0 leave out all of a normal distribution about 0.0 with the"
+                .hasMessage("from 40.0 and to 50.0 leave out all of the normal distribution with mean 0.0 and"
                         + " deviation 1.0");
     }
 
@@ -129,7 +129,7 @@ class VariationTest {
     @Test
     void aNormalDistributionThatLeavesTheRangeOfNumbersIsRefused() {
         assertThatThrownBy(() -> normal(Normal.of("1e308", "1e308")).value(Quantity.NUMBER, 0.5))
-                .hasMessage("mean 1.0E308 and deviation 1.0E308 give values beyond the range of numbers; state smaller"
+                .hasMessage("mean 1.0E308 and deviation 1.0E308 give values too large for a number; state smaller"
                         + " ones, or from and to");
     }
 
@@ -167,9 +167,9 @@ class VariationTest {
         assertThatThrownBy(() -> stepped("0 m", "5 m", "0 m").value(Quantity.LENGTH, 0.5))
                 .hasMessage("step 0.0 must be above 0");
         assertThatThrownBy(() -> stepped("0 m", "5 m", "6 m").value(Quantity.LENGTH, 0.5))
-                .hasMessage("step 6.0 must be at most to - from = 5.0");
+                .hasMessage("step 6.0 must be at most 5.0, the difference between from and to");
         assertThatThrownBy(() -> stepped("0 m", "5 km", "0.5 m").value(Quantity.LENGTH, 0.5))
-                .hasMessage("step 0.5 gives too many values, must give at most 10,000");
+                .hasMessage("step 0.5 gives too many values; it must give at most 10,000");
         assertThatThrownBy(() -> stepped("0 m", "5 m", "1 kg").value(Quantity.LENGTH, 0.5))
                 .hasMessageStartingWith("step: ");
         assertThatThrownBy(() -> counted("0 m", "5 m", 1)).hasMessageContaining("count 1 must be 2 to 10000");

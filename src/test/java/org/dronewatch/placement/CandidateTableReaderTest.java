@@ -79,7 +79,7 @@ class CandidateTableReaderTest {
                 "name,cost~A,-1       | c.csv:2: cost '-1': must be a number of 0 or more",
                 "name,cost~A,NaN      | c.csv:2: cost 'NaN': must be a number of 0 or more",
                 "name,cost~A,x        | c.csv:2: cost 'x': must be a number of 0 or more",
-                "name,cost~A          | c.csv:2: number of values is 1, must be 2",
+                "name,cost~A          | c.csv:2: number of values is 1 but must be 2",
                 "name,cost~,1         | c.csv:2: name is empty",
                 "name,fixed~A,perhaps | c.csv:2: fixed 'perhaps': must be true or false"
             })
@@ -100,7 +100,7 @@ class CandidateTableReaderTest {
                 "S,A,1,1~S,B,2,2      | v.csv:3: weight '2': differs from that of an earlier line of row 'S'",
                 "S,A,,1               | v.csv:2: value is empty",
                 "S,A,Infinity,1       | v.csv:2: value 'Infinity': must be a number of 0 or more",
-                "S,A                  | v.csv:2: number of values is 2, must be 4",
+                "S,A                  | v.csv:2: number of values is 2 but must be 4",
                 ",A,1,1               | v.csv:2: row is empty"
             })
     void namesWhatIsWrongWithValues(String lines, String message) {

@@ -75,8 +75,8 @@ public record FieldGrid(
         Limits.check(FieldGrid.class, east, north, side, cell, heights, area);
         heights = checkedHeights(heights);
         if (Math.rint(side / cell) > MOST_CELLS) {
-            throw new IllegalArgumentException("side " + side + " m with cells of " + cell + " m has "
-                    + (long) Math.rint(side / cell) + " cells: must be at most " + MOST_CELLS);
+            throw new IllegalArgumentException("side " + side + " m with cells of " + cell + " m gives "
+                    + (long) Math.rint(side / cell) + " cells: there must be at most " + MOST_CELLS);
         }
     }
 
@@ -112,7 +112,7 @@ public record FieldGrid(
      */
     public static List<Double> checkedHeights(List<Double> heights) {
         if (heights.isEmpty() || heights.size() > MOST_HEIGHTS) {
-            throw new IllegalArgumentException(heights.size() + " heights: must be 1 to " + MOST_HEIGHTS);
+            throw new IllegalArgumentException(heights.size() + " heights: there must be 1 to " + MOST_HEIGHTS);
         }
         double below = 0.0;
         for (double height : heights) {

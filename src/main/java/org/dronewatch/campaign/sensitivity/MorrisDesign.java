@@ -23,7 +23,8 @@ public record MorrisDesign(int factors, int base, Uniform01 values, Uniform01 or
     /** Checks the limits. */
     public MorrisDesign {
         if (factors < 1 || base < 2) {
-            throw new IllegalArgumentException(factors + " factors, base " + base + ": must be 1 and 2 or more");
+            throw new IllegalArgumentException(factors + " factors, base " + base
+                    + ": there must be at least one factor, and a base of 2 or more");
         }
     }
 

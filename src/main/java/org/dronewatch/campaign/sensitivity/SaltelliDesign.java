@@ -16,7 +16,8 @@ public record SaltelliDesign(int factors, int base, Uniform01 values) implements
     /** Checks the limits. */
     public SaltelliDesign {
         if (factors < 1 || base < 2) {
-            throw new IllegalArgumentException(factors + " factors, base " + base + ": must be 1 and 2 or more");
+            throw new IllegalArgumentException(factors + " factors, base " + base
+                    + ": there must be at least one factor, and a base of 2 or more");
         }
     }
 

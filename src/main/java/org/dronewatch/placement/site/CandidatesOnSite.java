@@ -181,8 +181,8 @@ final class CandidatesOnSite {
             return sensor;
         }
         Aimed aimed = sensor.as(Aimed.class)
-                .orElseThrow(() -> new InputException(
-                        path + ".aims " + of + ": a sensor of kind " + sensor.kind() + " has no aim; must be 1"));
+                .orElseThrow(() -> new InputException(path + ".aims " + of + ": a sensor of kind " + sensor.kind()
+                        + " has no aim, so aims must be 1"));
         Position forward = aimed.aim().from(sensor.position());
         double level = Math.hypot(forward.x(), forward.y());
         double azimuth = StrictMath.atan2(forward.x(), forward.y()) + 2.0 * Math.PI * number / of;

@@ -19,6 +19,7 @@ import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
@@ -71,9 +72,9 @@ public final class CoveredCells {
         long rows = (long) scenes * grid.cells() * grid.heights().size() * courses.size();
         if (rows > MOST) {
             throw new InputException("air.cell: " + grid.columns() + " x " + grid.columns() + " cells at "
-                    + grid.heights().size() + " heights on " + courses.size()
-                    + " headings" + (scenes > 1 ? " under " + scenes + " conditions" : "")
-                    + " are too many, must be at most " + MOST + " together: give a larger cell");
+                    + Counted.of(grid.heights().size(), "height") + " on " + Counted.of(courses.size(), "heading")
+                    + (scenes > 1 ? " under " + scenes + " conditions" : "")
+                    + " are too many; there must be at most " + MOST + " in all: give a larger cell");
         }
     }
 

@@ -12,6 +12,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 
@@ -63,8 +64,8 @@ public final class Layout {
             }
         });
         if (present.alert().rule() instanceof AlertRule.SeveralSensors rule && rule.count() > sensors.size()) {
-            throw new InputException(
-                    "alert.rule.count " + rule.count() + ": the layout has only " + sensors.size() + " sensors");
+            throw new InputException("alert.rule.count " + rule.count() + ": the layout has only "
+                    + Counted.of(sensors.size(), "sensor"));
         }
         try {
             return SettingsForm.with(

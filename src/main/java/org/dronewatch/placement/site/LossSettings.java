@@ -33,7 +33,7 @@ public record LossSettings(
      */
     double fraction() {
         if (atLeast.isEmpty() || warning.isPresent()) {
-            throw new InputException("conditions.anyoneLost: needs 'atLeast' alone for this objective");
+            throw new InputException("conditions.anyoneLost: must have only 'atLeast' for this objective");
         }
         return atLeast.get();
     }
@@ -45,7 +45,7 @@ public record LossSettings(
      */
     double seconds() {
         if (warning.isEmpty() || atLeast.isPresent()) {
-            throw new InputException("conditions.anyoneLost: needs 'warning' alone for this objective");
+            throw new InputException("conditions.anyoneLost: must have only 'warning' for this objective");
         }
         return warning.get();
     }

@@ -57,7 +57,7 @@ public record OfferSettings(
     private static void checkName(String name) {
         if (!name.matches("[A-Za-z][A-Za-z0-9_-]{0,15}")) {
             throw new IllegalArgumentException("positioners." + name
-                    + ": a name must have 1 to 16 letters, digits, hyphens and underscores, a letter first");
+                    + ": a name must have 1 to 16 letters, digits, hyphens and underscores, and begin with a letter");
         }
     }
 

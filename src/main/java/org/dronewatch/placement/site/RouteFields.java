@@ -21,6 +21,7 @@ import org.dronewatch.route.SensorFields;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 
 /** The rates at which each sensor of a plan detects the drone on its way to the protected zone. */
@@ -68,8 +69,8 @@ final class RouteFields {
         long count = (long) cells.cells() * cells.heights().size();
         if (cells.columns() < 2 || count > MOST) {
             throw new InputException("air.cell " + cells.cell() + " m: " + cells.columns() + " x " + cells.columns()
-                    + " cells at " + cells.heights().size() + " heights, must be at least 2 x 2 and at most " + MOST
-                    + " together");
+                    + " cells at " + Counted.of(cells.heights().size(), "height")
+                    + "; there must be at least 2 x 2, and at most " + MOST + " in all");
         }
         return cells;
     }

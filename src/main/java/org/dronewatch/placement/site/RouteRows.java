@@ -80,7 +80,7 @@ final class RouteRows implements RowOracle {
             throw new InputException("air: no route leads from the edge of the square to the protected zone");
         }
         if (all.stream().anyMatch(one -> one.route().seconds() == 0.0)) {
-            throw new InputException("air.side: the protected zone reaches the edge of the square: must be larger");
+            throw new InputException("air.side must be larger: the protected zone reaches the edge of the square");
         }
         all.sort(Comparator.comparingDouble(DirectedRoute::exposure)
                 .thenComparingDouble(one -> one.route().seconds()));
