@@ -5,8 +5,11 @@ import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
@@ -20,8 +23,10 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.camera.CameraSettings;
+import org.dronewatch.sensor.camera.PixelThreshold;
 import org.dronewatch.sensor.optics.FieldOfView;
 import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.sensor.radar.DopplerFilter;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.sensor.rf.RfSettings;
 import org.dronewatch.setting.SettingsForm;
@@ -41,6 +46,11 @@ final class BruteCauses {
 
     /** Near a limit, rounding decides: as a fraction of a range, rad, or m/s. */
     private static final double ROUNDING = 1e-7;
+
+    /** Edges that matter to a radio wave force it at most on such a detour, in wavelengths. */
+    private static final double DETOUR = 2.0;
+
+    private static final double LIGHT = 299_792_458.0;
 
     private static final double STEP = 1.0 / 250.0;
 
@@ -122,7 +132,7 @@ final class BruteCauses {
         double radial = Math.abs(Position.of(drone.velocity()).dot(vector)) / range;
         double fastest = Math.min(radar.maxSpeed(), radar.budget().migrationSpeed());
         if (Math.abs(beyond) < ROUNDING && radar.azimuthWidth() < 2.0 * Math.PI
-                || Math.abs(radial - radar.minSpeed()) < ROUNDING
+                || radar.minSpeed() > 0.0 && Math.abs(radial - radar.minSpeed()) < ROUNDING
                 || Math.abs(radial - fastest) < ROUNDING) {
             return Optional.of(EnumSet.allOf(Cause.class));
         }
@@ -135,10 +145,15 @@ final class BruteCauses {
         if (radial > fastest) {
             return Optional.of(EnumSet.of(Cause.TOO_FAST));
         }
-        return radar.notch().isPresent()
-                        && isDetected(withoutNotch(radar), drone, site.stage().world())
-                ? Optional.of(EnumSet.of(Cause.TOO_SLOW, Cause.TOO_FAST))
-                : Optional.empty();
+        return radar.notch()
+                .filter(notch ->
+                        isDetected(withoutNotch(radar), drone, site.stage().world()))
+                .map(notch -> EnumSet.of(isAtBlindSpeed(notch, radial) ? Cause.TOO_FAST : Cause.TOO_SLOW));
+    }
+
+    /** Whether a speed is nearer to a blind speed of a filter, at which its response is 0 again, than to 0. */
+    private static boolean isAtBlindSpeed(DopplerFilter notch, double radial) {
+        return notch instanceof DopplerFilter.Canceller canceller && radial > 0.5 * canceller.blindSpeed();
     }
 
     private static RadarSettings withoutNotch(RadarSettings radar) {
@@ -170,49 +185,81 @@ final class BruteCauses {
     /** Hidden, if nothing is visible or it would be detected if nothing stood in the way; otherwise too weak. */
     private Set<Cause> obstructed(SensorSettings<?> sensor, Drone drone, Optional<Observation> seen) {
         boolean isDetectedInTheOpen = isDetected(sensor, drone, open);
-        BruteTriangles.Sight sight = triangles.sight(sensor.position(), drone.origin(), drone.radius());
-        Set<ModelRole> before = sight.before(drone.origin());
         boolean isSeen =
                 sensor instanceof PictureSettings || sensor instanceof RadarSettings radar && !radar.diffraction();
         if (!isSeen) {
-            return wave(sensor, isDetectedInTheOpen, before);
+            return isDetectedInTheOpen ? ofWave(sensor, drone) : EnumSet.of(Cause.TOO_WEAK);
         }
+        BruteTriangles.Sight sight = triangles.sight(sensor.position(), drone.origin(), drone.radius());
+        Set<ModelRole> before = sight.before(drone.origin());
         if (before.isEmpty()) {
             return isDetectedInTheOpen ? hidden(aroundOrigin(sight, drone)) : EnumSet.of(Cause.TOO_WEAK);
         }
-        Set<Cause> causes = hidden(before);
-        if (sensor instanceof CameraSettings camera
-                && seen.filter(one -> one.value() > 0.0).isEmpty()) {
-            // No pixel shows it, even if some of it is visible between their rays. A value that does not count pixels
-            // may also be 0 because it is tiny.
-            if (!camera.detection().countsPixelsOnly()) {
-                causes.add(Cause.TOO_WEAK);
-            }
-            return causes;
+        if (isDetectedInTheOpen) {
+            return hidden(before);
         }
+        if (sensor instanceof CameraSettings camera) {
+            // What is visible between the rays of the pixels is not seen.
+            return pixels(camera, drone) == 0.0 ? hidden(before) : EnumSet.of(Cause.TOO_WEAK);
+        }
+        return partly(sight, drone, seen, before);
+    }
+
+    /** A drone that would be missed in the open is hidden if nothing of it is visible, and otherwise too weak. */
+    private static Set<Cause> partly(
+            BruteTriangles.Sight sight, Drone drone, Optional<Observation> seen, Set<ModelRole> before) {
         List<Position> points = points(drone);
-        int visible = isDetectedInTheOpen ? 0 : sight.visible(points);
+        int visible = sight.visible(points);
         if (visible > FEW * points.size()) {
             return EnumSet.of(Cause.TOO_WEAK);
         }
+        // Of what is visible of so little, a sensor may notice nothing.
+        OptionalDouble noticed = seen.map(Observation::figures).stream()
+                .flatMap(figures -> Stream.of("pixels", "visible_share").map(figures::get))
+                .filter(Objects::nonNull)
+                .mapToDouble(Double::doubleValue)
+                .findFirst();
+        if (noticed.isPresent()) {
+            return noticed.getAsDouble() == 0.0 ? hidden(before) : EnumSet.of(Cause.TOO_WEAK);
+        }
+        Set<Cause> causes = hidden(before);
         if (visible > 0) {
             causes.add(Cause.TOO_WEAK);
         }
         return causes;
     }
 
-    /** Waves go round edges: what stands in the way hides a drone only if it would be detected without it. */
-    private static Set<Cause> wave(SensorSettings<?> sensor, boolean isDetectedInTheOpen, Set<ModelRole> before) {
-        if (!isDetectedInTheOpen) {
-            return EnumSet.of(Cause.TOO_WEAK);
+    /** How many pixels of a picture show a drone. */
+    private double pixels(CameraSettings camera, Drone drone) {
+        CameraSettings counting = SettingsForm.with(camera, "detection", PixelThreshold.DEFAULT);
+        Look look = Look.of(site.settings().run().seed(), "pixels", 0, 0.0);
+        return counting.create().observe(site.stage().world(), List.of(drone), look).stream()
+                .mapToDouble(Observation::value)
+                .findFirst()
+                .orElse(0.0);
+    }
+
+    /**
+     * Waves go round edges: what stands in the way hides a drone that would be detected without it, and so does, of a
+     * radio wave, an edge beside the line of sight.
+     */
+    private Set<Cause> ofWave(SensorSettings<?> sensor, Drone drone) {
+        boolean isSound = sensor.kind().equals("acoustic");
+        if (!isSound && drone.settings().radio().pilot().isPresent()) {
+            return EnumSet.range(Cause.HIDDEN_BY_TERRAIN, Cause.TOO_WEAK);
         }
-        if (!before.isEmpty()) {
-            return hidden(before);
-        }
-        // An edge beside the line of sight also takes from a radio wave.
-        return sensor.kind().equals("acoustic")
-                ? EnumSet.of(Cause.TOO_WEAK)
-                : EnumSet.range(Cause.HIDDEN_BY_TERRAIN, Cause.TOO_WEAK);
+        double detour = isSound ? 0.0 : DETOUR * LIGHT / frequency(sensor, drone);
+        double aside = 0.5 * Math.sqrt(detour * (2.0 * drone.distance(sensor.position()) + detour));
+        BruteTriangles.Sight sight =
+                triangles.sight(sensor.position(), drone.origin(), Math.max(drone.radius(), aside));
+        Set<ModelRole> before = sight.before(drone.origin());
+        return hidden(before.isEmpty() && !isSound ? sight.beside(drone.origin(), detour) : before);
+    }
+
+    private static double frequency(SensorSettings<?> sensor, Drone drone) {
+        return sensor instanceof RadarSettings radar
+                ? radar.frequency()
+                : drone.settings().radio().frequency();
     }
 
     /** What hides corners of a drone whose middle is in sight. */

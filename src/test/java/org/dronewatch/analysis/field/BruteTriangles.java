@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -22,6 +23,9 @@ final class BruteTriangles {
 
     /** Width of the columns into which the ground is sorted, m. */
     private static final double COLUMN = 50.0;
+
+    /** Steps of a search, of which each leaves two thirds. */
+    private static final int STEPS = 40;
 
     private final World world;
     private final double[] corners;
@@ -145,6 +149,18 @@ final class BruteTriangles {
             return roles;
         }
 
+        /** The roles of surfaces that force a wave to a point on a detour of at most so many metres. */
+        Set<ModelRole> beside(Position to, double detour) {
+            Set<ModelRole> roles = EnumSet.noneOf(ModelRole.class);
+            double most = to.distance(from) + detour;
+            for (int i = 0; i < near.size(); i++) {
+                if (shortest(near.get(i), from, to) <= most) {
+                    roles.add(world.obstacle(near.get(i)).model().role());
+                }
+            }
+            return roles;
+        }
+
         /** How many of some points are visible. */
         int visible(List<Position> points) {
             return (int) points.stream().filter(point -> first(point) > 1.0).count();
@@ -190,6 +206,37 @@ final class BruteTriangles {
         double sum = u + v + w;
         double far = volume(ax, ay, az, bx, by, bz, cx, cy, cz);
         return sum == 0.0 ? Double.POSITIVE_INFINITY : far / sum;
+    }
+
+    /** The length of the shortest way between two points by way of a triangle, m: convex in a place on the triangle. */
+    private double shortest(int triangle, Position from, Position to) {
+        return least(u -> least(v -> length(triangle, u, v * (1.0 - u), from, to)));
+    }
+
+    /** The least value of a convex function between 0 and 1. */
+    private static double least(DoubleUnaryOperator convex) {
+        double low = 0.0;
+        double high = 1.0;
+        for (int i = 0; i < STEPS; i++) {
+            double third = (high - low) / 3.0;
+            if (convex.applyAsDouble(low + third) <= convex.applyAsDouble(high - third)) {
+                high -= third;
+            } else {
+                low += third;
+            }
+        }
+        return convex.applyAsDouble(0.5 * (low + high));
+    }
+
+    private double length(int triangle, double u, double v, Position from, Position to) {
+        int at = 9 * triangle;
+        double[] p = new double[3];
+        for (int k = 0; k < 3; k++) {
+            double first = corners[at + k];
+            p[k] = first + u * (corners[at + 3 + k] - first) + v * (corners[at + 6 + k] - first);
+        }
+        Position by = new Position(p[0], p[1], p[2]);
+        return from.distance(by) + by.distance(to);
     }
 
     private static double volume(

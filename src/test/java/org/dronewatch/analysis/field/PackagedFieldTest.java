@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.TreeMap;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
@@ -19,10 +20,18 @@ import org.junit.jupiter.params.provider.CsvSource;
 /**
  * Fields of real scenes against looks at random cells: where a probability is stored as 0 or 1, a look gives the same
  * answer, also where levels of sound are interpolated; and the cause is that of {@link BruteCauses}. With
- * {@code -Ddronewatch.field=run} all scenes and 2,000 cells of nearly each, otherwise the fastest and fewer.
+ * {@code -Ddronewatch.field=run} all scenes and 2,000 cells of nearly each, with {@code -Ddronewatch.field=monaco}
+ * those whose name contains that, and with {@code -Ddronewatch.field.sensor=ID} one of their sensors alone; otherwise
+ * the fastest and fewer cells.
  */
 class PackagedFieldTest {
-    private static final boolean ALL = "run".equals(System.getProperty("dronewatch.field"));
+    private static final Optional<String> LONG = Optional.ofNullable(System.getProperty("dronewatch.field"));
+
+    /** The sensor that is left on in the long form; all if null. */
+    private static final String SENSOR = System.getProperty("dronewatch.field.sensor");
+
+    /** The time between two lines that state how far the long form has come, ns. */
+    private static final long BETWEEN_LINES = 20_000_000_000L;
 
     /** How many cells the build looks at. */
     private static final int SHORT = 200;
@@ -30,7 +39,7 @@ class PackagedFieldTest {
     /** Brute force may leave open at most this part of the causes. */
     private static final double UNDECIDED = 0.05;
 
-    @ParameterizedTest
+    @ParameterizedTest(name = "{0} {5}")
     @CsvSource({
         "scenes/hill-radar.yaml, quadrotor, 1000, 40,,,, 2000",
         "acoustic-range, quadrotor, 800, 32,,,, 2000",
@@ -42,6 +51,7 @@ class PackagedFieldTest {
         "scenes/daylight.yaml, quadrotor, 250, 10,,,, 2000",
         "scenes/false-alarms.yaml, intruder, 1200, 40,,,, 2000",
         "scenes/glider.yaml, glider, 1200, 40,,,, 2000",
+        "scenes/listening-post.yaml, intruder, 1200, 40,,,, 2000",
         "scenes/meadow.yaml, intruder, 3000, 100,,,, 2000",
         "scenes/monaco.yaml, from-the-sea, 3600, 120,,,, 2000",
         "scenes/palace.yaml, intruder, 3600, 120,,,, 2000",
@@ -60,16 +70,29 @@ class PackagedFieldTest {
             String sensorAlone,
             String set,
             int cells) {
-        assumeTrue(ALL || name.endsWith("hill-radar.yaml"));
-        PackagedSite site = PackagedSite.of(name, drone, side, cell, heights, FieldTerms.ONE_LOOK, sensorAlone, set);
+        boolean isLong =
+                LONG.filter(part -> part.equals("run") || name.contains(part)).isPresent();
+        assumeTrue(isLong || LONG.isEmpty() && name.endsWith("hill-radar.yaml"));
+        String alone = sensorAlone == null ? SENSOR : sensorAlone;
+        assumeTrue(SENSOR == null || SENSOR.equals(alone));
+        long begin = System.nanoTime();
+        long seed = Long.getLong("dronewatch.field.seed", begin);
+        print(name + (alone == null ? "" : ", " + alone) + ": seed " + seed);
+        PackagedSite site = PackagedSite.of(name, drone, side, cell, heights, FieldTerms.ONE_LOOK, alone, set);
+        print("    field after " + seconds(begin) + " s");
         BruteCauses causes = new BruteCauses(site);
-        long seed = Long.getLong("dronewatch.field.seed", System.nanoTime());
-        System.out.println("PackagedFieldTest: seed " + seed);
         Map<Cause, Integer> met = new EnumMap<>(Cause.class);
+        Map<String, Integer> open = new TreeMap<>();
         int certain = 0;
-        int undecided = 0;
         int all = 0;
-        for (PackagedSite.Cell each : site.cells(ALL ? cells : SHORT, new Random(seed))) {
+        int visited = 0;
+        long line = System.nanoTime();
+        for (PackagedSite.Cell each : site.cells(isLong ? cells : SHORT, new Random(seed))) {
+            if (System.nanoTime() - line > BETWEEN_LINES) {
+                line = System.nanoTime();
+                print("    " + visited + " of " + cells + " cells after " + seconds(begin) + " s");
+            }
+            visited++;
             Drone there = site.at(each);
             for (int sensor = 0; sensor < site.field().sensors().size(); sensor++) {
                 String id = site.field().sensors().get(sensor);
@@ -87,21 +110,33 @@ class PackagedFieldTest {
                 Set<Cause> possible = causes.of(id, there, seen, stored);
                 assertThat(possible).as(where).contains(cause);
                 all++;
-                undecided += possible.size() > 1 ? 1 : 0;
+                if (possible.size() > 1) {
+                    open.merge(site.sensor(id).kind() + " " + possible, 1, Integer::sum);
+                }
                 met.merge(cause, 1, Integer::sum);
             }
         }
         site.field()
                 .interpolated()
-                .forEach((id, error) -> System.out.println(id + ": error of " + error.percentile95() + " dB"));
-        System.out.println(name + ": " + all + " assessments, " + certain + " certain, cause undecided by brute force "
-                + undecided + ", " + met);
+                .forEach((id, error) -> print("    " + id + ": error of " + error.percentile95() + " dB"));
+        int undecided = open.values().stream().mapToInt(Integer::intValue).sum();
+        print(name + ": " + all + " assessments, " + certain + " certain, " + met + ", cause undecided by brute force "
+                + undecided + " " + open + ", after " + seconds(begin) + " s");
         assertThat(certain).isGreaterThan(all / 2);
         // Brute force must decide nearly all causes; of a few cells, more may be open by chance (four standard
         // deviations).
-        double open = UNDECIDED * all;
-        assertThat((double) undecided).as("undecided, seed %d", seed).isLessThan(open + 4.0 * Math.sqrt(open));
+        double most = UNDECIDED * all;
+        assertThat((double) undecided).as("undecided, seed %d", seed).isLessThan(most + 4.0 * Math.sqrt(most));
         assertThat(met.keySet()).isNotEqualTo(EnumSet.of(Cause.DETECTED));
+    }
+
+    private static void print(String line) {
+        System.out.println(line);
+        System.out.flush();
+    }
+
+    private static long seconds(long since) {
+        return Math.round((System.nanoTime() - since) * 1e-9);
     }
 
     /** Whether a look detects; for an observer, whether he is able to, given time. */

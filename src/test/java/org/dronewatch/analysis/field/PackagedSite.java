@@ -38,6 +38,9 @@ import org.dronewatch.sensor.SensorSettings;
 record PackagedSite(
         String name, SceneSettings settings, Stage stage, Drone drone, DetectionField field, Map<String, Sensor> eyes) {
 
+    /** Sets cells aside from the edges of beams that begin in the middle, where rounding decides, m. */
+    private static final double ASIDE = 0.37;
+
     /** A cell in which a drone can be, and a course. */
     record Cell(int height, int column, int row, int course) {}
 
@@ -77,7 +80,7 @@ record PackagedSite(
         SceneSettings settings = runner.settingsOfRuns().get(0);
         Stage stage = runner.stage(settings);
         Position middle = InboundTarget.sensors(settings);
-        FieldGrid grid = new FieldGrid(middle.x(), middle.y(), side, cell, levels(heights));
+        FieldGrid grid = new FieldGrid(middle.x() + ASIDE, middle.y(), side, cell, levels(heights));
         Drone sample = DetectionField.droneOf(stage, drone);
         List<Course> courses = Course.all(settings.enabledSensors(), sample);
         Map<String, Sensor> eyes = new HashMap<>();
