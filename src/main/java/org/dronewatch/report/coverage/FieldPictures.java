@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -12,6 +13,7 @@ import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
+import org.dronewatch.sensor.Cause;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
 final class FieldPictures {
@@ -68,6 +70,7 @@ final class FieldPictures {
         sheet.credits(credits);
         sheet.title(inputs.scene());
         map.writeLegend(sheet);
+        sheet.explainSensors();
         return sheet;
     }
 
@@ -107,8 +110,7 @@ final class FieldPictures {
         MapSheet sheet = new MapSheet(grid);
         sheet.drawMap(
                 ground,
-                (column, row) ->
-                        grid.isOutside(column, row) ? CauseFills.OUTSIDE : HeightFills.of(grid, least.at(column, row)),
+                (column, row) -> grid.isOutside(column, row) ? CauseFills.OUTSIDE : fill(grid, least.at(column, row)),
                 sensors);
         sheet.credits(credits);
         sheet.title(inputs.scene());
@@ -119,14 +121,27 @@ final class FieldPictures {
             sheet.entry(HeightFills.of(grid, bound), Numbers.text(below) + " to " + metres(bound));
             below = bound;
         }
-        sheet.entry(HeightFills.of(grid, Double.NaN), "not up to that height, or no ground");
+        sheet.entry(HeightFills.of(grid, Double.NaN), "not up to " + metres(below));
+        if (Arrays.stream(ground).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
+            sheet.entry((u, v, any) -> fill(grid, Double.NaN).at(u, v, ReliefShade.NOTHING), "no ground");
+        }
         if (grid.count(grid::isOutside) > 0) {
             sheet.entry(CauseFills.OUTSIDE, CellState.OUTSIDE.inWords(false));
         }
         sheet.space();
         sheet.line("cells of " + metres(grid.cell()));
+        sheet.explainSensors();
         sheet.caption(caption);
         return sheet;
+    }
+
+    /** The fill of a least height, m; a pattern where there is no ground from which to measure it. */
+    private static MapSheet.Fill fill(FieldGrid grid, double height) {
+        MapSheet.Fill fill = HeightFills.of(grid, height);
+        return Double.isNaN(height)
+                ? (u, v, below) ->
+                        (below.equals(ReliefShade.NOTHING) ? CauseFills.of(Cause.UNKNOWN) : fill).at(u, v, below)
+                : fill;
     }
 
     /** The colour of a line for a height, given by its number. */

@@ -5,11 +5,16 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.analysis.field.FieldGrid;
 
-/** How heights look on a map: from light to dark, so that they keep their order in black and white. */
+/** How heights look on a map: from light to dark, so that they keep their order in black and white; lined if none. */
 final class HeightFills {
     private static final Color LOWEST = new Color(0xfff3c4);
     private static final Color HIGHEST = new Color(0x2c4a86);
     private static final Color NONE = new Color(0x2b2b2b);
+
+    /** Lines that tell "none" from the highest class in black and white. */
+    private static final Color LINE = new Color(0xb8b8b8);
+
+    private static final int PERIOD = 12;
 
     /** Most of a colour is that of its class: shades of the ground must not look like the class beside it. */
     private static final double STRENGTH = 0.92;
@@ -28,7 +33,11 @@ final class HeightFills {
                 return (u, v, ground) -> MapSheet.mixed(ground, colour, STRENGTH);
             }
         }
-        return (u, v, ground) -> MapSheet.mixed(ground, NONE, STRENGTH);
+        return (u, v, ground) -> MapSheet.mixed(ground, isLine(u, v) ? LINE : NONE, STRENGTH);
+    }
+
+    private static boolean isLine(int u, int v) {
+        return (u + v + PERIOD / 2) % PERIOD < 2;
     }
 
     /** Upper bounds of the classes of height, m: each is twice the one below, and the last is the top of the grid. */

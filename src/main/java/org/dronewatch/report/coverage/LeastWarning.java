@@ -1,7 +1,9 @@
 package org.dronewatch.report.coverage;
 
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.Warning;
@@ -32,6 +34,20 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
         return new LeastWarning(time, same.stream().allMatch(Warning::isFromStart), same, all.size());
     }
 
+    /**
+     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more from the others}; empty
+     * unless there are such bearings and others. The unit stays in the line of the number.
+     *
+     * @param words writes a time, s
+     */
+    static Optional<String> ofOthers(List<Warning> all, DoubleFunction<String> words) {
+        DoubleSummaryStatistics times =
+                all.stream().flatMapToDouble(one -> one.time().stream()).summaryStatistics();
+        return times.getCount() == 0 || times.getCount() == all.size()
+                ? Optional.empty()
+                : Optional.of(words.apply(times.getMin()).replace(' ', '\u00a0') + " or more from the others");
+    }
+
     private static String words(Warning one, DoubleFunction<String> words) {
         return one.time().isPresent() ? words.apply(one.time().getAsDouble()) : "";
     }
@@ -42,8 +58,8 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
     }
 
     /**
-     * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 bearings}, of flights that are all
-     * those at a height, from north; {@code any bearing} if a drone arrives undetected from each.
+     * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 of 36 bearings}, of flights that are
+     * all those at a height, from north; {@code any bearing} if a drone arrives undetected from each.
      *
      * @param all the flights
      */
@@ -58,7 +74,7 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
                 .boxed()
                 .toList();
         if (starts.size() > 1) {
-            return count + " bearings";
+            return count + " of " + of + " bearings";
         }
         int first = starts.isEmpty() ? 0 : starts.get(0);
         String from = degrees(all.get(first));
@@ -69,7 +85,7 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
         return String.valueOf(Math.round(Math.toDegrees(one.bearing())));
     }
 
-    /** In a sentence: {@code the north}, {@code every bearing}, {@code any bearing} or {@code 7 bearings}. */
+    /** In a sentence: {@code the north}, {@code every bearing}, {@code any bearing} or {@code 7 of 36 bearings}. */
     String directions() {
         if (flights.size() == 1) {
             return "the " + CompassPoint.of(flights.get(0).bearing());
@@ -77,6 +93,6 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
         if (flights.size() == of) {
             return isNone() ? "any bearing" : "every bearing";
         }
-        return flights.size() + " bearings";
+        return flights.size() + " of " + of + " bearings";
     }
 }

@@ -43,6 +43,7 @@ public final class MapSheet {
     private final FieldGrid grid;
     private final double side;
     private String caption = "";
+    private boolean showsSensors;
     private int line = MARGIN + 16;
 
     /**
@@ -210,10 +211,23 @@ public final class MapSheet {
         int u = column(at);
         int v = row(at);
         if (u >= 0 && u < MAP && v >= 0 && v < MAP) {
-            g.setColor(Color.WHITE);
-            g.fillOval(u - 6, v - 6, 12, 12);
-            g.setColor(Color.BLACK);
-            g.fillOval(u - 4, v - 4, 8, 8);
+            dot(u, v);
+            showsSensors = true;
+        }
+    }
+
+    private void dot(int u, int v) {
+        g.setColor(Color.WHITE);
+        g.fillOval(u - 6, v - 6, 12, 12);
+        g.setColor(Color.BLACK);
+        g.fillOval(u - 4, v - 4, 8, 8);
+    }
+
+    /** Explains the dots of sensors in the legend, if there are any on the map. */
+    public void explainSensors() {
+        if (showsSensors) {
+            dot(MAP + MARGIN + SWATCH_WIDTH / 2, line - SWATCH_HEIGHT / 2 + 2);
+            write("sensor", MAP + MARGIN + SWATCH_WIDTH + 12);
         }
     }
 

@@ -58,7 +58,10 @@ public final class WarningMap {
                     .toList();
             Color colour = FieldPictures.ofHeight(i, heights.length);
             sheet.outline(outline(warnings, its), colour, i + 1);
-            sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": least " + WarningTable.least(its));
+            String others = LeastWarning.ofOthers(its, WarningTable::seconds)
+                    .map(words -> ", " + words)
+                    .orElse("");
+            sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": " + WarningTable.least(its) + others);
         }
         for (List<Position> zone : ProtectedOutlines.of(site.stage().protection())) {
             sheet.outline(zone, Color.BLACK, 0);
@@ -70,6 +73,7 @@ public final class WarningMap {
         if (Arrays.stream(below).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
             sheet.entry((u, v, any) -> pale(u, v, ReliefShade.NOTHING), "height of the ground unknown");
         }
+        sheet.explainSensors();
         sheet.space();
         sheet.line("where a line meets the zone, or the middle:");
         sheet.line("no detection before the drone arrives");

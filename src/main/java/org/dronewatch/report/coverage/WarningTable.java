@@ -26,14 +26,14 @@ public final class WarningTable {
                 "warning of drones that fly straight in from %s: time from the first detection until they reach %s:",
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
                 warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
-        lines.add(text("%10s  %28s  %10s  %14s", "height", "least", "median", "not detected")
+        lines.add(text("%10s  %34s  %10s  %14s", "height", "least", "median", "not detected")
                 + (isRequired ? text("  %24s", "less than " + Numbers.text(warnings.response()) + " s") : ""));
         for (double height : heights(warnings)) {
             List<Warning> its = warnings.all().stream()
                     .filter(one -> one.height() == height)
                     .toList();
             String line = text(
-                    "%10s  %28s  %10s  %14s",
+                    "%10s  %34s  %10s  %14s",
                     Numbers.text(height) + " m",
                     least(its),
                     median(its),
@@ -53,9 +53,14 @@ public final class WarningTable {
 
     /** The least warning, with its bearings. */
     static String least(List<Warning> warnings) {
-        LeastWarning least = LeastWarning.of(warnings, time -> text("%.1f s", time));
+        LeastWarning least = LeastWarning.of(warnings, WarningTable::seconds);
         String time = least.isNone() ? "none" : (least.isFromStart() ? AT_LEAST : "") + least.time();
         return time + " from " + least.bearings(warnings);
+    }
+
+    /** A time to a tenth. */
+    static String seconds(double time) {
+        return text("%.1f s", time);
     }
 
     /** The lower one of two in the middle; those without a detection count as the least. */
@@ -66,7 +71,7 @@ public final class WarningTable {
         List<Warning> lower = sorted.subList(0, (sorted.size() - 1) / 2 + 1);
         OptionalDouble middle = lower.get(lower.size() - 1).time();
         String from = lower.stream().anyMatch(Warning::isFromStart) ? AT_LEAST : "";
-        return middle.isEmpty() ? "none" : from + text("%.1f s", middle.getAsDouble());
+        return middle.isEmpty() ? "none" : from + seconds(middle.getAsDouble());
     }
 
     /** What the distance at which flights begin leaves open; empty if nothing. */

@@ -61,7 +61,7 @@ public final class WarningWords {
         boolean isRequired = warnings.response() > 0.0;
         for (double height : WarningTable.heights(warnings)) {
             List<Warning> its = at(height);
-            List<String> row = new ArrayList<>(List.of(number(height) + " m", inTable(least(its)), undetected(its)));
+            List<String> row = new ArrayList<>(List.of(number(height) + " m", inTable(its), undetected(its)));
             if (isRequired) {
                 row.add(late(its));
             }
@@ -91,15 +91,23 @@ public final class WarningWords {
     }
 
     private static LeastWarning least(List<Warning> its) {
-        return LeastWarning.of(its, time -> number(time) + " s");
+        return LeastWarning.of(its, WarningWords::seconds);
     }
 
     private static String time(LeastWarning least) {
         return (least.isFromStart() ? "at least " : "") + least.time();
     }
 
-    private static String inTable(LeastWarning least) {
-        return (least.isNone() ? "none" : time(least)) + " from " + least.directions();
+    private static String seconds(double time) {
+        return number(time) + " s";
+    }
+
+    /** How many bearings are without a warning is stated beside it. */
+    private static String inTable(List<Warning> its) {
+        LeastWarning least = least(its);
+        return LeastWarning.ofOthers(its, WarningWords::seconds)
+                .map(words -> "none; " + words)
+                .orElseGet(() -> (least.isNone() ? "none" : time(least)) + " from " + least.directions());
     }
 
     /** The worst warning of all heights, and whether all are in time. */

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.junit.jupiter.api.Test;
@@ -37,6 +39,21 @@ class HeightFillsTest {
                         .orElseThrow();
                 assertThat(nearest).as("height %s on %s", height, ground).isEqualTo(height);
             }
+        }
+    }
+
+    /** The highest class is dark, too: only lines tell it from none. */
+    @Test
+    void noneIsLined() {
+        for (Color ground : GROUNDS) {
+            List<Double> none = new ArrayList<>();
+            List<Double> highest = new ArrayList<>();
+            for (int u = 0; u < 16; u++) {
+                none.add(luminance(HeightFills.of(GRID, Double.NaN).at(u, 3, ground)));
+                highest.add(luminance(HeightFills.of(GRID, 150).at(u, 3, ground)));
+            }
+            assertThat(Collections.max(none) - Collections.min(none)).isGreaterThan(100);
+            assertThat(new HashSet<>(highest)).hasSize(1);
         }
     }
 }

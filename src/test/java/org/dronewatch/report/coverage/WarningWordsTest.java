@@ -94,14 +94,26 @@ class WarningWordsTest {
         assertThat(table(flights(0, bearing -> -1, bearing -> false))).contains("none from any bearing");
         assertThat(table(flights(0, bearing -> bearing >= 34 || bearing < 2 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 340 to 10 deg  ");
-        assertThat(table(flights(0, bearing -> bearing % 2, bearing -> false))).contains("  0.0 s from 18 bearings  ");
+        assertThat(table(flights(0, bearing -> bearing % 2, bearing -> false)))
+                .contains("  0.0 s from 18 of 36 bearings  ");
+        assertThat(LeastWarning.ofOthers(
+                        flights(0, bearing -> bearing % 2 == 0 ? -1 : bearing, bearing -> false)
+                                .all(),
+                        WarningTable::seconds))
+                .contains("1.0\u00a0s or more from the others");
+        assertThat(LeastWarning.ofOthers(
+                        flights(0, bearing -> bearing, bearing -> false).all(), WarningTable::seconds))
+                .isEmpty();
         assertThat(table(flights(0, bearing -> bearing == 7 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 70 deg  ");
         assertThat(words(flights(0, bearing -> bearing == 9 ? 3 : 8, bearing -> false)))
                 .contains(
                         "3 s from the east", "comes 3 s before it reaches the protected zone, in 2 of 72 combinations");
         assertThat(words(flights(0, bearing -> bearing < 5 ? -1 : 8, bearing -> false)))
-                .contains("none from 5 bearings", "undetected; this happens in 10 of 72 combinations");
+                .contains(
+                        "none; 8\u00a0s or more from the others",
+                        "5 of 36",
+                        "undetected; this happens in 10 of 72 combinations");
     }
 
     /** The target is not the middle of the grid, so that its map would end 150 m north of the target. */
