@@ -58,8 +58,8 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
     }
 
     /**
-     * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 of 36 bearings}, of flights that are
-     * all those at a height, from north; {@code any bearing} if a drone arrives undetected from each.
+     * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 of 36 bearings}, of flights that
+     * are all those at a height, from north; {@code any bearing} if a drone arrives undetected from each.
      *
      * @param all the flights
      */
