@@ -1,19 +1,23 @@
 package org.dronewatch.route;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.dronewatch.LongForm;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -39,7 +43,7 @@ class PackagedRouteTest {
         }
     }
 
-    /** Each look of the microphone takes up to a tenth of a second; RouteProofTest flies past one. */
+    /** Each look of the microphone takes up to a tenth of a second. */
     private static final Map<String, String> NO_MICROPHONE = Map.of("sensors.microphone.enabled", "false");
 
     /** The receiver leaves nothing to chance. */
@@ -63,8 +67,21 @@ class PackagedRouteTest {
     private static final Site SHORT =
             new Site("meadow", "scenes/meadow.yaml", NO_RECEIVER, "intruder", 3000, 150, 0.01);
 
+    /** By name; all if empty. */
+    private static final List<String> CHOSEN = Stream.of(
+                    System.getProperty("dronewatch.sites", "").split(","))
+            .filter(name -> !name.isEmpty())
+            .toList();
+
+    private static final String MICROPHONE = "monaco-microphone";
+
     private static final int RANDOM = LongForm.count(2, 20);
     private static final int RUNS = LongForm.count(40, 1000);
+
+    /** Flights past a microphone, and the side of the square in which they fly, m. */
+    private static final int HEARD = 2;
+
+    private static final double NEAR = 1200.0;
 
     /** Runs of each weakest route with all cues, in the long form. */
     private static final int CUED = 100;
@@ -83,12 +100,14 @@ class PackagedRouteTest {
         if (!LongForm.IS_ON) {
             return List.of(SHORT);
         }
-        List<String> names = List.of(System.getProperty("dronewatch.sites", "").split(","));
-        List<Site> chosen = LONG.stream()
-                .filter(site -> names.contains("") || names.contains(site.name()))
-                .toList();
-        assertThat(chosen).as("of %s: %s", names, LONG).hasSize(names.contains("") ? LONG.size() : names.size());
-        return chosen;
+        assertThat(LONG.stream().map(Site::name))
+                .containsAll(
+                        CHOSEN.stream().filter(name -> !name.equals(MICROPHONE)).toList());
+        return LONG.stream().filter(site -> isChosen(site.name())).toList();
+    }
+
+    private static boolean isChosen(String site) {
+        return CHOSEN.isEmpty() || CHOSEN.contains(site);
     }
 
     private static void say(String line, Object... values) {
@@ -100,7 +119,7 @@ class PackagedRouteTest {
         return (System.nanoTime() - begun) / 1e9;
     }
 
-    @ParameterizedTest(name = "{0}")
+    @ParameterizedTest(name = "{0}", allowZeroInvocations = true)
     @MethodSource("sites")
     void runsDetectAsOftenAsPredicted(Site site) {
         say("%s, seed %d", site, seed);
@@ -128,6 +147,25 @@ class PackagedRouteTest {
             prove(site + ", random flight " + (i + 1), flights.random(random, i % 2 == 0), flights);
         }
         return true;
+    }
+
+    /** Random flights past the microphone of Monaco, whose looks take some 20 ms each. */
+    @Test
+    @EnabledIfSystemProperty(named = "dronewatch.long", matches = "true")
+    void soDoRunsPastAMicrophone() {
+        assumeTrue(isChosen(MICROPHONE));
+        say("%s, seed %d", MICROPHONE, seed);
+        try (Workers workers = new Workers(2)) {
+            workers.call(() -> {
+                PackagedFlights flights =
+                        new PackagedFlights(MONACO, NO_RECEIVER, FROM_THE_SEA, NEAR, 0.25 * NEAR, 1e-4);
+                SplittableRandom random = new SplittableRandom(seed);
+                for (int i = 0; i < HEARD; i++) {
+                    prove(MICROPHONE + ", random flight " + (i + 1), flights.random(random, false), flights);
+                }
+                return true;
+            });
+        }
     }
 
     private RouteProof prove(String flight, SceneSettings scene, PackagedFlights flights) {

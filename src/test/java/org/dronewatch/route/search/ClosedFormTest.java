@@ -102,7 +102,7 @@ class ClosedFormTest {
      */
     @Test
     void withLimitedLength() {
-        RouteGrid grid = rectangle(-0.05, 1.1, -0.05, 1.1, LongForm.IS_ON ? 0.003125 : 0.0125);
+        RouteGrid grid = rectangle(-0.05, 1.1, -0.05, 1.1, LongForm.IS_ON ? 0.0025 : 0.0125);
         RouteProblem problem = problem(grid, PointExposure.of(0, 0, 2), at(1, 0), at(0, 1));
         WeakestRoute free = solve(problem);
         double length = Math.PI / 2;
