@@ -137,7 +137,8 @@ class CatalogRadarTest {
         assertThat(pulsed.withBudget(sheet.withIntegrationTime(0.000158)).advice())
                 .isEmpty();
         assertThat(pencil.withBudget(sheet.withGain(40)).advice())
-                .containsExactly("an antenna of 40 dBi cannot have a beam of 2 x 10 deg: its gain is at most 33.1 dBi");
+                .containsExactly(
+                        "an antenna of 40 dBi cannot have a beam of 2 x 10 deg, whose gain is at most 33.1 dBi");
     }
 
     /**

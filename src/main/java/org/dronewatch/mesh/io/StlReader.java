@@ -56,7 +56,7 @@ public final class StlReader implements MeshReader {
         }
         if (settings.scale() == 1.0) {
             collector.warn(file.name()
-                    + ": STL states no unit, so its coordinates are taken to be in metres; set scale: 0.001 if they are"
+                    + ": STL states no unit, so its coordinates are taken to be in metres; set scale: 0.001 if they are in"
                     + " millimetres");
         }
         return collector.toModel();

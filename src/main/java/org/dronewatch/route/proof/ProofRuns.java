@@ -72,8 +72,8 @@ final class ProofRuns {
     private void check(Optional<Observation> replayed, SceneSettings settings, long seed) {
         Optional<Observation> plain = RouteProof.plain(settings, seed, models);
         if (!isSame(replayed, plain, settings)) {
-            throw new IllegalStateException("the run with seed " + seed + " first detects the drone " + plain
-                    + ", but its looks alone " + replayed);
+            throw new IllegalStateException("the first detection in the run with seed " + seed + " is " + plain
+                    + ", but in the replay of its looks " + replayed);
         }
     }
 

@@ -23,7 +23,7 @@ final class RadarAdvice {
         return radar.beam()
                 .filter(one -> gain > one.largestGain())
                 .map(one -> String.format(
-                        "an antenna of %s dBi cannot have a beam of %s: its gain is at most %s dBi",
+                        "an antenna of %s dBi cannot have a beam of %s, whose gain is at most %s dBi",
                         Quantity.LEVEL.inBrief(gain),
                         degrees(one.azimuthBeamwidth(), one.elevationBeamwidth()),
                         AdvisedLimit.inWords(one.largestGain())));

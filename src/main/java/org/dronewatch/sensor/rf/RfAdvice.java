@@ -49,7 +49,7 @@ final class RfAdvice {
         return receiver.beam()
                 .filter(beam -> receiver.gain() > beam.largestGain())
                 .map(beam -> String.format(
-                        "an antenna of %s dBi cannot have a beam of %s x %s deg: its gain is at most %s dBi",
+                        "an antenna of %s dBi cannot have a beam of %s x %s deg, whose gain is at most %s dBi",
                         Quantity.LEVEL.inBrief(receiver.gain()),
                         Quantity.ANGLE.inBrief(beam.azimuthBeamwidth()),
                         Quantity.ANGLE.inBrief(beam.elevationBeamwidth()),

@@ -213,7 +213,8 @@ class BeamPatternTest {
         RadarSettings radar = RADAR.withFieldOfView(rad(3), rad(10)).withBeam(BEAM);
         assertThat(radar.advice()).isEmpty();
         assertThat(radar.withBudget(new Hardware(4, 33, 0.02, 10e6, 5, 6)).advice())
-                .containsExactly("an antenna of 33 dBi cannot have a beam of 3 x 10 deg: its gain is at most 31.3 dBi");
+                .containsExactly(
+                        "an antenna of 33 dBi cannot have a beam of 3 x 10 deg, whose gain is at most 31.3 dBi");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> BEAM.withSideLobes(-1))
                 .withMessageContaining("sideLobes -1 dB must be 0 to 100");

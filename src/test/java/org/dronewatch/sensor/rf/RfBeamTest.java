@@ -138,7 +138,7 @@ class RfBeamTest {
         assertThat(ROUND.advice()).isEmpty();
         assertThat(EAST.withGain(16).advice())
                 .containsExactly(
-                        "an antenna of 16 dBi cannot have a beam of 60 x 20 deg: its gain is at most 15.3 dBi");
+                        "an antenna of 16 dBi cannot have a beam of 60 x 20 deg, whose gain is at most 15.3 dBi");
         RfSettings dwelling =
                 SettingsForm.with(ROUND, "rate", 4.0).withDwell(Dwell.of(0.05).withCount(5));
         assertThat(dwelling.advice()).isEmpty();
