@@ -211,7 +211,7 @@ class GeoTiffFileTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"50000, ZSTD", "34887, LERC", "34925, LZMA", "7, JPEG", "50001, WebP", "4711, number"})
+    @CsvSource({"50000, ZSTD", "34887, LERC", "34925, LZMA", "7, JPEG", "50001, WebP", "4711, unknown"})
     void otherCompressionsGetTheCommandThatConverts(int number, String name) throws IOException {
         refused(
                 fixture -> fixture.lies.put(259, (long) number),
