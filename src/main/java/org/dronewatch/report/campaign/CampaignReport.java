@@ -123,8 +123,12 @@ final class CampaignReport {
                         + (isAlone ? "" : " with " + name))
                 .collect(Collectors.joining(", in "));
         return "In " + Counted.of(cases, "attack") + ", " + ShareWords.clause(headline) + " in " + named
-                + (ranked.size() > MOST_NAMED ? ", and less often with the others" : "")
-                + ". In brackets: the 95 % confidence interval of the probability.";
+                + (ranked.size() > MOST_NAMED
+                        ? ", and less often with the other" + (ranked.size() == MOST_NAMED + 1 ? "" : "s")
+                        : "")
+                + (ranked.size() == 1
+                        ? ". The 95 % confidence interval of the probability is in brackets."
+                        : ". The 95 % confidence intervals of the probabilities are in brackets.");
     }
 
     private Optional<String> worstInWords(String variant) {

@@ -46,9 +46,9 @@ final class SensitivityBars {
         }
         return Html.plain(
                         "p",
-                        "How much of the variance of the " + what + " each setting explains, with 95 % confidence"
-                                + " intervals: alone, and together with the others. No layout and no setting can"
-                                + " remove what is due to chance." + left)
+                        "The bars show how much of the variance of the " + what + " each setting explains, with 95 %"
+                                + " confidence intervals: alone, and together with the others. No layout and no setting"
+                                + " can remove what is due to chance." + left)
                 + bars.svg();
     }
 
@@ -84,8 +84,9 @@ final class SensitivityBars {
         }
         return Html.plain(
                         "p",
-                        "The mean magnitude of the change of the " + what + " when a setting changes across its whole"
-                                + " distribution. A large deviation means that the effect depends on other settings."
+                        "The bars show the mean magnitude of the change of the " + what + " when a setting changes"
+                                + " across its whole distribution. A large deviation means that the effect depends on"
+                                + " other settings."
                                 + left)
                 + bars.svg();
     }

@@ -51,8 +51,8 @@ final class VariantTables {
         });
         return Html.plain(
                         "p",
-                        "In brackets, and as whiskers, the 95 % confidence intervals of the probabilities. The bars show"
-                                + " in how many cases " + ShareWords.clause(headline) + ".")
+                        "The 95 % confidence intervals of the probabilities are in brackets, and drawn as whiskers. The"
+                                + " bars show in how many cases " + ShareWords.clause(headline) + ".")
                 + Html.table(head, rows)
                 + bars.svg();
     }
@@ -96,11 +96,11 @@ final class VariantTables {
     }
 
     private String introduction(List<Integer> seen, int variants) {
-        return "For each of eight directions, the share of the attacks from there in which "
+        return "The figure shows, for each of eight directions, the share of the attacks from there in which "
                 + ShareWords.clause(headline) + "; the rim is 100 %."
                 + (seen.size() < VariantSummary.SECTORS ? " Attacks came only from " + names(seen) + "." : "")
                 + (variants > SeriesStyle.MOST
-                        ? " The figure shows the first " + SeriesStyle.MOST + " of " + variants + " variants."
+                        ? " Only the first " + SeriesStyle.MOST + " of " + variants + " variants are shown."
                         : "");
     }
 
@@ -160,9 +160,9 @@ final class VariantTables {
         });
         return Html.plain(
                         "p",
-                        "The warning time and the range of first detection that at least 95 %, 50 % and 5 % of the"
-                                + " cases reach. A case without a warning or a detection counts as worse than any with"
-                                + " one; a dash means that too few cases have one.")
+                        "The table states the warning time and the range of first detection that at least 95 %, 50 %"
+                                + " and 5 % of the cases reach. A case without a warning or a detection counts as worse"
+                                + " than any with one; a dash means that too few cases have one.")
                 + Html.table(
                         List.of("variant", "warning [s]: 95 %", "50 %", "5 %", "range [m]: 95 %", "50 %", "5 %"), rows);
     }

@@ -123,8 +123,8 @@ final class PlaceReport {
         }
         return Html.plain(
                         "p",
-                        "The sensors, in the order in which to buy them: at each step, the one that adds most for its"
-                                + " price. "
+                        "The sensors are listed in the order in which to buy them: at each step, the one that adds most"
+                                + " for its price. "
                                 + measure.columns())
                 + Html.table(head, rows);
     }

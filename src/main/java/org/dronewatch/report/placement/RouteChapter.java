@@ -61,10 +61,11 @@ final class RouteChapter {
         head.addAll(FlownTable.heads());
         return Html.plain(
                         "p",
-                        "For each direction, the probability that the drone is detected in time on the route on which that is"
-                                + " least likely, past today's sensors and past the layout: by the search, which knows only"
-                                + " the middle of each cell, and from every look along the route as it is flown. 'Time left'"
-                                + " is the time between the typical (median) first detection and the drone's arrival.")
+                        "For each direction, the table states the probability that the drone is detected in time on the"
+                                + " route on which that is least likely, past today's sensors and past the layout: by"
+                                + " the search, which knows only the middle of each cell, and from every look along the"
+                                + " route as it is flown. 'Time left' is the time between the typical (median) first"
+                                + " detection and the drone's arrival.")
                 + Html.table(head, rows)
                 + new FlownTable(layout, results.present(), best)
                         .words().stream().map(line -> Html.plain("p", line)).collect(Collectors.joining());
