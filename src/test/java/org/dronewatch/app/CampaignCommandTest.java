@@ -358,7 +358,7 @@ class CampaignCommandTest {
                 .containsPattern("no case could be run: .*standoff");
         assertThat(Files.readString(out.resolve("report.html")))
                 .contains("No case could be run.")
-                .doesNotContain("In time means");
+                .doesNotContain("'In time' means");
     }
 
     /** Whatever the values draw: the others are run, and the counts say how many were not, and why. */

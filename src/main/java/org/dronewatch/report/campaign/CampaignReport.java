@@ -147,7 +147,7 @@ final class CampaignReport {
         return headline == Outcome.IN_TIME && isOne
                 ? Html.plain(
                         "p",
-                        "In time means at least " + ReadableNumbers.number(responses.get(0))
+                        "'In time' means at least " + ReadableNumbers.number(responses.get(0))
                                 + " s (alert.response) before the drone can reach what is protected.")
                 : "";
     }
