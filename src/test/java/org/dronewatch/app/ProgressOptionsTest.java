@@ -58,7 +58,7 @@ class ProgressOptionsTest {
         COVERAGE + ", coverage: done after",
         ROUTE + ", detection field: done after",
         CAMPAIGN + ", 2 of 2 cases after",
-        COMPARE + ", 1 of 1 cases after"
+        COMPARE + ", 1 of 1 case after"
     })
     void progressIsShownWithoutATerminal(String command, String line) {
         assertThat(run(command, "--progress").err().lines()).anyMatch(one -> one.startsWith(line));
