@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.search.ExposureField;
+import org.dronewatch.route.search.LegMotion;
 import org.dronewatch.route.search.PlanDirections;
 import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
@@ -61,11 +62,11 @@ public class WeakestRouteSearch {
         private static final double ACROSS = 0.2;
 
         @Override
-        public double rate(double east, double north, double up, double heading, int mode) {
+        public double rate(double east, double north, double up, LegMotion motion, int mode) {
             double dx = east - x;
             double dy = north - y;
             double square = dx * dx + dy * dy + up * up + 1.0;
-            double radial = dx * Math.sin(heading) + dy * Math.cos(heading);
+            double radial = dx * Math.sin(motion.heading()) + dy * Math.cos(motion.heading());
             return STRENGTH / square * (ACROSS + (1.0 - ACROSS) * radial * radial / square);
         }
 

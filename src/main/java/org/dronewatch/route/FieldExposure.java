@@ -78,12 +78,6 @@ public final class FieldExposure implements ExposureField {
                         .toList());
     }
 
-    /** {@inheritDoc} It is the rate on a level course at the speed of the mode or, for a glide, on the best glide. */
-    @Override
-    public double rate(double x, double y, double z, double heading, int number) {
-        return rate(x, y, z, mode.motion(heading), number);
-    }
-
     @Override
     public double rate(double x, double y, double z, LegMotion motion, int number) {
         int column = cells.column(x);

@@ -20,11 +20,6 @@ record SiteExposure(List<FieldExposure> modes) implements ExposureField {
     }
 
     @Override
-    public double rate(double x, double y, double z, double heading, int mode) {
-        return modes.get(mode).rate(x, y, z, heading, mode);
-    }
-
-    @Override
     public double rate(double x, double y, double z, LegMotion motion, int mode) {
         return modes.get(mode).rate(x, y, z, motion, mode);
     }

@@ -57,6 +57,10 @@ class FieldExposureTest {
         return site.settings().enabledSensors().get("round").rate();
     }
 
+    private static LegMotion motion(double heading) {
+        return RouteMode.free("powered", 12.0).motion(heading);
+    }
+
     @Test
     void ratesAreThoseOfTheLooksInEveryCell() {
         FieldExposure exposure = exposure();
@@ -69,7 +73,7 @@ class FieldExposureTest {
             int row = random.nextInt(25);
             int course = random.nextInt(8);
             Position at = field.middle(level, column, row);
-            double found = exposure.rate(at.x(), at.y(), at.z(), 2.0 * Math.PI * course / 8, 0);
+            double found = exposure.rate(at.x(), at.y(), at.z(), motion(2.0 * Math.PI * course / 8), 0);
             int crossing = crossing(at, course);
             int steps = field.steps(0, level, column, row, crossing >= 0 ? crossing : course);
             double expected = steps == 250 ? rate() * CERTAIN : -rate() * Math.log(1.0 - steps / 250.0);
@@ -88,11 +92,11 @@ class FieldExposureTest {
         double bearing = Math.atan2(90.0, -50.0);
         for (double side = -1.0; side <= 1.0; side += 2.0) {
             double across = bearing + side * Math.PI / 2;
-            assertThat(exposure.rate(90.0, -50.0, 60.0, across, 0)).isEqualTo(0.0);
-            assertThat(exposure.rate(90.0, -50.0, 60.0, across + Math.toRadians(4.9), 0))
+            assertThat(exposure.rate(90.0, -50.0, 60.0, motion(across), 0)).isEqualTo(0.0);
+            assertThat(exposure.rate(90.0, -50.0, 60.0, motion(across + Math.toRadians(4.9)), 0))
                     .isEqualTo(0.0);
         }
-        assertThat(exposure.rate(90.0, -50.0, 60.0, bearing, 0)).isCloseTo(rate() * CERTAIN, within(1e-6));
+        assertThat(exposure.rate(90.0, -50.0, 60.0, motion(bearing), 0)).isCloseTo(rate() * CERTAIN, within(1e-6));
     }
 
     /** At any position, heading, speed and climb, in cells that are in sight: as if the drone were assessed there. */

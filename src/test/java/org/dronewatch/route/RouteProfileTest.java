@@ -7,6 +7,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.ExposureField;
+import org.dronewatch.route.search.LegMotion;
 import org.dronewatch.route.search.PlanDirections;
 import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
@@ -24,7 +25,7 @@ class RouteProfileTest {
     /** Watches whatever is north of y = 0. */
     private record North(double watched) implements ExposureField {
         @Override
-        public double rate(double x, double y, double z, double heading, int mode) {
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
             return y > 0.0 ? watched : 0.0;
         }
 

@@ -17,6 +17,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.LegMotion;
 import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Visibility;
@@ -173,6 +174,7 @@ class SiteRoutesTest {
         assertThat(routes.bySensor(route).get("round")).isGreaterThanOrEqualTo(route.exposure() - 1e-9);
         Position start = route.path().points().get(0);
         assertThat(start.distance(RADAR)).isGreaterThan(150.0);
-        assertThat(exposure.rate(start.x(), start.y(), start.z(), 0.0, 0)).isEqualTo(0.0);
+        assertThat(exposure.rate(start.x(), start.y(), start.z(), LegMotion.along(0.0, 12.0, 0.0, 1.0), 0))
+                .isEqualTo(0.0);
     }
 }

@@ -20,23 +20,10 @@ public interface ExposureField {
      * @param x east coordinate, m
      * @param y north coordinate, m
      * @param z height in the world, m
-     * @param heading heading, clockwise from north, rad
+     * @param motion heading, speed and rate of climb
      * @param mode number of the drone's {@link RouteMode}
      */
-    double rate(double x, double y, double z, double heading, int mode);
-
-    /**
-     * The rate on a leg, 1/s, which may also depend on the speed and the rate of climb; by default, it does not.
-     *
-     * @param x east coordinate, m
-     * @param y north coordinate, m
-     * @param z height in the world, m
-     * @param motion motion of the drone
-     * @param mode number of the drone's {@link RouteMode}
-     */
-    default double rate(double x, double y, double z, LegMotion motion, int mode) {
-        return rate(x, y, z, motion.heading(), mode);
-    }
+    double rate(double x, double y, double z, LegMotion motion, int mode);
 
     /**
      * The mean rate on a straight leg, 1/s: by default, by three-point Gaussian quadrature on pieces of equal length. A

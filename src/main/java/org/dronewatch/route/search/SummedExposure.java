@@ -13,15 +13,6 @@ record SummedExposure(List<ExposureField> parts, double constant) implements Exp
     }
 
     @Override
-    public double rate(double x, double y, double z, double heading, int mode) {
-        double sum = constant;
-        for (int i = 0; i < parts.size(); i++) {
-            sum += parts.get(i).rate(x, y, z, heading, mode);
-        }
-        return sum;
-    }
-
-    @Override
     public double rate(double x, double y, double z, LegMotion motion, int mode) {
         double sum = constant;
         for (int i = 0; i < parts.size(); i++) {

@@ -134,7 +134,7 @@ public final class WeakestRoutes {
     /** A field whose exposure is the time, s. */
     private record Clock() implements ExposureField {
         @Override
-        public double rate(double x, double y, double z, double heading, int mode) {
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
             return 1.0;
         }
 

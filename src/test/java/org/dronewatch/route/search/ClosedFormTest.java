@@ -136,8 +136,8 @@ class ClosedFormTest {
 
     private record Nearer(ExposureField one, ExposureField other) implements ExposureField {
         @Override
-        public double rate(double x, double y, double z, double heading, int mode) {
-            return Math.max(one.rate(x, y, z, heading, mode), other.rate(x, y, z, heading, mode));
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
+            return Math.max(one.rate(x, y, z, motion, mode), other.rate(x, y, z, motion, mode));
         }
 
         @Override
@@ -169,8 +169,8 @@ class ClosedFormTest {
 
     private record Mirrored(PointExposure inside, double radius) implements ExposureField {
         @Override
-        public double rate(double x, double y, double z, double heading, int mode) {
-            return Math.max(inside.rate(x, y, z, heading, mode), 1.0 / (radius * radius));
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
+            return Math.max(inside.rate(x, y, z, motion, mode), 1.0 / (radius * radius));
         }
 
         @Override

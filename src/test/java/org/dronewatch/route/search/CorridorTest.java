@@ -31,7 +31,11 @@ class CorridorTest {
     /** The exposure per metre in the cells of some sensors, for a drone that flies at 1 m/s. */
     private record Cells(int width, int depth, double rate, BitSet watched) implements ExposureField {
         @Override
-        public double rate(double x, double y, double z, double heading, int mode) {
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
+            return rate(x, y);
+        }
+
+        private double rate(double x, double y) {
             boolean isInside = x >= 0.0 && x < width && y >= 0.0 && y < depth;
             return isInside && watched.get((int) x + width * (int) y) ? rate : 0.0;
         }
@@ -41,7 +45,7 @@ class CorridorTest {
             double least = rate;
             for (double x = low.x(); x <= high.x(); x += SPACING) {
                 for (double y = low.y(); y <= high.y(); y += SPACING) {
-                    least = Math.min(least, rate(x, y, 0.0, 0.0, mode));
+                    least = Math.min(least, rate(x, y));
                 }
             }
             return least;

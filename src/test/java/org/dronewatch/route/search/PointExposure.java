@@ -15,7 +15,7 @@ record PointExposure(Position at, double strength, int power) implements Exposur
     }
 
     @Override
-    public double rate(double x, double y, double z, double heading, int mode) {
+    public double rate(double x, double y, double z, LegMotion motion, int mode) {
         double square = square(x - at.x()) + square(y - at.y()) + square(z - at.z());
         return strength / (power == 2 ? square : Math.sqrt(square));
     }

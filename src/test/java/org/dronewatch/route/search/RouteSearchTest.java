@@ -29,10 +29,10 @@ class RouteSearchTest {
         }
 
         @Override
-        public double rate(double x, double y, double z, double heading, int mode) {
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
             int nearest = 0;
             for (int i = 1; i < directions.count(); i++) {
-                nearest = distance(i, heading) < distance(nearest, heading) ? i : nearest;
+                nearest = distance(i, motion.heading()) < distance(nearest, motion.heading()) ? i : nearest;
             }
             return at(grid.nearest(new Position(x, y, z)), nearest, mode);
         }
