@@ -79,13 +79,13 @@ public final class SceneBuilder {
 
     public void addDrone(String id, DroneSettings settings) {
         if (drones.putIfAbsent(id, settings) != null) {
-            throw new IllegalArgumentException("drone '" + id + "' exists already: every drone needs its own id");
+            throw new IllegalArgumentException("drone '" + id + "' already exists: every drone needs its own id");
         }
     }
 
     public void addSensor(String id, SensorSettings<?> settings) {
         if (sensors.putIfAbsent(id, settings) != null) {
-            throw new IllegalArgumentException("sensor '" + id + "' exists already: every sensor needs its own id");
+            throw new IllegalArgumentException("sensor '" + id + "' already exists: every sensor needs its own id");
         }
     }
 
