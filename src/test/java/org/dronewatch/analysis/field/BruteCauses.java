@@ -253,7 +253,21 @@ final class BruteCauses {
         BruteTriangles.Sight sight =
                 triangles.sight(sensor.position(), drone.origin(), Math.max(drone.radius(), aside));
         Set<ModelRole> before = sight.before(drone.origin());
-        return hidden(before.isEmpty() && !isSound ? sight.beside(drone.origin(), detour) : before);
+        if (isSound || !before.isEmpty()) {
+            return hidden(before);
+        }
+        Set<Cause> causes = hidden(sight.beside(drone.origin(), detour));
+        if (isDetected(withoutReflection(sensor), drone, site.stage().world())) {
+            // The reflection from the ground extinguishes the wave, or an edge does so together with it.
+            causes.add(Cause.TOO_WEAK);
+        }
+        return causes;
+    }
+
+    private static SensorSettings<?> withoutReflection(SensorSettings<?> sensor) {
+        return sensor instanceof RfSettings radio
+                ? SettingsForm.with(radio, "groundReflection", Optional.empty())
+                : SettingsForm.with((RadarSettings) sensor, "groundReflection", Optional.empty());
     }
 
     private static double frequency(SensorSettings<?> sensor, Drone drone) {
