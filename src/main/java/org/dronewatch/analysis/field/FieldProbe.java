@@ -147,7 +147,8 @@ record FieldProbe(
      * @param ofALook the probability of a look, 0 to 1
      */
     int steps(double ofALook) {
-        return CellCode.steps(onTerms(new double[] {ofALook}, 1.0));
+        return CellCode.steps(
+                excess.isPresent() ? ofALook * terms.probability(1.0, settings) : terms.probability(ofALook, settings));
     }
 
     /**

@@ -143,9 +143,11 @@ final class LayerRow {
 
     /** Empty where bounds are more than a step apart. */
     private OptionalInt code(Optional<AssessmentBounds> found) {
-        return found.filter(this::isDecisive).stream()
-                .mapToInt(bounds -> code(probe.steps(bounds.least()), bounds.cause(), margin(bounds)))
-                .findFirst();
+        if (found.isEmpty() || !isDecisive(found.get())) {
+            return OptionalInt.empty();
+        }
+        AssessmentBounds bounds = found.get();
+        return OptionalInt.of(code(probe.steps(bounds.least()), bounds.cause(), margin(bounds)));
     }
 
     private boolean isDecisive(AssessmentBounds bounds) {

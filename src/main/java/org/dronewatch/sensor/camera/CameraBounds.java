@@ -93,7 +93,7 @@ final class CameraBounds {
         PixelBounds pixels = found.get();
         State there = new State(picture, state, pointing);
         int greatest = steps.applyAsInt(there.signal(pixels.mostAround()).probability());
-        IntPredicate enough = number -> there.isDetectedIn(number, greatest, steps);
+        IntPredicate enough = new Enough(number -> there.isDetectedIn(number, greatest, steps));
         pixels.count(state.heading(), enough);
         Optional<AssessmentBounds> bounds = there.bounds(pixels, steps);
         if (bounds.isEmpty() && pixels.examineAll()) {
@@ -113,6 +113,35 @@ final class CameraBounds {
         return picture.bounds(world, drone.silhouettes(), state.position())
                 .map(pixels -> there.range(0, pixels.mostInRectangle()).greatestMarginDb)
                 .orElse(Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * A condition that holds from some number of pixels on, evaluated only where earlier answers leave it open; for no
+     * pixel at all it is another one.
+     */
+    private static final class Enough implements IntPredicate {
+        private final IntPredicate condition;
+        private int tooFew;
+        private int sufficient = Integer.MAX_VALUE;
+
+        Enough(IntPredicate condition) {
+            this.condition = condition;
+        }
+
+        @Override
+        public boolean test(int pixels) {
+            if (pixels == 0) {
+                return condition.test(0);
+            }
+            if (pixels > tooFew && pixels < sufficient) {
+                if (condition.test(pixels)) {
+                    sufficient = pixels;
+                } else {
+                    tooFew = pixels;
+                }
+            }
+            return pixels >= sufficient;
+        }
     }
 
     /** A state in which the drone may be. */
