@@ -66,7 +66,8 @@ public sealed interface LinkBudget {
      *
      * @param power transmitted power, 1e-9 to 1e9 W
      * @param gain gain of the antenna Gt, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
-     * @param integrationTime coherent integration time of each pulse, 1e-9 to 10 s
+     * @param integrationTime coherent integration time, 1e-9 to 10 s: that of a pulse, or of a coherent burst that
+     *     counts as one
      * @param sweepBandwidth bandwidth of the transmitted signal, 1 to 1e12 Hz
      * @param noiseFigure noise figure of the receiver, -20 to 60 dB
      * @param losses total system losses, 0 to 60 dB
@@ -164,7 +165,8 @@ public sealed interface LinkBudget {
      * @param fluctuation fluctuation of that target
      * @param gain gain of its antenna, -20 to 80 dBi; with integrationTime, it only serves to check that the radar has
      *     time for its scan, since the range already includes it
-     * @param integrationTime coherent integration time of each pulse, 1e-9 to 10 s, for the same check
+     * @param integrationTime coherent integration time, 1e-9 to 10 s, for the same check: that of a pulse, or of a
+     *     coherent burst that counts as one
      */
     record DataSheet(
             @In(value = Quantity.LENGTH, from = 0.1, to = 1e6) double range,
@@ -201,7 +203,7 @@ public sealed interface LinkBudget {
             return SettingsForm.with(this, "gain", Optional.of(decibels));
         }
 
-        /** This data sheet with the coherent integration time of each pulse, s. */
+        /** This data sheet with another coherent integration time, s. */
         public DataSheet withIntegrationTime(double seconds) {
             return SettingsForm.with(this, "integrationTime", Optional.of(seconds));
         }
