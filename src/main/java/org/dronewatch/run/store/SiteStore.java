@@ -3,7 +3,9 @@ package org.dronewatch.run.store;
 import java.io.IOException;
 import java.io.StreamCorruptedException;
 import java.nio.channels.FileChannel;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -163,10 +165,21 @@ public final class SiteStore {
         } catch (IOException | SecurityException e) {
             failed = true;
             if (reported.add(directory.get())) {
-                notes.accept("prepared data are not kept for the next start: " + PlainText.line(String.valueOf(e))
-                        + " (--no-cache avoids the attempt)");
+                notes.accept("prepared data are not kept for the next start: "
+                        + PlainText.line(reason(e, directory.get())) + " (--no-cache avoids the attempt)");
             }
         }
+    }
+
+    /** The reason in words, without the name of a temporary file. */
+    private static String reason(Exception problem, Path directory) {
+        if (problem instanceof AccessDeniedException) {
+            return directory + ": permission denied";
+        }
+        if (problem instanceof FileAlreadyExistsException known) {
+            return known.getFile() + " is a file";
+        }
+        return problem.getMessage() == null ? problem.getClass().getSimpleName() : problem.getMessage();
     }
 
     private <T> void write(Path there, StoreKey key, StoredForm<T> form, T value) throws IOException {

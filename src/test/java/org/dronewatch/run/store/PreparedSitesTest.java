@@ -298,7 +298,13 @@ class PreparedSitesTest {
         isAsWithoutStore(new PreparedSites(site, store, 1, notes::add));
 
         assertThat(notes).hasSize(1);
-        assertThat(notes.get(0)).startsWith("prepared data are not kept for the next start: ");
+        assertThat(notes.get(0))
+                .startsWith("prepared data are not kept for the next start: " + file.resolve("cache"))
+                .doesNotContain("Exception");
+
+        SiteStore inTheWay = new SiteStore(Optional.of(file), 1 << 30, 0.0, notes::add);
+        isAsWithoutStore(new PreparedSites(site, inTheWay, 1, notes::add));
+        assertThat(notes.get(1)).contains("next start: " + file + " is a file (--no-cache avoids the attempt)");
     }
 
     /** The stores of a process share a directory: models, and fields of a coverage. */
