@@ -6,12 +6,15 @@ import org.dronewatch.sound.Levels;
  * Judges whether the rays traced so far tell a level, and how accurately. One per thread.
  *
  * <p>Where rays contribute little, a rare strong one may still change the level by more than all others, and the
- * scatter of a thousand rays does not show it if it is not among them. So the error allows for what one ray more may
- * contribute: as much as the strongest so far, and as much as paths of one scattering allow ({@link StrongestRay}).
+ * scatter of a thousand rays does not show it if it is not among them. There the error includes an allowance for such a
+ * ray ({@link MissedRays}). More rays would hardly help, since such a ray is one of thousands.
  */
 final class Convergence {
     /** If rays contribute less than this fraction of what is heard, a reading converges whatever their number. */
-    private static final double INSIGNIFICANT = 0.1;
+    private static final double INSIGNIFICANT = 0.15;
+
+    /** If they contribute less than this, the first rays suffice. */
+    private static final double HARDLY_ANYTHING = 0.01;
 
     /**
      * With fewer effective contributions than this, their scatter is not known, unless even the strongest is less than
@@ -19,38 +22,43 @@ final class Convergence {
      */
     private static final double ENOUGH = 20.0;
 
-    /** Where rays contribute little, they are traced until one more would change what is heard by less than this. */
-    private static final double OF_ONE_RAY = 0.02;
+    /** Where rays contribute little, but not hardly anything, this many must be traced, ... */
+    private static final long SEVERAL_THOUSAND = 3000;
 
-    /** There they are also traced until there are this many effective contributions, or the error is negligible. */
+    /** ... and make this many effective contributions, ... */
     private static final double MORE_THAN_ENOUGH = 40.0;
 
-    /** A standard error below this does not matter, dB. */
-    private static final double NEGLIGIBLE = 0.02;
+    /** ... or else this many: many small contributions, from all around. */
+    private static final double PLENTY = 200.0;
+
+    /** A ray that may have been missed is not taken to contribute more than this fraction of what is heard. */
+    private static final double MOST_MISSED = 0.018;
 
     /** Root mean square of a contribution that may be anything from 0 to 1. */
     private static final double ROOT_MEAN_SQUARE = 1.0 / Math.sqrt(3.0);
 
-    private final EnergyTally tally;
-    private final StrongestRay strongest;
+    /** What even readings have that hardly stand on rays: coordinates of surfaces are of single precision, dB. */
+    private static final double LEAST_ERROR = 0.015;
 
-    Convergence(EnergyTally tally, StrongestRay strongest) {
+    private final EnergyTally tally;
+    private final MissedRays missed;
+
+    Convergence(EnergyTally tally, MissedRays missed) {
         this.tally = tally;
-        this.strongest = strongest;
+        this.missed = missed;
     }
 
     /**
-     * Whether no more rays are needed. As long as none has contributed anything, the contribution of further rays is
-     * unknown.
+     * Whether no more rays are needed. Where nothing is heard at all, the contribution of further rays is unknown.
      *
      * @param quantity a band or {@link EnergyTally#A_WEIGHTED}
      * @param heard the sum of exact paths and rays, as intensity over the source's power, 1/m2
-     * @param accuracy the standard error to be reached, dB
+     * @param accuracy the standard error of the rays that were drawn to be reached, dB
      */
     boolean isAccurate(int quantity, double heard, double accuracy) {
-        return tally.received(quantity) > 0.0
-                && error(quantity, heard) < accuracy
-                && (isInsignificant(quantity, heard) ? hasShownAll(quantity, heard) : isEnough(quantity));
+        return heard > 0.0
+                && Levels.ofRatio(1.0 + tally.standardError(quantity) / heard) < accuracy
+                && (isInsignificant(quantity, heard) ? hasShownMost(quantity, heard) : isEnough(quantity));
     }
 
     /**
@@ -62,11 +70,13 @@ final class Convergence {
         if (!(heard > 0.0)) {
             return Double.POSITIVE_INFINITY;
         }
-        double drawn = isInsignificant(quantity, heard)
-                ? tally.standardErrorWithAnother(quantity)
-                : tally.standardError(quantity);
-        double missed = Math.min(strongest.scatteredOnce(quantity) / tally.rays(), OF_ONE_RAY * heard);
-        return Levels.ofRatio(1.0 + Math.max(drawn, missed * ROOT_MEAN_SQUARE) / heard);
+        double drawn = tally.standardError(quantity);
+        if (!isInsignificant(quantity, heard)) {
+            return Levels.ofRatio(1.0 + drawn / heard);
+        }
+        double notDrawn = Math.min(missed.contribution(quantity) / tally.rays(), MOST_MISSED * heard);
+        double ofRays = Math.hypot(drawn, notDrawn * ROOT_MEAN_SQUARE);
+        return Math.hypot(Levels.ofRatio(1.0 + ofRays / heard), LEAST_ERROR);
     }
 
     /**
@@ -91,8 +101,10 @@ final class Convergence {
     }
 
     /** Whether rays that contribute little would hardly contribute more if more of them were traced. */
-    private boolean hasShownAll(int quantity, double heard) {
-        return strongest.scatteredOnce(quantity) <= OF_ONE_RAY * heard * tally.rays()
-                && (error(quantity, heard) < NEGLIGIBLE || tally.effectiveRays(quantity) >= MORE_THAN_ENOUGH);
+    private boolean hasShownMost(int quantity, double heard) {
+        double effective = tally.effectiveRays(quantity);
+        return tally.received(quantity) <= HARDLY_ANYTHING * heard
+                || effective >= PLENTY
+                || effective >= MORE_THAN_ENOUGH && tally.rays() >= SEVERAL_THOUSAND;
     }
 }

@@ -2,6 +2,8 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
@@ -139,7 +141,9 @@ final class EndSearch {
         if (sentTo.escaped() <= OPEN && escapedOfSensor <= OPEN) {
             exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
             ImageSources none = ImageSources.NONE;
-            return new Ends(source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false);
+            Set<Integer> scatterers = scatterers(ofSensor.samples(), sentTo);
+            return new Ends(
+                    source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false, scatterers);
         }
         int rays = escapedOfSensor < SHELTERED ? RAYS_OF_SOURCE_TO_SHELTER : RAYS_OF_SOURCE;
         ImageSourceCandidates found = search.from(drone, rays, maxOrder);
@@ -218,7 +222,14 @@ final class EndSearch {
                 exactly.best(Integer.MAX_VALUE, 0.0),
                 known,
                 curvature,
-                true);
+                true,
+                scatterers(start.samples(), target.samples()));
+    }
+
+    private static Set<Integer> scatterers(Samples one, Samples other) {
+        Set<Integer> scatterers = new TreeSet<>(one.materials());
+        scatterers.addAll(other.materials());
+        return scatterers;
     }
 
     /**

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import java.util.Set;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
@@ -24,6 +25,7 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
  * @param curvature how air bends the paths of sound
  * @param isOpen whether an appreciable part of the sound leaves the site from one end at least: few rays that pass the
  *     other end do so by chance
+ * @param scatterers the materials of surfaces that scatter sound near either end, as far as a few rays met them
  */
 record Ends(
         SoundSource source,
@@ -36,7 +38,8 @@ record Ends(
         ImageSources exactly,
         double known,
         PathCurvature curvature,
-        boolean isOpen) {
+        boolean isOpen,
+        Set<Integer> scatterers) {
 
     /**
      * Maximum number of times that a ray from the target is scattered, and connected there. Indoors, where rays

@@ -16,6 +16,10 @@ final class EnergyTally {
     static final int A_WEIGHTED = BANDS;
 
     private static final int QUANTITIES = BANDS + 1;
+
+    /** Probability that there is one ray more as strong as the strongest. */
+    private static final double ANOTHER = 0.5;
+
     private static final double[] A_WEIGHTS = new double[BANDS];
 
     static {
@@ -103,14 +107,13 @@ final class EnergyTally {
         return sums[quantity] / rays;
     }
 
-    /** Standard error of {@link #received}, 1/m2. */
+    /**
+     * Standard error of {@link #received}, 1/m2, as if there were, as likely as not, one ray more that is as strong as
+     * the strongest. Where a few strong rays contribute much, those that were not drawn do not show in the scatter of
+     * the others.
+     */
     double standardError(int quantity) {
-        return Math.sqrt(scatter(quantity)) / rays;
-    }
-
-    /** The same if there were one ray more, as strong as the strongest, 1/m2. */
-    double standardErrorWithAnother(int quantity) {
-        return Math.sqrt(scatter(quantity) + strongest[quantity] * strongest[quantity]) / rays;
+        return Math.sqrt(scatter(quantity) + ANOTHER * strongest[quantity] * strongest[quantity]) / rays;
     }
 
     /** What the strongest ray contributes to {@link #received}, 1/m2. */

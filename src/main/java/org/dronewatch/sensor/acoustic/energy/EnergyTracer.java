@@ -52,7 +52,7 @@ public final class EnergyTracer {
     /** Squared sound pressure over that in the reference air. */
     private final double pressure;
 
-    private final StrongestRay strongest;
+    private final MissedRays missed;
     private final ExactPaths exact;
     private final EnergyTally tally;
     private final Convergence convergence;
@@ -78,10 +78,10 @@ public final class EnergyTracer {
         this.pressure = model.pressure() == EnergyModel.Pressure.PHYSICAL
                 ? world.atmosphere().impedance() / REFERENCE_IMPEDANCE
                 : 1.0;
-        this.strongest = new StrongestRay(world, surfaces);
+        this.missed = new MissedRays(surfaces);
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
-        this.convergence = new Convergence(tally, strongest);
+        this.convergence = new Convergence(tally, missed);
         this.batches = new BatchTeams(world, () -> new RayBatch(model, radius, world, planes, surfaces, air));
     }
 
@@ -97,7 +97,7 @@ public final class EnergyTracer {
         ledger.clear();
         tally.clear();
         Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
-        strongest.between(source, sensor);
+        missed.between(ends);
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;

@@ -2,7 +2,9 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.TreeSet;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
@@ -64,8 +66,9 @@ final class ScatterSamples {
      * @param points where its rays were scattered
      * @param rays how many rays left it
      * @param escaped the fraction of them that left the site
+     * @param materials the materials of the surfaces that scattered them
      */
-    record Samples(List<Sample> points, int rays, double escaped) {}
+    record Samples(List<Sample> points, int rays, double escaped, Set<Integer> materials) {}
 
     /**
      * Samples of a point.
@@ -76,19 +79,20 @@ final class ScatterSamples {
     Samples from(Position point, int rays, int most) {
         SplittableRandom random = new SplittableRandom(SEED);
         List<Sample> samples = new ArrayList<>();
+        Set<Integer> materials = new TreeSet<>();
         int escaped = 0;
         for (int i = 0; i < rays; i++) {
             Directions.ofLattice(i, rays, ray);
             ray.originX = point.x();
             ray.originY = point.y();
             ray.originZ = point.z();
-            escaped += follow(random, most, samples) ? 1 : 0;
+            escaped += follow(random, most, samples, materials) ? 1 : 0;
         }
-        return new Samples(List.copyOf(samples), rays, (double) escaped / rays);
+        return new Samples(List.copyOf(samples), rays, (double) escaped / rays, Set.copyOf(materials));
     }
 
     /** Follows the ray; returns whether it left the site. */
-    private boolean follow(SplittableRandom random, int most, List<Sample> samples) {
+    private boolean follow(SplittableRandom random, int most, List<Sample> samples, Set<Integer> materials) {
         double left = 1.0;
         int times = 0;
         while (times < most && left > FAINT) {
@@ -101,6 +105,7 @@ final class ScatterSamples {
             ray.standOff(normal, 1.0);
             left *= reflected[material];
             if (scattered[material] > 0.0) {
+                materials.add(material);
                 samples.add(new Sample(
                         new Position(ray.originX, ray.originY, ray.originZ),
                         normal.clone(),

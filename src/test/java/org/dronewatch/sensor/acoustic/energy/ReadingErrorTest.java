@@ -15,7 +15,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Readings by the default settings scatter as much as they say, wherever the microphone is. 100 seeds tell a standard
- * deviation to 7 %, so what is true of all seeds may fall out of these limits by chance; the seeds are fixed.
+ * deviation to 7 %, so what is true of all seeds may fall out of these limits by chance; the seeds are fixed. A stated
+ * error below {@value ReadingSpread#ALLOWANCE} dB may be too large: it allows for rays that were not drawn, and for the
+ * coordinates of surfaces, of single precision (on the hill, where rays contribute little).
  */
 class ReadingErrorTest {
     private static final int SEEDS = 100;
@@ -60,12 +62,12 @@ class ReadingErrorTest {
     }
 
     private static ReadingSpread check(SoundSites site, Criterion criterion, Position from, Position to, String where) {
-        ReadingSpread spread = ReadingSpread.of(site, criterion, from, to, SEEDS, 1000, 0);
+        ReadingSpread spread = ReadingSpread.of(site, criterion, from, to, SEEDS, 1000);
         System.out.printf("%s: standard deviation over stated error %.3f%n", where, spread.ratio());
         assertThat(spread.unconverged()).as("%s: readings on few rays", where).isLessThanOrEqualTo(2);
         assertThat(spread.ratio())
                 .as("%s: standard deviation over stated error %.3f dB", where, spread.stated())
-                .isBetween(0.8, 1.25);
+                .isBetween(spread.leastRatio(), 1.25);
         assertThat(spread.beyond())
                 .as("%s: readings beyond three stated errors", where)
                 .isLessThanOrEqualTo(2);

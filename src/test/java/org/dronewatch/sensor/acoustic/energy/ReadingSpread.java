@@ -14,33 +14,37 @@ import org.dronewatch.sound.Levels;
  * @param deviation their standard deviation, dB
  * @param stated mean of their stated errors, dB
  * @param beyond how many of them are off the mean by more than three of their stated errors
- * @param unconverged how many readings did not converge
+ * @param converged how many readings converged
+ * @param unconverged how many did not
+ * @param isSilent whether none heard anything
  */
-record ReadingSpread(double mean, double deviation, double stated, int beyond, int unconverged) {
+record ReadingSpread(
+        double mean, double deviation, double stated, int beyond, int converged, int unconverged, boolean isSilent) {
+    /**
+     * Stated errors up to this may be mostly an allowance for rays that were not drawn ({@link Convergence}), which is
+     * too large wherever there are no such rays, dB.
+     */
+    static final double ALLOWANCE = 0.055;
+
     /**
      * Takes readings.
      *
      * @param seed of the first one
-     * @param negligible what no reading need be nearer to the mean than, dB
      */
     static ReadingSpread of(
-            SoundSites site,
-            Criterion criterion,
-            Position drone,
-            Position microphone,
-            int readings,
-            long seed,
-            double negligible) {
+            SoundSites site, Criterion criterion, Position drone, Position microphone, int readings, long seed) {
         EnergyTracer tracer = site.microphone(EnergyModel.DEFAULT.withCriterion(criterion), microphone);
         BandLevels noise = site.world().backgroundNoise().spectrum();
         double[] levels = new double[readings];
         double[] errors = new double[readings];
         int count = 0;
+        boolean isSilent = true;
         double energy = 0;
         double sum = 0;
         double stated = 0;
         for (int i = 0; i < readings; i++) {
             EnergyReading reading = tracer.trace(site.drone(drone), new SplittableRandom(seed + i), RayRecorder.NONE);
+            isSilent &= reading.totalLevel() == Double.NEGATIVE_INFINITY;
             if (!reading.isConverged()) {
                 continue;
             }
@@ -59,9 +63,9 @@ record ReadingSpread(double mean, double deviation, double stated, int beyond, i
         int beyond = 0;
         for (int i = 0; i < count; i++) {
             squares += (levels[i] - sum / count) * (levels[i] - sum / count) / (count - 1);
-            beyond += Math.abs(levels[i] - mean) > 3 * errors[i] + negligible ? 1 : 0;
+            beyond += Math.abs(levels[i] - mean) > 3 * errors[i] ? 1 : 0;
         }
-        return new ReadingSpread(mean, Math.sqrt(squares), stated / count, beyond, readings - count);
+        return new ReadingSpread(mean, Math.sqrt(squares), stated / count, beyond, count, readings - count, isSilent);
     }
 
     /** Standard deviation over stated error. */
@@ -69,8 +73,13 @@ record ReadingSpread(double mean, double deviation, double stated, int beyond, i
         return deviation / stated;
     }
 
-    /** Whether nothing is heard, or only on exact paths. */
-    boolean isExact() {
-        return !(deviation > 0) && !(stated > 0);
+    /** The least that the ratio may be: nothing where the stated error may be no more than an allowance. */
+    double leastRatio() {
+        return stated > ALLOWANCE ? 0.8 : 0.0;
+    }
+
+    /** Whether more readings than one in fifty, or all of them, did not converge, though there is something to hear. */
+    boolean standsOnFewRays() {
+        return !isSilent && (converged < 2 || 50 * unconverged > converged + unconverged);
     }
 }

@@ -1,0 +1,60 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sound.OctaveBands;
+
+/**
+ * An allowance for rays that were not drawn: what a rare ray may contribute that is scattered once, by a surface near
+ * one of the ends that the others have missed. It is known beforehand, from no ray, for the case in which none has
+ * shown such a surface; where there is no such surface it is too large.
+ *
+ * <p>A path that is scattered once, at the distances l and d from the ends and at the angles a and b to the surface's
+ * normal, is found by rays from both ends. By the balance heuristic ({@link Connections}) each of them contributes E /
+ * (pi (l^2 / cos a + d^2 / cos b)), E being the fraction of the energy that the surface scatters. However the surface
+ * lies, the sum in brackets is not below the square of the distance between the ends. E is that of the materials that a
+ * few rays from either end meet. Each end may have image sources near it: the allowance is for one end over ground and
+ * the other one in a corner of ground and wall, which makes {@value #PATHS} paths. It is no bound of what a ray can
+ * contribute: more image sources, several scatterings and the directivity of the source may add to it. One per thread.
+ */
+final class MissedRays {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** Ends nearer to each other than this count as this far apart, m. */
+    private static final double NEAREST = 1.0;
+
+    /** Two places in which the one end is heard, four for the other one. */
+    private static final int PATHS = 8;
+
+    private final BandSurfaces surfaces;
+    private final double[] allowances = new double[BANDS + 1];
+
+    MissedRays(BandSurfaces surfaces) {
+        this.surfaces = surfaces;
+    }
+
+    /** Prepares for one look. */
+    void between(Ends ends) {
+        Arrays.fill(allowances, 0.0);
+        double distance = Math.max(NEAREST, ends.start().distance(ends.target()));
+        for (int band = 0; band < BANDS; band++) {
+            double scattered = 0.0;
+            for (int material : ends.scatterers()) {
+                scattered =
+                        Math.max(scattered, surfaces.reflected(material, band) * surfaces.scattered(material, band));
+            }
+            double once = scattered / (Math.PI * distance * distance);
+            allowances[band] = PATHS * ends.source().fraction(band) * once;
+            allowances[EnergyTally.A_WEIGHTED] += EnergyTally.aWeight(band) * allowances[band];
+        }
+    }
+
+    /**
+     * What such a ray may contribute to the sum over all rays, as intensity over the source's power, 1/m2.
+     *
+     * @param quantity a band or {@link EnergyTally#A_WEIGHTED}
+     */
+    double contribution(int quantity) {
+        return allowances[quantity];
+    }
+}

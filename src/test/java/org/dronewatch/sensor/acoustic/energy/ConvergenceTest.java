@@ -1,0 +1,204 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Set;
+import java.util.SplittableRandom;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
+import org.dronewatch.sound.Atmosphere;
+import org.dronewatch.sound.Levels;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.sound.surface.SurfaceMaterial;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+
+/** When rays tell a level, how accurately, and what is allowed for those that were not drawn. */
+class ConvergenceTest {
+    private static final int BAND = 4;
+    private static final double ACCURACY = 0.2;
+    private static final double FLOOR = 0.015;
+
+    /** So far apart that hardly anything is allowed for rays that were not drawn, m. */
+    private static final double FAR = 1e9;
+
+    private final EnergyTally tally = new EnergyTally(new Air(Atmosphere.STANDARD));
+    private final MissedRays missed =
+            new MissedRays(new BandSurfaces(List.of(SurfaceMaterial.uniform("half", 0.2, 0.5), wall("full", 1.0))));
+    private final Convergence convergence = new Convergence(tally, missed);
+
+    private static SurfaceMaterial wall(String name, double scattering) {
+        return SurfaceMaterial.uniform(name, 0.1, scattering);
+    }
+
+    /** Rays whose mean contribution is one, of which some contribute alike and the others nothing. */
+    private void trace(int rays, int contributing) {
+        trace(rays, contributing, 1.0);
+    }
+
+    private void trace(int rays, int contributing, double mean) {
+        tally.clear();
+        double[] inBand = new double[OctaveBands.COUNT];
+        AcousticRay ray = new AcousticRay();
+        for (int i = 0; i < rays; i++) {
+            inBand[BAND] = mean * rays / contributing;
+            if (i < contributing) {
+                tally.add(ray, inBand, 0);
+            }
+            tally.endRay();
+        }
+    }
+
+    private void between(double distance, Set<Integer> scatterers) {
+        ImageSources none = ImageSources.NONE;
+        SoundSource source = Sites.sound(new Position(distance, 0, 0), BAND);
+        missed.between(new Ends(
+                source,
+                new Position(0, 0, 0),
+                false,
+                none,
+                none,
+                none,
+                none,
+                none,
+                0,
+                PathCurvature.NONE,
+                true,
+                scatterers));
+    }
+
+    /** One over the root of the number of contributions, as of a binomial of low probability, and half of one more. */
+    @Test
+    void whereRaysContributeMuchTheErrorIsTheirScatter() {
+        between(1, Set.of(1));
+        trace(2000, 100);
+        double drawn = Math.sqrt(100 * (1 - 100 / 2000.0) + 0.5) / 100;
+        assertThat(convergence.error(BAND, 1.0)).isCloseTo(Levels.ofRatio(1 + drawn), within(1e-9));
+        assertThat(convergence.error(BAND, 4.0)).isCloseTo(Levels.ofRatio(1 + drawn / 4), within(1e-9));
+    }
+
+    @Test
+    void twentyContributionsSufficeWhereRaysContributeMuch() {
+        between(FAR, Set.of());
+        trace(1000, 21);
+        assertThat(convergence.isAccurate(BAND, 6.0, ACCURACY)).isTrue();
+        assertThat(convergence.isAccurate(BAND, 1.0, ACCURACY))
+                .as("error of 0.9 dB")
+                .isFalse();
+        trace(1000, 19);
+        assertThat(convergence.isAccurate(BAND, 6.0, ACCURACY)).isFalse();
+        assertThat(convergence.isReached(BAND, 1.0)).isFalse();
+        assertThat(convergence.isReached(BAND, 6.0))
+                .as("one ray is one part in 114")
+                .isTrue();
+    }
+
+    @Test
+    void whereRaysContributeLittleItTakesSeveralThousandOrManyContributions() {
+        between(FAR, Set.of());
+        trace(2999, 60);
+        assertThat(convergence.isAccurate(BAND, 20.0, ACCURACY)).isFalse();
+        trace(3000, 60);
+        assertThat(convergence.isAccurate(BAND, 20.0, ACCURACY)).isTrue();
+        trace(3000, 39);
+        assertThat(convergence.isAccurate(BAND, 20.0, ACCURACY)).isFalse();
+        trace(1000, 200);
+        assertThat(convergence.isAccurate(BAND, 20.0, ACCURACY)).isTrue();
+    }
+
+    /** However much is allowed for others: more rays would hardly find them. */
+    @Test
+    void whereRaysContributeHardlyAnythingTheFirstOnesSuffice() {
+        between(1, Set.of(1));
+        trace(1000, 3);
+        assertThat(convergence.isAccurate(BAND, 101.0, ACCURACY)).isTrue();
+        assertThat(convergence.isReached(BAND, 101.0)).isTrue();
+        assertThat(convergence.isAccurate(BAND, 99.0, ACCURACY)).isFalse();
+    }
+
+    @Test
+    void theAllowanceIsPartOfTheErrorWhereRaysContributeLittle() {
+        trace(1000, 1000, 1e-9);
+        between(1, Set.of(1));
+        double ofOneRay = missed.contribution(BAND) / 1000;
+        assertThat(convergence.error(BAND, ofOneRay / 0.01))
+                .as("such a ray is one part in a hundred")
+                .isCloseTo(Math.hypot(Levels.ofRatio(1 + 0.01 / Math.sqrt(3)), FLOOR), within(1e-6));
+        assertThat(convergence.error(BAND, ofOneRay / 0.5))
+                .as("no more than 1.8 %% is allowed for")
+                .isCloseTo(Math.hypot(Levels.ofRatio(1 + 0.018 / Math.sqrt(3)), FLOOR), within(1e-6))
+                .isLessThan(ReadingSpread.ALLOWANCE);
+        between(1, Set.of());
+        assertThat(convergence.error(BAND, ofOneRay / 0.5)).isCloseTo(FLOOR, within(1e-6));
+    }
+
+    @Test
+    void silenceIsNeverKnown() {
+        between(1, Set.of(1));
+        trace(8000, 1);
+        assertThat(convergence.error(0, 0.0)).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(convergence.isAccurate(0, 0.0, 10)).isFalse();
+        assertThat(convergence.isReached(0, 0.0)).isFalse();
+    }
+
+    /** Two places times four in which the ends are heard over ground and beside a wall, and the largest fraction. */
+    @Test
+    void theAllowanceIsThatOfTheScatterersNearTheEnds() {
+        between(10, Set.of(0, 1));
+        assertThat(missed.contribution(BAND)).isCloseTo(8 * 0.9 / (Math.PI * 100), within(1e-12));
+        assertThat(missed.contribution(EnergyTally.A_WEIGHTED))
+                .isCloseTo(Levels.toRatio(OctaveBands.aWeight(BAND)) * missed.contribution(BAND), within(1e-12));
+        assertThat(missed.contribution(0)).as("the source has no sound there").isZero();
+        between(10, Set.of(0));
+        assertThat(missed.contribution(BAND)).isCloseTo(8 * 0.8 * 0.5 / (Math.PI * 100), within(1e-12));
+        between(10, Set.of());
+        assertThat(missed.contribution(BAND)).isZero();
+        between(0.1, Set.of(1));
+        assertThat(missed.contribution(BAND)).as("as from 1 m").isCloseTo(8 * 0.9 / Math.PI, within(1e-12));
+    }
+
+    /** The inequality from which it follows that E / (pi r^2) is the most by a single scattering. */
+    @Test
+    void distancesToASurfaceOverTheirCosinesAreNotBelowThatOfTheEnds() {
+        SplittableRandom random = new SplittableRandom(20261127);
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < 200_000; i++) {
+            // The surface is the plane z = 0; it scatters at the origin.
+            Position one = new Position(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(9));
+            Position other = new Position(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(9));
+            double sum = Math.pow(one.length(), 3) / one.z() + Math.pow(other.length(), 3) / other.z();
+            double distance = one.distance(other);
+            least = Math.min(least, sum / (distance * distance));
+        }
+        assertThat(least).as("seed 20261127").isBetween(1.0, 1.2);
+    }
+
+    /** A wall that scatters everything, at 1.4 km from both ends, is met by no ray and heard by nobody. */
+    @Test
+    void aFarScattererDoesNotChangeTheError() {
+        SurfaceMaterial near = wall("near", 0.0);
+        SurfaceMaterial far = wall("far", 1.0);
+        World alone = Sites.world(List.of(screen()), List.of(near));
+        World both = Sites.world(List.of(screen(), Sites.box(1000, 1000, 0, 1004, 1004, 4)), List.of(near, far));
+        assertThat(behindTheScreen(alone).standardError()).isCloseTo(FLOOR, within(1e-3));
+        assertThat(behindTheScreen(both).standardError()).isCloseTo(FLOOR, within(1e-3));
+        World beside = Sites.world(List.of(screen(), Sites.box(-4, -2, 0, -3, 2, 4)), List.of(near, far));
+        assertThat(behindTheScreen(beside).standardError()).isGreaterThan(0.04);
+    }
+
+    private static TriangleMesh screen() {
+        return World.merge(List.of(Sites.square(300, 0), Sites.box(0, -100, 0, 0.3, 100, 10)));
+    }
+
+    private static EnergyReading behindTheScreen(World world) {
+        return new EnergyTracer(EnergyModel.DEFAULT, new Position(-0.8, 0, 1.5), 0.5, world)
+                .trace(Sites.broadband(new Position(50, 3, 1.5)), new SplittableRandom(3), RayRecorder.NONE);
+    }
+}
