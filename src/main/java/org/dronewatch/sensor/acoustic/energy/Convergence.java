@@ -22,8 +22,8 @@ final class Convergence {
      */
     private static final double ENOUGH = 20.0;
 
-    /** Where rays contribute little, but not hardly anything, this many must be traced, ... */
-    private static final long SEVERAL_THOUSAND = 3000;
+    /** Where rays contribute little, but not hardly anything, or nothing so far, this many must be traced, ... */
+    private static final double SEVERAL_THOUSAND = 3000.0;
 
     /** ... and make this many effective contributions, ... */
     private static final double MORE_THAN_ENOUGH = 40.0;
@@ -37,7 +37,7 @@ final class Convergence {
     /** Root mean square of a contribution that may be anything from 0 to 1. */
     private static final double ROOT_MEAN_SQUARE = 1.0 / Math.sqrt(3.0);
 
-    /** What even readings have that hardly stand on rays: coordinates of surfaces are of single precision, dB. */
+    /** Error where several thousand rays contribute little, however little they scatter, dB: some are missing. */
     private static final double LEAST_ERROR = 0.015;
 
     private final EnergyTally tally;
@@ -76,7 +76,8 @@ final class Convergence {
         }
         double notDrawn = Math.min(missed.contribution(quantity) / tally.rays(), MOST_MISSED * heard);
         double ofRays = Math.hypot(drawn, notDrawn * ROOT_MEAN_SQUARE);
-        return Math.hypot(Levels.ofRatio(1.0 + ofRays / heard), LEAST_ERROR);
+        double least = LEAST_ERROR * Math.sqrt(SEVERAL_THOUSAND / Math.max(SEVERAL_THOUSAND, tally.rays()));
+        return Math.hypot(Levels.ofRatio(1.0 + ofRays / heard), least);
     }
 
     /**
@@ -102,8 +103,11 @@ final class Convergence {
 
     /** Whether rays that contribute little would hardly contribute more if more of them were traced. */
     private boolean hasShownMost(int quantity, double heard) {
+        if (tally.rays() >= SEVERAL_THOUSAND && !(tally.received(quantity) > 0.0)) {
+            return true;
+        }
         double effective = tally.effectiveRays(quantity);
-        return tally.received(quantity) <= HARDLY_ANYTHING * heard
+        return effective > 0.0 && tally.received(quantity) <= HARDLY_ANYTHING * heard
                 || effective >= PLENTY
                 || effective >= MORE_THAN_ENOUGH && tally.rays() >= SEVERAL_THOUSAND;
     }

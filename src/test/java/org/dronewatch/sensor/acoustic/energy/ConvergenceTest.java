@@ -121,6 +121,11 @@ class ConvergenceTest {
         assertThat(convergence.isAccurate(BAND, 101.0, ACCURACY)).isTrue();
         assertThat(convergence.isReached(BAND, 101.0)).isTrue();
         assertThat(convergence.isAccurate(BAND, 99.0, ACCURACY)).isFalse();
+        assertThat(convergence.isAccurate(0, 100.0, ACCURACY))
+                .as("nothing in this band so far")
+                .isFalse();
+        trace(3000, 3);
+        assertThat(convergence.isAccurate(0, 100.0, ACCURACY)).isTrue();
     }
 
     @Test
@@ -137,6 +142,10 @@ class ConvergenceTest {
                 .isLessThan(ReadingSpread.ALLOWANCE);
         between(1, Set.of());
         assertThat(convergence.error(BAND, ofOneRay / 0.5)).isCloseTo(FLOOR, within(1e-6));
+        trace(12_000, 12_000, 1e-9);
+        assertThat(convergence.error(BAND, ofOneRay / 0.5))
+                .as("four times as many rays as 3,000")
+                .isCloseTo(FLOOR / 2, within(1e-6));
     }
 
     @Test

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 /**
  * Readings by the default settings scatter as much as they say, wherever the microphone is. 100 seeds tell a standard
  * deviation to 7 %, so what is true of all seeds may fall out of these limits by chance; the seeds are fixed. A stated
- * error below {@value ReadingSpread#ALLOWANCE} dB may be too large: it allows for rays that were not drawn, and for the
- * coordinates of surfaces, of single precision (on the hill, where rays contribute little).
+ * error below {@value ReadingSpread#ALLOWANCE} dB may be too large: it allows for rays that were not drawn (on
+ * the hill, where rays contribute little).
  */
 class ReadingErrorTest {
     private static final int SEEDS = 100;
