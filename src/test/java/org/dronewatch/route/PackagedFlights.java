@@ -47,30 +47,20 @@ final class PackagedFlights {
     private final Stage stage;
     private final DetectionField field;
 
-    /**
-     * Loads a scene and assesses its field, on the workers of the calling thread.
-     *
-     * @param scene a file, or the name of a packaged scene
-     * @param overrides as of {@code --set}
-     * @param drone the one that flies
-     * @param side of the field, m
-     * @param cell edge of a cell, m
-     * @param crossSection of the drone, with which radars do not detect it for certain, m2
-     */
-    PackagedFlights(
-            String scene, Map<String, String> overrides, String drone, double side, double cell, double crossSection) {
-        Scene found = scene.endsWith(".yaml")
-                ? new SceneFile(Path.of(scene))
-                : PackagedScene.find(scene).orElseThrow().factory().get();
-        SceneRunner runner = new SceneRunner(found).notes(note -> {});
-        overrides.forEach(runner::set);
-        this.drone = drone;
-        this.settings = byChance(withEcho(runner.settingsOfRuns().get(0), drone, crossSection));
+    /** Loads a scene and assesses its field, on the workers of the calling thread. */
+    PackagedFlights(FlownSite site) {
+        Scene scene = site.scene().endsWith(".yaml")
+                ? new SceneFile(Path.of(site.scene()))
+                : PackagedScene.find(site.scene()).orElseThrow().factory().get();
+        SceneRunner runner = new SceneRunner(scene).notes(note -> {});
+        site.overrides().forEach(runner::set);
+        this.drone = site.drone();
+        this.settings = byChance(withEcho(runner.settingsOfRuns().get(0), drone, site.crossSection()));
         this.stage = runner.stage(settings);
         this.models = runner.load(settings);
         models.share(new SiteMemory(Runtime.getRuntime().maxMemory() / 8));
         Position middle = InboundTarget.of(settings, stage.protection());
-        FieldGrid grid = new FieldGrid(middle.x(), middle.y(), side, cell, HEIGHTS);
+        FieldGrid grid = new FieldGrid(middle.x(), middle.y(), site.side(), site.cell(), HEIGHTS);
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, drone));
         this.field = FieldAssessment.of(settings, stage, drone, grid, courses, cells -> {});
     }
