@@ -11,7 +11,10 @@ import java.util.stream.Stream;
 import org.dronewatch.LongForm;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
@@ -129,8 +132,11 @@ class PackagedRouteTest {
         }
     }
 
-    private RouteProof prove(String flight, SceneSettings scene, PackagedFlights flights) {
+    /** Each flight has seeds of its own, so that it differs from its prediction independently of the others. */
+    private RouteProof prove(String flight, SceneSettings site, PackagedFlights flights) {
         long begun = System.nanoTime();
+        RunSettings run = site.run().withSeed(Draws.derivedSeed(seed, flight, 0));
+        SceneSettings scene = SettingsForm.with(site, "run", run);
         RouteProof proof = RouteProof.of(scene, flights.models(), RUNS, done -> {});
         assertThat(proof.plain()).isEqualTo((RUNS + 19) / 20);
         Proportion.Interval interval = proof.interval();
