@@ -122,8 +122,7 @@ class MeadowTableTest {
                 .max()
                 .orElseThrow();
         assertThat(prose).contains(number("up to %.0f dB stronger", strongest));
-        assertThat(prose)
-                .contains(number("median of the first detection is %.0f m farther away", median(day) - median(bare)));
+        assertThat(prose).contains(number("first detection is %.0f m longer", median(day) - median(bare)));
         double lost = chance(bare) - chance(day);
         List<String[]> withoutClutter = List.<String[]>of(new String[] {"sensors.radar.clutter.improvement", "150 dB"});
         double grass = chance(run(withoutClutter, 1)) - chance(day);
