@@ -142,9 +142,12 @@ public record SectorRoute(
                 .toList();
     }
 
-    /** The last moment at which a detection still leaves enough time for the response, s since the start; 0 or more. */
+    /**
+     * The last moment at which a detection still leaves enough time for the response, s since the start; negative if
+     * the response takes longer than the flight, so that no detection is in time.
+     */
     public double critical(double response) {
-        return Math.max(0.0, searched.end().time() - response);
+        return searched.end().time() - response;
     }
 
     /** The time from the median first detection to the arrival, s; empty if the drone is not detected. */

@@ -59,7 +59,7 @@ final class RouteProfilePicture {
                 .setYAxisMin(0, Math.min(0.0, lowest))
                 .setYAxisMax(0, highest + 0.1 * (highest - lowest) + 1.0);
         if (inputs.response() > 0.0) {
-            double critical = at(points, route.critical(inputs.response()));
+            double critical = at(points, Math.max(0.0, route.critical(inputs.response())));
             XYSeries last =
                     chart.addSeries("latest detection in time", new double[] {critical, critical}, new double[] {
                         Math.min(0.0, lowest), highest

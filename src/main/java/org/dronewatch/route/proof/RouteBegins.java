@@ -1,10 +1,12 @@
 package org.dronewatch.route.proof;
 
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.positioner.SearchPattern;
@@ -14,7 +16,9 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers a long distance
  * between two looks of a slow sensor. So the route begins at several moments, spread evenly over the longest period of
- * any sensor: the period of its looks or, on a positioner, that of its search.
+ * any sensor: the period of its looks or, on a positioner, that of its search. With slow periods of several lengths,
+ * the moments are moved within their parts of the longest one so that they are spread as evenly as possible over each,
+ * even where one is a multiple of another.
  */
 public final class RouteBegins {
     /** The maximum number of moments. */
@@ -23,13 +27,54 @@ public final class RouteBegins {
     /** Between two looks this far apart or less, a drone hardly leaves a cell of the search, s. */
     private static final double SHORT = 0.5;
 
+    /** The number of ways to move the moments within their intervals of which the best one is taken. */
+    private static final int WAYS = 64;
+
     private RouteBegins() {}
 
     /** The moments, s since the start of the run, beginning with 0; only 0 if all sensors look often. */
     public static List<Double> of(Collection<SensorSettings<?>> sensors) {
-        double period = period(sensors);
-        int count = period > SHORT ? MOST : 1;
-        return IntStream.range(0, count).mapToObj(i -> i * period / count).toList();
+        double[] slow = sensors.stream()
+                .flatMapToDouble(RouteBegins::periods)
+                .filter(period -> period > SHORT)
+                .distinct()
+                .toArray();
+        if (slow.length == 0) {
+            return List.of(0.0);
+        }
+        return IntStream.range(0, WAYS)
+                .mapToObj(way -> moments(period(sensors), (double) way / WAYS))
+                .min(Comparator.comparingDouble(moments -> Arrays.stream(slow)
+                        .map(period -> unevenness(moments, period))
+                        .max()
+                        .orElseThrow()))
+                .orElseThrow();
+    }
+
+    /** One moment in each part of a period, each moved on by a fraction of a part more than the one before. */
+    private static List<Double> moments(double period, double more) {
+        return IntStream.range(0, MOST)
+                .mapToObj(i -> (i + i * more % 1.0) * period / MOST)
+                .toList();
+    }
+
+    /**
+     * The greatest difference, for any part of a period, between its length relative to the period and the fraction of
+     * the moments that fall in it (the discrepancy on the circle).
+     */
+    static double unevenness(List<Double> moments, double period) {
+        double[] phases = moments.stream()
+                .mapToDouble(moment -> moment / period % 1.0)
+                .sorted()
+                .toArray();
+        double most = Double.NEGATIVE_INFINITY;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < phases.length; i++) {
+            double ahead = phases[i] - (double) i / phases.length;
+            most = Math.max(most, ahead);
+            least = Math.min(least, ahead);
+        }
+        return most - least + 1.0 / phases.length;
     }
 
     /** The longest period of a sensor, s; 0 without sensors. */
@@ -46,10 +91,14 @@ public final class RouteBegins {
     }
 
     private static double period(SensorSettings<?> sensor) {
+        return periods(sensor).max().orElseThrow();
+    }
+
+    private static DoubleStream periods(SensorSettings<?> sensor) {
         double searching = Mounted.positioner(sensor)
                 .map(PositionerSettings::search)
                 .map(SearchPattern::period)
                 .orElse(0.0);
-        return Math.max(1.0 / sensor.rate(), searching);
+        return DoubleStream.of(1.0 / sensor.rate(), searching);
     }
 }

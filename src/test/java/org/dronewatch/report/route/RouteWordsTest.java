@@ -108,6 +108,16 @@ class RouteWordsTest {
                 .contains("mostly by b. The drone is detected in time with a probability of 39 %.");
     }
 
+    /** Not even a look at the moment at which the flight begins is in time. */
+    @Test
+    void nothingIsInTimeForAResponseThatTakesLongerThanTheFlight() {
+        SectorRoute route = route(Map.of("slow", 2.0), 2.0, List.of(List.of(look(0.0, 2.0))));
+
+        assertThat(route.inTime(30.0)).isGreaterThan(0.8);
+        assertThat(route.critical(30.1)).isNegative();
+        assertThat(route.inTime(30.1)).isZero();
+    }
+
     @Test
     void theTableStatesTheProofWithCues() {
         SectorRoute route = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.RouteLeg;
@@ -103,6 +104,33 @@ class RouteBeginsTest {
         assertThat(proof.agrees()).as("%s", proof).isTrue();
     }
 
+    /** The round of a camera that detects nothing takes a multiple of the radar's scans, such as the eight moments. */
+    @Test
+    void aLongerPeriodDoesNotFixThePhaseOfAShorterOne() throws IOException {
+        for (int scans : new int[] {2, 3, 8, 16, 24}) {
+            String round =
+                    """
+                      round: {kind: camera, position: [300, 300, 4], fov: 5 deg, width: 320, height: 240, rate: 5,
+                        detection: {kind: target-task, task: identification}, positioner: {search: {kind: round, speed: %s deg/s}}}
+                    """
+                            .formatted(360.0 / (5 * scans));
+            SceneSettings scene = scene(RADAR + round, 140);
+
+            assertThat(RouteBegins.slowest(scene.enabledSensors())).contains("round");
+            assertThat(flown(scene).detection()).as("%d scans", scans).isCloseTo(0.4, within(2.0 / RouteBegins.MOST));
+        }
+    }
+
+    @Test
+    void unevennessIsTheDiscrepancyOnTheCircle() {
+        List<Double> even = IntStream.range(0, 8).mapToObj(i -> i * 5.0 / 8.0).toList();
+
+        assertThat(RouteBegins.unevenness(even, 5.0)).isCloseTo(1.0 / 8.0, within(1e-12));
+        // Twice round, two at each of four phases; eight times round, all at one.
+        assertThat(RouteBegins.unevenness(even, 2.5)).isCloseTo(1.0 / 4.0, within(1e-12));
+        assertThat(RouteBegins.unevenness(even, 5.0 / 8.0)).isCloseTo(1.0, within(1e-12));
+    }
+
     @Test
     void spreadsThemOverTheLongestPeriod() throws IOException {
         String fast = RADAR.replace("rate: 0.2", "rate: 4");
@@ -111,6 +139,7 @@ class RouteBeginsTest {
 
         assertThat(RouteBegins.of(often.enabledSensors().values())).containsExactly(0.0);
         assertThat(RouteBegins.slowest(often.enabledSensors())).isEmpty();
+        // Of the slow periods there is one only.
         assertThat(RouteBegins.of(both.enabledSensors().values()))
                 .containsExactly(0.0, 0.625, 1.25, 1.875, 2.5, 3.125, 3.75, 4.375);
         assertThat(RouteBegins.slowest(both.enabledSensors())).contains("slow");
