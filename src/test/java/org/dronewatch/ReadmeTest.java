@@ -28,7 +28,9 @@ class ReadmeTest {
     @Test
     void itsJavaIsThatOfTheExamples() throws IOException {
         String sources = Files.readString(EXAMPLES.resolve("GateWatch.java"))
-                + Files.readString(EXAMPLES.resolve("GateWatchTest.java"));
+                + Files.readString(EXAMPLES.resolve("GateWatchTest.java"))
+                + Files.readString(EXAMPLES.resolve("RangeExperiment.java"))
+                + Files.readString(EXAMPLES.resolve("RangeExperimentTest.java"));
         String pages = readme + Files.readString(Path.of("src", "site", "markdown", "java.md"));
         Matcher blocks = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL).matcher(pages);
         int found = 0;
@@ -36,7 +38,7 @@ class ReadmeTest {
             assertThat(sources).contains(blocks.group(1).stripTrailing());
             found++;
         }
-        assertThat(found).isEqualTo(3);
+        assertThat(found).isEqualTo(5);
     }
 
     @Test

@@ -26,6 +26,7 @@ final class DocPictures {
 
     private static final String PALACE = "route scenes/palace.yaml --cell 20m --out OUT";
     private static final String PLACEMENT = "place scenes/palace.place.yaml --out OUT";
+    private static final String HOUSE = "route DIR/%s --side 900m --cell 20m --heights 10m,20m,40m,80m --out DIR/%s";
     private static final String BIRDS = "route scenes/birds.yaml --cell 20m --out OUT";
 
     private static final int WIDTH = 1280;
@@ -54,6 +55,20 @@ final class DocPictures {
             slow(tutorial("harbour", "render DIR/harbour.yaml --view orbit --time 30 --out OUT")),
             slow(tutorial(
                     "harbour-coverage", "coverage DIR/harbour.yaml --side 1500 --height 30 --cells 40 --out OUT")),
+            slow(typed("vendors-spotters", "tutorial-vendors", List.of(decisive("four-spotters")), "case.png")),
+            slow(typed("vendors-blighters", "tutorial-vendors", List.of(decisive("two-blighters")), "case.png")),
+            slow(typed(
+                    "house-routes",
+                    "tutorial-route",
+                    List.of(HOUSE.formatted("house.yaml", "before")),
+                    "before/routes.png")),
+            slow(typed(
+                    "house-routes-after",
+                    "tutorial-route",
+                    List.of(
+                            "place DIR/house.place.yaml --out DIR/layout",
+                            HOUSE.formatted("layout/layout.yaml", "after")),
+                    "after/routes.png")),
             slow(map(
                     "coverage-causes",
                     "coverage multi-sensor --side 400m --cell 8m --heights 10m --out OUT",
@@ -188,6 +203,25 @@ final class DocPictures {
                     Path written = directory.resolve(name + ".png");
                     run(command.replace("DIR", scene.toString()), written);
                     return read(written);
+                },
+                false);
+    }
+
+    /** The command that draws a case of a tutorial, flown with one of its variants. */
+    private static String decisive(String variant) {
+        return "campaign DIR/vendors.campaign.yaml --case 22 --picture DIR/case.png --variant " + variant;
+    }
+
+    /** A picture among what commands write that are typed where the files of a tutorial are. */
+    private static DocPicture typed(String name, String page, List<String> commands, String picture) {
+        return new DocPicture(
+                name,
+                directory -> {
+                    new TutorialPage(page).writeFiles(directory);
+                    for (String command : commands) {
+                        run(command.replace("DIR", directory.toString()), directory);
+                    }
+                    return read(directory.resolve(picture));
                 },
                 false);
     }

@@ -7,9 +7,8 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.regex.Matcher;
+import java.util.LinkedHashSet;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.dronewatch.app.Main;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -18,77 +17,72 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * A reader who does what a tutorial says, step by step, sees what it shows. The files of a tutorial are named after it;
- * its first block of YAML is one of them, and a later block stands for the line with which it begins. A block of text
- * is what the command before it prints. Ten seconds' work: run only with {@code -Ddronewatch.docs=all}; {@code =write}
- * writes these blocks.
+ * A reader who does what a tutorial says, step by step, sees what it shows. All files of a tutorial begin with its
+ * name. A block of text is what the command before it prints: warnings that no earlier command printed, then the
+ * result. A few minutes' work: run only with {@code -Ddronewatch.docs=all}; {@code =write} writes these blocks.
  */
 @EnabledIfSystemProperty(named = "dronewatch.docs", matches = "all|write")
 class TutorialPagesTest {
-    private static final Pattern STEP =
-            Pattern.compile("(?m)^ {4}dronewatch (.+)$|^```yaml\n([\\s\\S]*?)^```$|^```text\n([\\s\\S]*?)^```$");
     private static final Pattern WORD = Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+");
 
     @TempDir
     private Path directory;
 
     @ParameterizedTest
-    @CsvSource({"tutorial-gate, gate, 7"})
+    @CsvSource({"tutorial-gate, gate, 7", "tutorial-vendors, vendors, 6", "tutorial-route, house, 5"})
     void aTutorialShowsWhatHappens(String page, String name, int commands) throws IOException {
-        Path file = Path.of("src", "site", "markdown", page + ".md");
-        String text = Files.readString(file);
-        Path scene = directory.resolve(name + ".yaml");
-        StringBuilder written = new StringBuilder();
-        List<String> typed = new ArrayList<>();
-        String printed = "";
-        Matcher step = STEP.matcher(text);
-        while (step.find()) {
-            String block = step.group();
-            if (step.group(1) != null) {
-                typed.add(step.group(1));
-                printed = printed(step.group(1), name);
-            } else if (step.group(2) != null) {
-                write(scene, step.group(2));
-            } else {
-                block = "```text\n" + printed.stripTrailing() + "\n```";
-            }
-            step.appendReplacement(written, Matcher.quoteReplacement(block));
-        }
-        step.appendTail(written);
+        TutorialPage tutorial = new TutorialPage(page);
+        Typist typist = new Typist(name);
+        String read = tutorial.read(directory, typist);
         if ("write".equals(System.getProperty("dronewatch.docs"))) {
-            Files.writeString(file, written.toString());
+            Files.writeString(tutorial.file(), read);
         }
-        assertThat(typed).hasSize(commands);
-        assertThat(Files.readString(file)).isEqualTo(written.toString());
+        assertThat(typist.commands).isEqualTo(commands);
+        assertThat(Files.readString(tutorial.file())).isEqualTo(read);
+        assertThat(typist.warnings).as("are shown").allMatch(read::contains);
     }
 
-    /** What a command prints that is typed where the tutorial's files are. */
-    private String printed(String command, String name) {
-        String[] words = WORD.matcher(command)
-                .results()
-                .map(word -> word.group().replaceAll("[\"']", ""))
-                .map(word -> word.matches(name + "([./-].*)?")
-                        ? directory.resolve(word).toString()
-                        : word)
-                .toArray(String[]::new);
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
-        assertThat(Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), words))
-                .as("%s: %s", command, err)
-                .isZero();
-        assertThat(err.toString().lines()).as(command).noneMatch(line -> line.startsWith("warning: "));
-        return out.toString().replace("\r\n", "\n").replace(directory + "/", "");
-    }
+    /** Types commands where the tutorial's files are. */
+    private final class Typist implements TutorialPage.Reader {
+        private final String name;
+        private final Set<String> warnings = new LinkedHashSet<>();
+        private int commands;
+        private String printed = "";
 
-    /** The first time the whole file; then in place of the line with which the block begins. */
-    private static void write(Path scene, String yaml) throws IOException {
-        if (!Files.exists(scene)) {
-            Files.writeString(scene, yaml);
-            return;
+        Typist(String name) {
+            this.name = name;
         }
-        String before = Files.readString(scene);
-        String line = yaml.substring(0, yaml.indexOf('\n') + 1);
-        assertThat(before).containsOnlyOnce("\n" + line);
-        Files.writeString(scene, before.replace("\n" + line, "\n" + yaml));
+
+        @Override
+        public String printed(String shown) {
+            return printed.stripTrailing();
+        }
+
+        @Override
+        public void type(String command) {
+            commands++;
+            String[] words = WORD.matcher(command)
+                    .results()
+                    .map(word -> word.group().replaceAll("[\"']", ""))
+                    .map(word -> word.matches(name + "([./-].*)?")
+                            ? directory.resolve(word).toString()
+                            : word)
+                    .toArray(String[]::new);
+            StringWriter out = new StringWriter();
+            StringWriter err = new StringWriter();
+            assertThat(Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), words))
+                    .as("%s: %s", command, err)
+                    .isZero();
+            StringBuilder both = new StringBuilder();
+            plain(err)
+                    .lines()
+                    .filter(line -> line.startsWith("warning: ") && warnings.add(line))
+                    .forEach(line -> both.append(line).append('\n'));
+            printed = both.append(plain(out)).toString();
+        }
+
+        private String plain(StringWriter text) {
+            return text.toString().replace("\r\n", "\n").replace(directory + "/", "");
+        }
     }
 }
