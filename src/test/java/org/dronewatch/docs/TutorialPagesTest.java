@@ -29,7 +29,12 @@ class TutorialPagesTest {
     private Path directory;
 
     @ParameterizedTest
-    @CsvSource({"tutorial-gate, gate, 7", "tutorial-vendors, vendors, 6", "tutorial-route, house, 5"})
+    @CsvSource({
+        "tutorial-gate, gate, 7",
+        "tutorial, harbour, 7",
+        "tutorial-vendors, vendors, 6",
+        "tutorial-route, house, 5"
+    })
     void aTutorialShowsWhatHappens(String page, String name, int commands) throws IOException {
         TutorialPage tutorial = new TutorialPage(page);
         Typist typist = new Typist(name);
