@@ -16,7 +16,7 @@ public final class RangeExperiment {
     private final String sensor;
     private final String drone;
     private final Tally ranges = new Tally("range of first detection [m]");
-    private boolean isDetected;
+    private Replication<Double> counted;
 
     /** An experiment about one sensor and one drone. */
     public RangeExperiment(String sensor, String drone) {
@@ -28,8 +28,8 @@ public final class RangeExperiment {
     public Tally run(Path file, double duration, int replications) throws InterruptedException {
         DevsSimulator<Double> simulator = new DevsSimulator<>("ranges");
         SceneFile scene = new SceneFile(file, simulator);
-        scene.addListener(event -> look((Observation) event.getContent()), Scene.OBSERVATION);
-        simulator.addListener(event -> isDetected = false, Replication.START_REPLICATION_EVENT);
+        scene.addListener(
+                event -> look((Observation) event.getContent(), simulator.getReplication()), Scene.OBSERVATION);
         Experiment<Double, DevsSimulatorInterface<Double>> experiment =
                 new Experiment<>("ranges", simulator, scene, 0.0, 0.0, duration, replications);
         CountDownLatch ended = new CountDownLatch(1);
@@ -43,10 +43,10 @@ public final class RangeExperiment {
         return ranges;
     }
 
-    private void look(Observation seen) {
+    private void look(Observation seen, Replication<Double> replication) {
         boolean isOfPair = seen.sensor().equals(sensor) && seen.drone().equals(drone);
-        if (!isDetected && isOfPair && seen.isDetected()) {
-            isDetected = true;
+        if (isOfPair && seen.isDetected() && !replication.equals(counted)) {
+            counted = replication;
             ranges.register(seen.range());
         }
     }
