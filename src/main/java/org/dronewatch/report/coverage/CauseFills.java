@@ -24,10 +24,10 @@ final class CauseFills {
     private static final int PERIOD = 8;
 
     /** A cell inside something solid: its ground, darkened. */
-    static final MapSheet.Fill INSIDE = (u, v, ground) -> MapSheet.mixed(ground, DARK, LINE_STRENGTH);
+    static final MapSheet.Fill INSIDE = (u, v, ground) -> ColourMix.of(ground, DARK, LINE_STRENGTH);
 
     /** A cell outside the area that counts: its ground, paler. */
-    static final MapSheet.Fill OUTSIDE = (u, v, ground) -> MapSheet.mixed(ground, Color.WHITE, 0.5);
+    static final MapSheet.Fill OUTSIDE = (u, v, ground) -> ColourMix.of(ground, Color.WHITE, 0.5);
 
     /** A cell of which nothing can be said but that it is open, since there is no sensor. */
     static final MapSheet.Fill NO_SENSOR = lined(GREY, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
@@ -46,9 +46,9 @@ final class CauseFills {
             case UNKNOWN -> Color.WHITE;
             case OUT_OF_RANGE -> GREY;
             case OUT_OF_VIEW -> PURPLE;
-            case SILENT -> MapSheet.mixed(PURPLE, Color.BLACK, 0.45);
+            case SILENT -> ColourMix.of(PURPLE, Color.BLACK, 0.45);
             case TOO_SLOW -> ORANGE;
-            case TOO_FAST -> MapSheet.mixed(ORANGE, Color.BLACK, 0.45);
+            case TOO_FAST -> ColourMix.of(ORANGE, Color.BLACK, 0.45);
             case HIDDEN_BY_TERRAIN -> BROWN;
             case HIDDEN_BY_BUILDING -> VERMILION;
             case HIDDEN_BY_VEGETATION -> GREEN;
@@ -65,13 +65,13 @@ final class CauseFills {
 
     /** The colour of what is detected, but not with the probability, or within the time, asked for. */
     static Color tooRarelyColour() {
-        return MapSheet.mixed(LIGHT_BLUE, Color.BLACK, 0.3);
+        return ColourMix.of(LIGHT_BLUE, Color.BLACK, 0.3);
     }
 
     static MapSheet.Fill of(Cause cause) {
         return switch (cause) {
-            case UNKNOWN -> (u, v, ground) -> MapSheet.mixed(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);
-            case OUT_OF_RANGE -> (u, v, ground) -> MapSheet.mixed(ground, GREY, STRENGTH);
+            case UNKNOWN -> (u, v, ground) -> ColourMix.of(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);
+            case OUT_OF_RANGE -> (u, v, ground) -> ColourMix.of(ground, GREY, STRENGTH);
             case OUT_OF_VIEW -> lined(PURPLE, (u, v) -> u % PERIOD == 0);
             case SILENT -> lined(PURPLE, (u, v) -> u % PERIOD == 0 || v % PERIOD == 0);
             case TOO_SLOW -> lined(ORANGE, (u, v) -> v % PERIOD == 0);
@@ -81,7 +81,7 @@ final class CauseFills {
             case HIDDEN_BY_VEGETATION -> lined(GREEN, (u, v) -> (u + v) % (2 * PERIOD) < 2);
             case HIDDEN_BY_OTHER -> lined(BLUE, (u, v) -> Math.floorMod(u - v, 2 * PERIOD) < 2);
             case TOO_WEAK -> lined(YELLOW, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
-            case DETECTED -> (u, v, ground) -> MapSheet.mixed(ground, LIGHT_BLUE, STRENGTH);
+            case DETECTED -> (u, v, ground) -> ColourMix.of(ground, LIGHT_BLUE, STRENGTH);
         };
     }
 
@@ -95,9 +95,9 @@ final class CauseFills {
     }
 
     private static MapSheet.Fill lined(Color colour, Pattern pattern) {
-        Color line = MapSheet.mixed(colour, Color.BLACK, 0.45);
+        Color line = ColourMix.of(colour, Color.BLACK, 0.45);
         return (u, v, ground) -> pattern.isLine(u, v)
-                ? MapSheet.mixed(ground, line, LINE_STRENGTH)
-                : MapSheet.mixed(ground, colour, STRENGTH);
+                ? ColourMix.of(ground, line, LINE_STRENGTH)
+                : ColourMix.of(ground, colour, STRENGTH);
     }
 }

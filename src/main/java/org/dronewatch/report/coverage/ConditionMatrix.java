@@ -87,7 +87,7 @@ final class ConditionMatrix {
     }
 
     private void drawCell(ConditionCoverage.Height height, int left, int top) {
-        Color fill = MapSheet.mixed(NOTHING, EVERYTHING, height.share());
+        Color fill = ColourMix.of(NOTHING, EVERYTHING, height.share());
         Color ink = height.share() < DARK ? Color.WHITE : Color.BLACK;
         g.setColor(fill);
         g.fillRect(left, top, CELL_WIDTH - 2, CELL_HEIGHT - 2);
@@ -101,7 +101,7 @@ final class ConditionMatrix {
         int left = MARGIN + LABELS;
         int width = 240;
         for (int x = 0; x < width; x++) {
-            g.setColor(MapSheet.mixed(NOTHING, EVERYTHING, (double) x / (width - 1)));
+            g.setColor(ColourMix.of(NOTHING, EVERYTHING, (double) x / (width - 1)));
             g.fillRect(left + x, top, 1, 14);
         }
         write(SMALL, Color.BLACK, "0 %", left, top + 30);

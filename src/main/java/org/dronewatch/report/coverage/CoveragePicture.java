@@ -111,12 +111,12 @@ public final class CoveragePicture {
         Color colour = ground;
         if (coverage.isUnknown(column, row)) {
             return (u + v) / STRIPE % 2 == 0
-                    ? MapSheet.mixed(ground, UNKNOWN, 0.75)
-                    : MapSheet.mixed(ground, Color.WHITE, 0.75);
+                    ? ColourMix.of(ground, UNKNOWN, 0.75)
+                    : ColourMix.of(ground, Color.WHITE, 0.75);
         }
         for (String kind : colours.kinds()) {
             if (coverage.count(kind, column, row) > 0) {
-                colour = MapSheet.mixed(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
+                colour = ColourMix.of(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
             }
         }
         return colour;
@@ -180,7 +180,7 @@ public final class CoveragePicture {
         y += LINE;
         for (String kind : colours.kinds()) {
             y += LINE;
-            g.setColor(MapSheet.mixed(new Color(0xd8d4cc), colours.of(kind), 0.33));
+            g.setColor(ColourMix.of(new Color(0xd8d4cc), colours.of(kind), 0.33));
             g.fillRect(x, y - 14, 22, 16);
             g.setColor(colours.of(kind));
             g.setStroke(new BasicStroke(2f));

@@ -146,7 +146,7 @@ final class FieldPictures {
 
     /** The colour of a line for a height, given by its number. */
     static Color ofHeight(int number, int heights) {
-        return MapSheet.mixed(NEAR_GROUND, HIGH_UP, heights == 1 ? 0.0 : (double) number / (heights - 1));
+        return ColourMix.of(NEAR_GROUND, HIGH_UP, heights == 1 ? 0.0 : (double) number / (heights - 1));
     }
 
     /** A length with its unit. */

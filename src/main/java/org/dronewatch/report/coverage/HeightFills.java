@@ -29,11 +29,11 @@ final class HeightFills {
         int last = bounds.size() - 1;
         for (int i = 0; i <= last; i++) {
             if (height <= bounds.get(i)) {
-                Color colour = MapSheet.mixed(LOWEST, HIGHEST, last == 0 ? 0.0 : (double) i / last);
-                return (u, v, ground) -> MapSheet.mixed(ground, colour, STRENGTH);
+                Color colour = ColourMix.of(LOWEST, HIGHEST, last == 0 ? 0.0 : (double) i / last);
+                return (u, v, ground) -> ColourMix.of(ground, colour, STRENGTH);
             }
         }
-        return (u, v, ground) -> MapSheet.mixed(ground, isLine(u, v) ? LINE : NONE, STRENGTH);
+        return (u, v, ground) -> ColourMix.of(ground, isLine(u, v) ? LINE : NONE, STRENGTH);
     }
 
     private static boolean isLine(int u, int v) {

@@ -35,7 +35,6 @@ public final class MapSheet {
     private static final int SQUARE = 5;
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
-
     private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
     private final BufferedImage image = new BufferedImage(MAP + SIDE, MAP, BufferedImage.TYPE_INT_RGB);
@@ -143,10 +142,7 @@ public final class MapSheet {
         g.setClip(null);
     }
 
-    /**
-     * Writes a short text on a pale background near a point on the map, clear of its edge, the scale bar and the north
-     * arrow.
-     */
+    /** Writes a short text on a pale background near a point on the map, clear of its edge, scale bar and arrow. */
     public void label(Position at, String text) {
         g.setFont(TITLE);
         int wide = g.getFontMetrics().stringWidth(text);
@@ -208,10 +204,8 @@ public final class MapSheet {
     }
 
     private void drawSensor(Position at) {
-        int u = column(at);
-        int v = row(at);
-        if (u >= 0 && u < MAP && v >= 0 && v < MAP) {
-            dot(u, v);
+        if (new Rectangle(MAP, MAP).contains(column(at), row(at))) {
+            dot(column(at), row(at));
             showsSensors = true;
         }
     }
@@ -300,13 +294,5 @@ public final class MapSheet {
         try (ImageOutputStream stream = new MemoryCacheImageOutputStream(target)) {
             ImageIO.write(image, "png", stream);
         }
-    }
-
-    /** A colour mixed with another that lies over it. */
-    public static Color mixed(Color below, Color above, double share) {
-        return new Color(
-                (int) Math.round((1 - share) * below.getRed() + share * above.getRed()),
-                (int) Math.round((1 - share) * below.getGreen() + share * above.getGreen()),
-                (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
     }
 }

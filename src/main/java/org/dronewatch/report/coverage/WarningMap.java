@@ -85,7 +85,7 @@ public final class WarningMap {
     private static Color pale(int u, int v, Color ground) {
         return ground.equals(ReliefShade.NOTHING)
                 ? CauseFills.of(Cause.UNKNOWN).at(u, v, ground)
-                : MapSheet.mixed(ground, Color.WHITE, 0.35);
+                : ColourMix.of(ground, Color.WHITE, 0.35);
     }
 
     /** Whether all flights begin on the map of a grid: their target may not be its middle, or they begin beyond it. */

@@ -2,15 +2,19 @@ package org.dronewatch.report.route;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.PlainText;
 
 /** What has to be known of the figures of routes: over which flights they are means, and where they mislead. */
@@ -57,17 +61,25 @@ final class RouteNotes {
         List<SectorRoute> routes = survey.routes().stream()
                 .filter(route -> route.isMisjudged(survey.response()))
                 .toList();
-        Optional<String> slowest =
-                RouteBegins.slowest(inputs.settings().enabledSensors()).map(PlainText::value);
-        String scan =
-                slowest.isPresent() && routes.stream().anyMatch(route -> route.isMisjudgedForScans(survey.response()))
-                        ? ", because the search assumes that '" + slowest.get()
-                                + "' may look at any moment, whereas it looks only every " + period()
-                        : "";
+        String scan = routes.stream().anyMatch(route -> route.isMisjudgedForScans(survey.response()))
+                ? slowestOf(routes)
+                        .map(sensor -> ", because the search assumes that '" + PlainText.value(sensor)
+                                + "' may look at any moment, whereas it looks only every " + period(Set.of(sensor)))
+                        .orElse("")
+                : "";
         boolean isCells = routes.stream().anyMatch(route -> route.isMisjudgedForCells(survey.response()));
         boolean isFiner = isCells && 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;
         return scan
                 + (isFiner ? "; try --cell " + Numbers.text(0.5 * inputs.grid().cell()) + "m" : "");
+    }
+
+    /** The slowest of the sensors to which the drone is exposed on some routes. */
+    private Optional<String> slowestOf(List<SectorRoute> routes) {
+        Map<String, SensorSettings<?>> exposing =
+                new LinkedHashMap<>(inputs.settings().enabledSensors());
+        exposing.keySet().removeIf(sensor -> routes.stream()
+                .noneMatch(route -> route.sensors().getOrDefault(sensor, 0.0) > 0.0));
+        return RouteBegins.slowest(exposing);
     }
 
     /** States over which moments the figures of the flights are means; empty if all sensors look often. */
@@ -77,12 +89,16 @@ final class RouteNotes {
         return RouteBegins.slowest(inputs.settings().enabledSensors())
                 .filter(sensor -> isFlown)
                 .map(sensor -> "All figures of flights are means over " + RouteBegins.MOST
-                        + " flights of each route, which begin at moments spread over the " + period() + " in which '"
+                        + " flights of each route, which begin at moments spread over the " + period(Set.of(sensor))
+                        + " in which '"
                         + PlainText.value(sensor) + "' scans once.");
     }
 
-    private String period() {
-        return number(RouteBegins.period(inputs.settings().enabledSensors().values())) + " s";
+    private String period(Set<String> sensors) {
+        Map<String, SensorSettings<?>> these =
+                new LinkedHashMap<>(inputs.settings().enabledSensors());
+        these.keySet().retainAll(sensors);
+        return number(RouteBegins.period(these.values())) + " s";
     }
 
     /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
+import org.dronewatch.report.coverage.ColourMix;
 import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.coverage.ProtectedOutlines;
 import org.dronewatch.route.RoutePoint;
@@ -33,7 +34,7 @@ public final class RoutePictures {
     public MapSheet plan(RouteSurvey survey, int[] ground) {
         MapSheet sheet = new MapSheet(inputs.grid());
         sheet.drawMap(
-                ground, (column, row) -> (u, v, below) -> MapSheet.mixed(below, Color.WHITE, 0.25), inputs.sensors());
+                ground, (column, row) -> (u, v, below) -> ColourMix.of(below, Color.WHITE, 0.25), inputs.sensors());
         for (List<Position> zone : ProtectedOutlines.of(stage.protection())) {
             sheet.outline(zone, ZONE, 0);
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.Numbers;
+import org.dronewatch.report.coverage.ColourMix;
 import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.coverage.ProtectedOutlines;
 import org.dronewatch.route.search.RouteGrid;
@@ -85,11 +86,11 @@ final class TimeToGoPicture {
         for (int number = classes - 1; number >= 0; number--) {
             Color colour = ofClass(number);
             sheet.entry(
-                    (u, v, below) -> MapSheet.mixed(below, colour, STRENGTH),
+                    (u, v, below) -> ColourMix.of(below, colour, STRENGTH),
                     Numbers.text(number * step) + " to " + Numbers.text((number + 1) * step) + " s");
         }
         if (Arrays.stream(times).anyMatch(Double::isNaN)) {
-            sheet.entry((u, v, below) -> MapSheet.mixed(below, NOWHERE, STRENGTH), "no route from here");
+            sheet.entry((u, v, below) -> ColourMix.of(below, NOWHERE, STRENGTH), "no route from here");
         }
         sheet.space();
         if (inputs.response() > 0.0) {
@@ -109,13 +110,13 @@ final class TimeToGoPicture {
 
     private Color ofClass(int number) {
         double part = classes == 1 ? 1.0 : (double) number / (classes - 1);
-        return part < 0.5 ? MapSheet.mixed(SHORT, MEDIUM, 2.0 * part) : MapSheet.mixed(MEDIUM, LONG, 2.0 * part - 1.0);
+        return part < 0.5 ? ColourMix.of(SHORT, MEDIUM, 2.0 * part) : ColourMix.of(MEDIUM, LONG, 2.0 * part - 1.0);
     }
 
     private Color colour(int u, int v, Color ground) {
         double time = at(u, v);
         if (Double.isNaN(time)) {
-            return MapSheet.mixed(ground, NOWHERE, STRENGTH);
+            return ColourMix.of(ground, NOWHERE, STRENGTH);
         }
         // Where time changes evenly, its difference divided by the slope is the distance from the line in pixels.
         double slope = Math.hypot(at(u + 1, v) - time, at(u, v + 1) - time);
@@ -124,7 +125,7 @@ final class TimeToGoPicture {
             return LINE;
         }
         int number = Math.max(0, Math.min(classes - 1, (int) (time / step)));
-        return MapSheet.mixed(ground, ofClass(number), STRENGTH);
+        return ColourMix.of(ground, ofClass(number), STRENGTH);
     }
 
     /** The time at a pixel of the map, interpolated between posts, s; NaN where no route leads to the end. */
