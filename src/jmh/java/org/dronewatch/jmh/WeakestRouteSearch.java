@@ -92,11 +92,11 @@ public class WeakestRouteSearch {
         }
         BitSet starts = new BitSet();
         BitSet goals = new BitSet();
-        for (int post = 0; post < grid.size(); post++) {
-            double east = Math.abs(grid.x(post));
-            double north = Math.abs(grid.y(post));
-            starts.set(post, Math.max(east, north) > half - 0.5 * CELL);
-            goals.set(post, Math.hypot(east, north) < ZONE);
+        for (int node = 0; node < grid.size(); node++) {
+            double east = Math.abs(grid.x(node));
+            double north = Math.abs(grid.y(node));
+            starts.set(node, Math.max(east, north) > half - 0.5 * CELL);
+            goals.set(node, Math.hypot(east, north) < ZONE);
         }
         workers = new Workers(threads);
         RouteMode powered = new RouteMode("powered", 20.0, 5.0, 5.0, Double.POSITIVE_INFINITY);

@@ -28,7 +28,7 @@ public record RouteProfile(List<RoutePoint> points) {
         }
     }
 
-    /** The profile of a path, with a point at least every half post's distance and at each of its corners. */
+    /** The profile of a path, with a point at least every half node's distance and at each of its corners. */
     static RouteProfile of(RoutePath path, RouteProblem problem) {
         RouteExposure exposure = new RouteExposure(problem);
         double step = 0.5 * problem.grid().spacing();

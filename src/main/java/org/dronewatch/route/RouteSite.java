@@ -22,20 +22,20 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * Where a drone may fly at a site, and where its routes begin and end: whatever does not depend on the sensors.
  *
- * @param posts that it may pass
+ * @param nodes that it may pass
  * @param modes in which it may fly
  * @param turnRadius smallest radius of its turns at cruise speed, 0 for none, m
  * @param endurance longest flight under power, s
- * @param starts posts at which routes may begin
- * @param goals posts at which they may end
- * @param reached the posts of all cubes in which a route may end
+ * @param starts nodes at which routes may begin
+ * @param goals nodes at which they may end
+ * @param reached the nodes of all cubes in which a route may end
  * @param passage between which points it can fly straight
- * @param arrival where a route arrives between posts
+ * @param arrival where a route arrives between nodes
  * @param response time from a detection until the drone is stopped, s
  * @param middle of the protected zone or of the sensors, m
  */
 record RouteSite(
-        SitePosts posts,
+        SiteNodes nodes,
         List<RouteMode> modes,
         double turnRadius,
         double endurance,
@@ -74,27 +74,27 @@ record RouteSite(
             Position middle) {
         FlightLimits limits = DetectionField.droneOf(stage, drone).settings().flightLimits();
         double cruise = DetectionField.droneOf(stage, drone).settings().speed();
-        SitePosts posts = new SitePosts(modes.get(0).field(), limits.ceiling());
+        SiteNodes nodes = new SiteNodes(modes.get(0).field(), limits.ceiling());
         Protection protection = stage.protection();
-        double reach = posts.reach(protection, middle);
-        BitSet starts = launch.map(posts::over).orElseGet(posts::rim);
-        BitSet goals = posts.goals(protection, middle, reach);
-        checkPosts(starts, goals, launch.isPresent(), !protection.isEmpty());
+        double reach = nodes.reach(protection, middle);
+        BitSet starts = launch.map(nodes::over).orElseGet(nodes::rim);
+        BitSet goals = nodes.goals(protection, middle, reach);
+        checkNodes(starts, goals, launch.isPresent(), !protection.isEmpty());
         return new RouteSite(
-                posts,
+                nodes,
                 modes.stream().map(ModeField::mode).toList(),
                 limits.hover() ? 0.0 : cruise / limits.turnRate(),
                 limits.endurance(),
                 starts,
                 goals,
-                posts.near(protection, middle, reach + posts.diagonal()),
+                nodes.near(protection, middle, reach + nodes.diagonal()),
                 Passage.through(stage.world()),
-                !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_POST,
+                !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_NODE,
                 settings.alert().response(),
                 middle);
     }
 
-    private static void checkPosts(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
+    private static void checkNodes(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
         if (starts.isEmpty()) {
             throw new IllegalArgumentException(
                     "no route can begin " + (isLaunch ? "in the launch area" : "on the edge") + ": " + NO_CELL);
@@ -114,7 +114,7 @@ record RouteSite(
      */
     SiteRoutes past(SiteExposure exposure, List<String> sensors) {
         RouteProblem problem = new RouteProblem(
-                posts.grid(),
+                nodes.grid(),
                 exposure,
                 modes,
                 turnRadius,

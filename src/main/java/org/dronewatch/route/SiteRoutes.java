@@ -92,7 +92,7 @@ public final class SiteRoutes {
 
     /**
      * Searches for all routes of a drone that may fly in several modes: it begins in the first of them and may change
-     * to the next one, such as from power to gliding, once and at any post.
+     * to the next one, such as from power to gliding, once and at any node.
      *
      * @param modes the modes, at least one, with fields over the same grid
      * @throws IllegalArgumentException if there is no mode, or as above
@@ -116,14 +116,14 @@ public final class SiteRoutes {
     private BitSet starts(int sector) {
         BitSet starts = new BitSet();
         problem.starts().stream()
-                .filter(post -> sector(problem.grid().position(post)) == sector)
+                .filter(node -> sector(problem.grid().position(node)) == sector)
                 .forEach(starts::set);
         return starts;
     }
 
-    /** The least exposure, with the price of time, over the posts alone of the routes from a sector. */
-    double overPosts(int sector) {
-        return starts(sector).stream().mapToDouble(routes::overPosts).min().orElse(Double.POSITIVE_INFINITY);
+    /** The least exposure, with the price of time, over the nodes alone of the routes from a sector. */
+    double overNodes(int sector) {
+        return starts(sector).stream().mapToDouble(routes::overNodes).min().orElse(Double.POSITIVE_INFINITY);
     }
 
     /** The weakest route that does not take longer than the drone's endurance. */
@@ -142,7 +142,7 @@ public final class SiteRoutes {
         return problem.modes();
     }
 
-    /** The least times in which the drone can reach the end of a route, by post. */
+    /** The least times in which the drone can reach the end of a route, by node. */
     public TimeToGo timeToGo() {
         return routes.timeToGo();
     }

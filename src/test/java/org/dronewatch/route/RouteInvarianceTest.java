@@ -101,7 +101,7 @@ class RouteInvarianceTest {
         SiteRoutes all = routes(field, settings, stage, site);
         boolean isExposed = false;
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
-            isExposed |= all.overPosts(sector) > 0.0;
+            isExposed |= all.overNodes(sector) > 0.0;
         }
         assertThat(isExposed).isTrue();
 
@@ -109,9 +109,9 @@ class RouteInvarianceTest {
             SceneSettings fewer = settings.withEnabled(sensor, false);
             SiteRoutes others = routes(field.without(sensor), fewer, stage, site);
             for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
-                assertThat(all.overPosts(sector))
+                assertThat(all.overNodes(sector))
                         .as("%s without %s, sector %d", site, sensor, sector)
-                        .isGreaterThanOrEqualTo(others.overPosts(sector));
+                        .isGreaterThanOrEqualTo(others.overNodes(sector));
             }
         }
         SceneSettings reversed = reversed(settings);

@@ -107,7 +107,7 @@ class SiteRoutesTest {
         }
     }
 
-    /** The zone is a ball of 30 m around the radar, and the lowest posts are in it. */
+    /** The zone is a ball of 30 m around the radar, and the lowest nodes are in it. */
     @Test
     void aRouteEndsInTheZone() {
         SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);

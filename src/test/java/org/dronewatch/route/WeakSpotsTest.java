@@ -223,7 +223,7 @@ class WeakSpotsTest {
         assertThat(before[SOUTH_EAST]).isPositive();
     }
 
-    /** Straight flight over the plain: the time from a post is its distance, over directions of the grid. */
+    /** Straight flight over the plain: the time from a node is its distance, over directions of the grid. */
     @Test
     void theTimeToGoIsThatOfTheFastestFlight() throws IOException {
         TimeToGo time = powered(NEAR, cells(30)).timeToGo();
@@ -231,6 +231,6 @@ class WeakSpotsTest {
         double east = time.at(19, 10).orElseThrow();
         assertThat(east).isBetween((237.5 - 25.0 - 25.0) / 12.0, 237.5 / 12.0);
         assertThat(time.at(10, 10)).hasValue(0.0);
-        assertThat(time.at(time.grid().post(19, 10, 0))).hasValue(east);
+        assertThat(time.at(time.grid().node(19, 10, 0))).hasValue(east);
     }
 }

@@ -53,8 +53,8 @@ final class TimeToGoPicture {
         this.inputs = inputs;
         this.grid = times.grid();
         this.times = IntStream.range(0, grid.columns() * grid.rows())
-                .mapToDouble(post ->
-                        times.at(post % grid.columns(), post / grid.columns()).orElse(Double.NaN))
+                .mapToDouble(node ->
+                        times.at(node % grid.columns(), node / grid.columns()).orElse(Double.NaN))
                 .toArray();
         double longest = Arrays.stream(this.times)
                 .filter(time -> !Double.isNaN(time))
@@ -128,7 +128,7 @@ final class TimeToGoPicture {
         return ColourMix.of(ground, ofClass(number), STRENGTH);
     }
 
-    /** The time at a pixel of the map, interpolated between posts, s; NaN where no route leads to the end. */
+    /** The time at a pixel of the map, interpolated between nodes, s; NaN where no route leads to the end. */
     private double at(int u, int v) {
         double column = clamp((u + 0.5) * grid.columns() / MapSheet.MAP - 0.5, grid.columns());
         double row = clamp((MapSheet.MAP - v - 0.5) * grid.rows() / MapSheet.MAP - 0.5, grid.rows());
@@ -136,15 +136,15 @@ final class TimeToGoPicture {
         int below = Math.min((int) row, grid.rows() - 2);
         double right = column - left;
         double up = row - below;
-        return (1.0 - up) * ((1.0 - right) * post(left, below) + right * post(left + 1, below))
-                + up * ((1.0 - right) * post(left, below + 1) + right * post(left + 1, below + 1));
+        return (1.0 - up) * ((1.0 - right) * node(left, below) + right * node(left + 1, below))
+                + up * ((1.0 - right) * node(left, below + 1) + right * node(left + 1, below + 1));
     }
 
     private static double clamp(double index, int count) {
         return Math.max(0.0, Math.min(count - 1.0, index));
     }
 
-    private double post(int column, int row) {
+    private double node(int column, int row) {
         return times[row * grid.columns() + column];
     }
 }

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 
 /**
- * The cubes between the posts of a grid, or squares if it has one level: for each, the greatest slope of a lower bound
+ * The cubes between the nodes of a grid, or squares if it has one level: for each, the greatest slope of a lower bound
  * of the exposure, in coordinates in which the third is the height above the ground. Immutable.
  */
 final class CubeSlopes {
@@ -71,9 +71,9 @@ final class CubeSlopes {
         int column = cube % columns;
         int row = cube / columns % rows;
         int level = cube / (columns * rows);
-        int low = grid.post(column, row, level);
+        int low = grid.node(column, row, level);
         int top = Math.min(level + 1, grid.levels() - 1);
-        int high = grid.post(column + 1, row + 1, top);
+        int high = grid.node(column + 1, row + 1, top);
         if (isClosed(column, row, level, top)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -92,26 +92,26 @@ final class CubeSlopes {
 
     private boolean isClosed(int column, int row, int level, int top) {
         for (int i = 0; i < CORNERS; i++) {
-            int post = grid.post(column + (i & 1), row + (i >> 1 & 1), (i & 4) == 0 ? level : top);
-            if (grid.isOpen(post)) {
+            int node = grid.node(column + (i & 1), row + (i >> 1 & 1), (i & 4) == 0 ? level : top);
+            if (grid.isOpen(node)) {
                 return false;
             }
         }
         return true;
     }
 
-    /** Posts and all posts of the cubes to which they belong. */
-    static BitSet around(RouteGrid grid, BitSet posts) {
+    /** Nodes and all nodes of the cubes to which they belong. */
+    static BitSet around(RouteGrid grid, BitSet nodes) {
         BitSet around = new BitSet();
-        posts.stream().forEach(post -> {
-            int column = post % grid.columns();
-            int row = post / grid.columns() % grid.rows();
-            int level = post / (grid.columns() * grid.rows());
+        nodes.stream().forEach(node -> {
+            int column = node % grid.columns();
+            int row = node / grid.columns() % grid.rows();
+            int level = node / (grid.columns() * grid.rows());
             for (int k = Math.max(0, level - 1); k <= Math.min(grid.levels() - 1, level + 1); k++) {
                 for (int j = Math.max(0, row - 1); j <= Math.min(grid.rows() - 1, row + 1); j++) {
                     around.set(
-                            grid.post(Math.max(0, column - 1), j, k),
-                            grid.post(Math.min(grid.columns() - 1, column + 1), j, k) + 1);
+                            grid.node(Math.max(0, column - 1), j, k),
+                            grid.node(Math.min(grid.columns() - 1, column + 1), j, k) + 1);
                 }
             }
         });

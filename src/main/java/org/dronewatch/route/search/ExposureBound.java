@@ -5,7 +5,7 @@ import java.util.BitSet;
 import org.dronewatch.parallel.Workers;
 
 /**
- * A certified lower bound of the exposure of all routes to the goals, not only of those over posts. A function of the
+ * A certified lower bound of the exposure of all routes to the goals, not only of those over nodes. A function of the
  * place that is 0 at the goals, and whose gradient nowhere exceeds the least exposure per metre, is such a bound, since
  * along any route it falls by no more than the exposure. Here it is linear on the simplices of {@link CubePaths}, in
  * coordinates in which the third is the height above the ground, and the least exposure is that of a whole cube, all
@@ -47,7 +47,7 @@ final class ExposureBound {
         this.simplex = new Eikonal(dimensions);
         this.corners = new int[dimensions + 1];
         Arrays.fill(values, Double.POSITIVE_INFINITY);
-        goals.stream().forEach(post -> values[post] = 0.0);
+        goals.stream().forEach(node -> values[node] = 0.0);
         for (int cube = 0; cube < isActive.length; cube++) {
             isActive[cube] = !cubes.isSolid(cube);
         }
@@ -56,7 +56,7 @@ final class ExposureBound {
     /**
      * Computes the bound.
      *
-     * @param goals the posts of all cubes in which a route may end
+     * @param goals the nodes of all cubes in which a route may end
      */
     static ExposureBound of(RouteProblem problem, BitSet goals) {
         ExposureBound bound = new ExposureBound(problem, goals);
@@ -115,11 +115,11 @@ final class ExposureBound {
         }
     }
 
-    /** Marks all cubes at a post, except for solid ones. */
-    private void activate(int post) {
-        int column = post % grid.columns();
-        int row = post / grid.columns() % grid.rows();
-        int level = post / (grid.columns() * grid.rows());
+    /** Marks all cubes at a node, except for solid ones. */
+    private void activate(int node) {
+        int column = node % grid.columns();
+        int row = node / grid.columns() % grid.rows();
+        int level = node / (grid.columns() * grid.rows());
         for (int k = Math.max(0, level - 1); k <= Math.min(cubes.levels() - 1, level); k++) {
             for (int j = Math.max(0, row - 1); j <= Math.min(cubes.rows() - 1, row); j++) {
                 for (int i = Math.max(0, column - 1); i <= Math.min(cubes.columns() - 1, column); i++) {
@@ -132,23 +132,23 @@ final class ExposureBound {
 
     /** Loads one simplex of a cube. */
     private void walk(int[] order, int column, int row, int level) {
-        int post = grid.post(column, row, level);
+        int node = grid.node(column, row, level);
         double along = 0.0;
         for (int i = 0; i < corners.length; i++) {
             if (i > 0) {
-                post += strides[order[i - 1]];
+                node += strides[order[i - 1]];
                 double edge = order[i - 1] < 2 ? grid.spacing() : grid.height(level + 1) - grid.height(level);
                 along += edge * edge;
             }
-            corners[i] = post;
-            simplex.values[i] = values[post];
+            corners[i] = node;
+            simplex.values[i] = values[node];
             simplex.along[i] = along;
         }
     }
 
-    /** A lower bound of the exposure of all routes from a set of posts, and from the faces between them. */
+    /** A lower bound of the exposure of all routes from a set of nodes, and from the faces between them. */
     double from(BitSet starts) {
-        double least = starts.stream().mapToDouble(post -> values[post]).min().orElse(Double.POSITIVE_INFINITY);
+        double least = starts.stream().mapToDouble(node -> values[node]).min().orElse(Double.POSITIVE_INFINITY);
         if (least == 0.0 || least == Double.POSITIVE_INFINITY) {
             return least;
         }
@@ -160,7 +160,7 @@ final class ExposureBound {
     }
 
     /**
-     * The posts of all cubes in which the function, certified, is at most a value somewhere.
+     * The nodes of all cubes in which the function, certified, is at most a value somewhere.
      *
      * @param value above 0
      */
@@ -174,8 +174,8 @@ final class ExposureBound {
         }
         double limit = bin == BINS ? Double.POSITIVE_INFINITY : (bin + 1.0) / BINS * top;
         BitSet inside = new BitSet();
-        for (int post = 0; post < values.length; post++) {
-            inside.set(post, values[post] <= limit);
+        for (int node = 0; node < values.length; node++) {
+            inside.set(node, values[node] <= limit);
         }
         return CubeSlopes.around(grid, inside);
     }

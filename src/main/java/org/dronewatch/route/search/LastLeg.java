@@ -13,7 +13,7 @@ final class LastLeg {
     private static final double FIRST = 0.2;
     private static final double SMALLEST = 1e-4;
 
-    /** How much farther than the leg a zone is looked for, in posts. */
+    /** How much farther than the leg a zone is looked for, in nodes. */
     private static final double BEYOND = 10.0;
 
     /** Two positions that are no farther apart in plan view have no bearing, m. */

@@ -1,8 +1,8 @@
 package org.dronewatch.route.search;
 
-/** What a path between the posts of a grid must keep to: open places, and turns that the drone can fly. */
+/** What a path between the nodes of a grid must keep to: open places, and turns that the drone can fly. */
 final class LegLimits {
-    private static final double STEPS_PER_POST = 2.0;
+    private static final double STEPS_PER_NODE = 2.0;
 
     private final RouteGrid grid;
     private final Passage passage;
@@ -20,7 +20,7 @@ final class LegLimits {
      */
     boolean isOpen(double x, double y, double z, double toX, double toY, double toZ) {
         double length = Math.sqrt((toX - x) * (toX - x) + (toY - y) * (toY - y) + (toZ - z) * (toZ - z));
-        int pieces = Math.max(1, (int) Math.ceil(STEPS_PER_POST * length / grid.spacing()));
+        int pieces = Math.max(1, (int) Math.ceil(STEPS_PER_NODE * length / grid.spacing()));
         for (int i = 0; i <= pieces; i++) {
             double share = (double) i / pieces;
             if (!grid.isOpen(x + share * (toX - x), y + share * (toY - y), z + share * (toZ - z))) {

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The directions in plan view in which a route may leave a post, clockwise from north: each leads to another post
+ * The directions in plan view in which a route may leave a node, clockwise from north: each leads to another node
  * without passing through a third. The shortest path along them is longer than the straight line by a factor of at most
  * {@link #stretch()}.
  */
@@ -61,12 +61,12 @@ public final class PlanDirections {
         return steps.length;
     }
 
-    /** Posts to the east. */
+    /** Nodes to the east. */
     int east(int direction) {
         return steps[direction][0];
     }
 
-    /** Posts to the north. */
+    /** Nodes to the north. */
     int north(int direction) {
         return steps[direction][1];
     }

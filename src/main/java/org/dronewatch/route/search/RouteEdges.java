@@ -3,9 +3,9 @@ package org.dronewatch.route.search;
 import java.util.Arrays;
 
 /**
- * The legs between posts: straight in plan, level or one level up or down. Their exposure is the time that they take
- * times the mean rate on the leg's own heading, by the trapezoidal rule over the posts that they pass. Where the drone
- * needs room to turn, and where it glides, a leg leads over several posts. Immutable.
+ * The legs between nodes: straight in plan, level or one level up or down. Their exposure is the time that they take
+ * times the mean rate on the leg's own heading, by the trapezoidal rule over the nodes that they pass. Where the drone
+ * needs room to turn, and where it glides, a leg leads over several nodes. Immutable.
  */
 final class RouteEdges {
     /** Up, level, down. */
@@ -17,12 +17,12 @@ final class RouteEdges {
     private final PlanDirections directions;
     private final RouteMode[] modes;
     private final double turnRadius;
-    private final PostRates rates;
+    private final NodeRates rates;
 
     /** By direction, the horizontal length of the shortest leg, m. */
     private final double[] units;
 
-    /** By direction and number of repeats, the posts that a level leg passes, relative to its beginning. */
+    /** By direction and number of repeats, the nodes that a level leg passes, relative to its beginning. */
     private final int[][][] passed;
 
     RouteEdges(RouteProblem problem) {
@@ -30,7 +30,7 @@ final class RouteEdges {
         this.directions = problem.directions();
         this.modes = problem.modes().toArray(RouteMode[]::new);
         this.turnRadius = problem.turnRadius();
-        this.rates = new PostRates(problem);
+        this.rates = new NodeRates(problem);
         this.units = new double[directions.count()];
         Arrays.setAll(units, this::unit);
         this.passed = new int[units.length][][];
@@ -45,15 +45,15 @@ final class RouteEdges {
                 most = level > 0 ? Math.max(most, repeats(mode, direction, level, -1)) : most;
             }
         }
-        int[][] posts = new int[most + 1][];
+        int[][] nodes = new int[most + 1][];
         for (int repeats = 1; repeats <= most; repeats++) {
             int east = repeats * directions.east(direction);
             int north = repeats * directions.north(direction);
             int pieces = Math.max(Math.abs(east), Math.abs(north));
-            posts[repeats] = new int[pieces];
-            Arrays.setAll(posts[repeats], i -> nearest(north, i, pieces) * grid.columns() + nearest(east, i, pieces));
+            nodes[repeats] = new int[pieces];
+            Arrays.setAll(nodes[repeats], i -> nearest(north, i, pieces) * grid.columns() + nearest(east, i, pieces));
         }
-        return posts;
+        return nodes;
     }
 
     /** By how many levels a leg may change. */
@@ -84,9 +84,9 @@ final class RouteEdges {
     }
 
     /**
-     * The exposure of a leg; infinite where it cannot be flown: where it is too steep, or passes a closed post.
+     * The exposure of a leg; infinite where it cannot be flown: where it is too steep, or passes a blocked node.
      *
-     * @param from post at which it begins; its end is inside the grid
+     * @param from node at which it begins; its end is inside the grid
      * @param repeats how often it repeats the step of its direction
      * @param climb by how many levels it changes
      */
@@ -109,8 +109,8 @@ final class RouteEdges {
         return time * sum / pieces;
     }
 
-    /** A fraction of a number of posts, rounded; halves upwards. */
-    private static int nearest(int posts, int part, int of) {
-        return Math.floorDiv(2 * posts * part + of, 2 * of);
+    /** A fraction of a number of nodes, rounded; halves upwards. */
+    private static int nearest(int nodes, int part, int of) {
+        return Math.floorDiv(2 * nodes * part + of, 2 * of);
     }
 }

@@ -6,8 +6,8 @@ import org.dronewatch.geometry.Position;
 /** Where on a straight leg a route reaches its end. For one thread at a time. */
 @FunctionalInterface
 public interface RouteEnd {
-    /** A route ends only at a post, not on a leg between posts. */
-    RouteEnd AT_POST = (from, to) -> OptionalDouble.empty();
+    /** A route ends only at a node, not on a leg between nodes. */
+    RouteEnd AT_NODE = (from, to) -> OptionalDouble.empty();
 
     /**
      * Where a leg first arrives, such as at the edge of a zone.

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * The exposure along a path, {@code E = integral of the rate over the time}: exact in fields that are constant in each
- * cell, otherwise by Gaussian quadrature on pieces no longer than half the distance between neighbouring posts.
+ * cell, otherwise by Gaussian quadrature on pieces no longer than half the distance between neighbouring nodes.
  * Immutable and thread-safe.
  */
 public final class RouteExposure {

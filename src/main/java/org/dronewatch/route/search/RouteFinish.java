@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Ends a route as soon as it has arrived, and makes the last part, on which a detection is too late, as fast as
- * straight legs allow, not only legs between posts. One thread at a time.
+ * straight legs allow, not only legs between nodes. One thread at a time.
  */
 final class RouteFinish {
     /** How far inside the edge of a zone a route ends, so that rounding leaves it inside, m. */
@@ -69,18 +69,18 @@ final class RouteFinish {
     }
 
     /**
-     * The least time from a post to where a route arrives: over the posts or, where no turn needs room, straight.
+     * The least time from a node to where a route arrives: over the nodes or, where no turn needs room, straight.
      *
-     * @param fastest routes over the posts
+     * @param fastest routes over the nodes
      * @return s; infinite where no route leads there
      */
-    double least(RouteTree fastest, int post) {
-        double overPosts = fastest.cost(post);
-        if (!(overPosts > 0.0) || overPosts == Double.POSITIVE_INFINITY) {
-            return overPosts;
+    double least(RouteTree fastest, int node) {
+        double overNodes = fastest.cost(node);
+        if (!(overNodes > 0.0) || overNodes == Double.POSITIVE_INFINITY) {
+            return overNodes;
         }
-        RoutePath path = fastest.path(fastest.states(post));
-        double least = Math.min(overPosts, times.time(arrived(path)));
+        RoutePath path = fastest.path(fastest.states(node));
+        double least = Math.min(overNodes, times.time(arrived(path)));
         Position from = path.points().get(0);
         Position end = path.points().get(path.points().size() - 1);
         if (clock.turnRadius() > 0.0) {
@@ -88,7 +88,7 @@ final class RouteFinish {
         }
         RoutePath straight = arrived(new RoutePath(List.of(from, end), List.of(0)));
         // Where it decides whether a detection is in time, a goal that is merely near is not good enough.
-        RoutePath best = overPosts <= NEAR * response ? new LastLeg(clock, arrival, from).of(straight) : straight;
+        RoutePath best = overNodes <= NEAR * response ? new LastLeg(clock, arrival, from).of(straight) : straight;
         Position to = best.points().get(best.points().size() - 1);
         double time = times.time(best);
         boolean isFaster = time < least && limits.isOpen(from.x(), from.y(), from.z(), to.x(), to.y(), to.z());

@@ -5,7 +5,7 @@ import java.util.BitSet;
 import org.dronewatch.geometry.Position;
 
 /**
- * The posts of a route search: a square raster with a post at each of several heights above the ground. Posts are
+ * The nodes of a route search: a square raster with a node at each of several heights above the ground. Nodes are
  * numbered by level, then by row from the south, then by column from the west. Immutable.
  */
 public final class RouteGrid {
@@ -16,19 +16,19 @@ public final class RouteGrid {
     private final int rows;
     private final double[] heights;
     private final double[] ground;
-    private final BitSet closed;
+    private final BitSet blocked;
 
     /**
      * A grid over ground.
      *
      * @param west east coordinate of the first column, m
      * @param south north coordinate of the first row, m
-     * @param spacing distance between neighbouring posts, above 0, m
+     * @param spacing distance between neighbouring nodes, above 0, m
      * @param columns number of columns, 2 or more
      * @param rows number of rows, 2 or more
      * @param heights heights of the levels above the ground, ascending, m
      * @param ground height of the ground by row and column, m
-     * @param closed the posts at which a drone cannot be
+     * @param blocked the nodes at which a drone cannot be
      * @throws IllegalArgumentException if a value is out of range
      */
     public RouteGrid(
@@ -39,7 +39,7 @@ public final class RouteGrid {
             int rows,
             double[] heights,
             double[] ground,
-            BitSet closed) {
+            BitSet blocked) {
         if (!(spacing > 0.0) || columns < 2 || rows < 2 || heights.length < 1 || ground.length != columns * rows) {
             throw new IllegalArgumentException(columns + " columns, " + rows + " rows and " + heights.length
                     + " heights, " + spacing + " m apart, over " + ground.length
@@ -48,7 +48,7 @@ public final class RouteGrid {
         }
         if ((long) columns * rows * heights.length > Integer.MAX_VALUE) {
             throw new IllegalArgumentException(
-                    (long) columns * rows * heights.length + " posts: there must be at most " + Integer.MAX_VALUE);
+                    (long) columns * rows * heights.length + " nodes: there must be at most " + Integer.MAX_VALUE);
         }
         this.west = west;
         this.south = south;
@@ -57,7 +57,7 @@ public final class RouteGrid {
         this.rows = rows;
         this.heights = heights.clone();
         this.ground = ground.clone();
-        this.closed = (BitSet) closed.clone();
+        this.blocked = (BitSet) blocked.clone();
     }
 
     /** A grid over level ground at height 0, where a drone can be anywhere. */
@@ -65,18 +65,18 @@ public final class RouteGrid {
         return new RouteGrid(west, south, spacing, columns, rows, heights, new double[columns * rows], new BitSet());
     }
 
-    /** The number of posts. */
+    /** The number of nodes. */
     public int size() {
         return columns * rows * heights.length;
     }
 
-    /** The number of a post. */
-    public int post(int column, int row, int level) {
+    /** The number of a node. */
+    public int node(int column, int row, int level) {
         return (level * rows + row) * columns + column;
     }
 
     /**
-     * The nearest post at the level that is nearest in height above the ground; for a point outside the grid, a post at
+     * The nearest node at the level that is nearest in height above the ground; for a point outside the grid, a node at
      * its edge.
      */
     public int nearest(Position at) {
@@ -90,7 +90,7 @@ public final class RouteGrid {
         for (int i = 1; i < heights.length; i++) {
             level = Math.abs(heights[i] - above) < Math.abs(heights[level] - above) ? i : level;
         }
-        return post((int) Math.rint(column), (int) Math.rint(row), level);
+        return node((int) Math.rint(column), (int) Math.rint(row), level);
     }
 
     private static double clamp(double index, int count) {
@@ -112,7 +112,7 @@ public final class RouteGrid {
         return heights.length;
     }
 
-    /** Distance between neighbouring posts, m. */
+    /** Distance between neighbouring nodes, m. */
     public double spacing() {
         return spacing;
     }
@@ -122,19 +122,19 @@ public final class RouteGrid {
         return heights[level];
     }
 
-    /** East coordinate of a post, m. */
-    public double x(int post) {
-        return west + post % columns * spacing;
+    /** East coordinate of a node, m. */
+    public double x(int node) {
+        return west + node % columns * spacing;
     }
 
-    /** North coordinate of a post, m. */
-    public double y(int post) {
-        return south + post / columns % rows * spacing;
+    /** North coordinate of a node, m. */
+    public double y(int node) {
+        return south + node / columns % rows * spacing;
     }
 
-    /** Height coordinate of a post in the world, m. */
-    public double z(int post) {
-        return ground[post % (columns * rows)] + heights[post / (columns * rows)];
+    /** Height coordinate of a node in the world, m. */
+    public double z(int node) {
+        return ground[node % (columns * rows)] + heights[node / (columns * rows)];
     }
 
     /** The height of a point above the ground, m; the ground outside the grid has the height of its edge. */
@@ -142,18 +142,18 @@ public final class RouteGrid {
         return at.z() - ground(clamp((at.x() - west) / spacing, columns), clamp((at.y() - south) / spacing, rows));
     }
 
-    /** A post's position, m. */
-    public Position position(int post) {
-        return new Position(x(post), y(post), z(post));
+    /** A node's position, m. */
+    public Position position(int node) {
+        return new Position(x(node), y(node), z(node));
     }
 
-    /** Whether a drone can be at a post. */
-    public boolean isOpen(int post) {
-        return !closed.get(post);
+    /** Whether a drone can be at a node. */
+    public boolean isOpen(int node) {
+        return !blocked.get(node);
     }
 
     /**
-     * Whether a drone can be at a point: inside the raster, between the lowest and the highest level, with an open post
+     * Whether a drone can be at a point: inside the raster, between the lowest and the highest level, with an open node
      * nearest to it.
      */
     boolean isOpen(double x, double y, double z) {
@@ -169,7 +169,7 @@ public final class RouteGrid {
                 && isOpen(nearest(column, row, above));
     }
 
-    /** The ground between four posts, interpolated, m. */
+    /** The ground between four nodes, interpolated, m. */
     private double ground(double column, double row) {
         int left = Math.min((int) column, columns - 2);
         int below = Math.min((int) row, rows - 2);
@@ -180,7 +180,7 @@ public final class RouteGrid {
                 + v * ((1.0 - u) * ground[at + columns] + u * ground[at + columns + 1]);
     }
 
-    /** The greatest slope of the ground between the four posts of a square of which one is south-west, 0 or more. */
+    /** The greatest slope of the ground between the four nodes of a square of which one is south-west, 0 or more. */
     double slope(int column, int row) {
         int at = row * columns + column;
         double east = Math.max(
@@ -190,7 +190,7 @@ public final class RouteGrid {
         return Math.sqrt(east * east + north * north) / spacing;
     }
 
-    /** The least and the greatest height of the ground at the four posts of a square, m. */
+    /** The least and the greatest height of the ground at the four nodes of a square, m. */
     public double[] groundRange(int column, int row) {
         int at = row * columns + column;
         double[] corners = {ground[at], ground[at + 1], ground[at + columns], ground[at + columns + 1]};

@@ -13,7 +13,7 @@ import org.dronewatch.drone.FlightLimits;
  *     infinite for no limit
  */
 public record RouteMode(String name, double speed, double climb, double sink, double steepest) {
-    /** Slopes count as equal within this, so that the best glide between two posts is not lost to rounding. */
+    /** Slopes count as equal within this, so that the best glide between two nodes is not lost to rounding. */
     private static final double ROUNDING = 1e-9;
 
     /**

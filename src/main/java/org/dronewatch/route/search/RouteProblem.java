@@ -6,15 +6,15 @@ import java.util.List;
 /**
  * The input of a route search.
  *
- * @param grid the posts between which routes lead
+ * @param grid the nodes between which routes lead
  * @param field how exposed the drone is
- * @param modes modes in which the drone may fly, in this order: it may change to the next one, once and at any post,
+ * @param modes modes in which the drone may fly, in this order: it may change to the next one, once and at any node,
  *     but not back
  * @param turnRadius the smallest radius of a turn, 0 for none, m
- * @param directions directions in plan view in which routes may leave a post
- * @param starts posts at which a route may begin
- * @param goals posts at which it may end
- * @param passage decides between which points the drone can fly straight; closed posts are never passed through
+ * @param directions directions in plan view in which routes may leave a node
+ * @param starts nodes at which a route may begin
+ * @param goals nodes at which it may end
+ * @param passage decides between which points the drone can fly straight; blocked nodes are never passed through
  */
 public record RouteProblem(
         RouteGrid grid,
@@ -41,7 +41,7 @@ public record RouteProblem(
         }
     }
 
-    /** The same if nothing is solid except the closed posts. */
+    /** The same if nothing is solid except the blocked nodes. */
     public RouteProblem(
             RouteGrid grid,
             ExposureField field,
@@ -63,7 +63,7 @@ public record RouteProblem(
         return turnRadius > 0.0 ? directions.count() : 1;
     }
 
-    /** The number of states: one for each mode, heading and post. */
+    /** The number of states: one for each mode, heading and node. */
     int states() {
         return Math.multiplyExact(Math.multiplyExact(modes.size(), headings()), grid.size());
     }

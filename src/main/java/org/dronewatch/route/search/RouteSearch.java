@@ -6,8 +6,8 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.parallel.Workers;
 
 /**
- * The least exposed routes from all posts to the goals at once: Dijkstra's algorithm, backwards from the goals. A state
- * is a post with the mode and, where turns need room, the heading of the leg that leaves it. One use, one thread.
+ * The least exposed routes from all nodes to the goals at once: Dijkstra's algorithm, backwards from the goals. A state
+ * is a node with the mode and, where turns need room, the heading of the leg that leaves it. One use, one thread.
  */
 final class RouteSearch {
     private static final int NONE = -1;
@@ -92,7 +92,7 @@ final class RouteSearch {
     }
 
     private void settle(int state) {
-        int post = state % grid.size();
+        int node = state % grid.size();
         int heading = state / grid.size() % headings;
         int mode = state / grid.size() / headings;
         if (mode > 0) {
@@ -100,12 +100,12 @@ final class RouteSearch {
         }
         if (headings == 1) {
             for (int direction = 0; direction < problem.directions().count(); direction++) {
-                comeFrom(state, mode, post, direction, 0);
+                comeFrom(state, mode, node, direction, 0);
             }
         } else {
             for (int turn = -1; turn <= 1; turn++) {
                 int direction = Math.floorMod(heading + turn, headings);
-                comeFrom(state, mode, post, direction, direction);
+                comeFrom(state, mode, node, direction, direction);
             }
         }
     }
@@ -114,11 +114,11 @@ final class RouteSearch {
         return problem.passage().isFree(grid.x(from), grid.y(from), grid.z(from), grid.x(to), grid.y(to), grid.z(to));
     }
 
-    /** Tries all legs of one mode and direction that lead to a post. */
-    private void comeFrom(int state, int mode, int post, int direction, int heading) {
-        int column = post % grid.columns();
-        int row = post / grid.columns() % grid.rows();
-        int level = post / (grid.columns() * grid.rows());
+    /** Tries all legs of one mode and direction that lead to a node. */
+    private void comeFrom(int state, int mode, int node, int direction, int heading) {
+        int column = node % grid.columns();
+        int row = node / grid.columns() % grid.rows();
+        int level = node / (grid.columns() * grid.rows());
         for (int climb : climbs) {
             int before = level - climb;
             if (before < 0 || before >= grid.levels()) {
@@ -130,11 +130,11 @@ final class RouteSearch {
             if (fromColumn < 0 || fromRow < 0 || fromColumn >= grid.columns() || fromRow >= grid.rows()) {
                 continue;
             }
-            int from = grid.post(fromColumn, fromRow, before);
+            int from = grid.node(fromColumn, fromRow, before);
             double exposure = edges.cost(mode, direction, from, repeats, climb);
             int earlier = (mode * headings + heading) * grid.size() + from;
             // Obstacles are looked for only where the leg would be taken.
-            if (exposure < Double.POSITIVE_INFINITY && cost[state] + exposure < cost[earlier] && isFree(from, post)) {
+            if (exposure < Double.POSITIVE_INFINITY && cost[state] + exposure < cost[earlier] && isFree(from, node)) {
                 reach(earlier, cost[state] + exposure, state);
             }
         }

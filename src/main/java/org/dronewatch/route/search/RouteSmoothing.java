@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
- * Makes a path over the posts of a grid less exposed: points are left out where that costs nothing, and moved where it
+ * Makes a path over the nodes of a grid less exposed: points are left out where that costs nothing, and moved where it
  * gains something, in ever smaller steps, with more points from round to round. The result can be flown wherever the
  * path could, and is not more exposed. One thread.
  */
@@ -21,7 +21,7 @@ final class RouteSmoothing {
     /** A sweep that gains less than this fraction is the last one with its step. */
     private static final double GAIN = 1e-4;
 
-    /** A leg is not split once it is shorter than this number of posts. */
+    /** A leg is not split once it is shorter than this number of nodes. */
     private static final double SHORTEST = 1.5;
 
     private final RouteExposure exposure;

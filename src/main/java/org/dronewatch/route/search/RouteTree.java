@@ -6,11 +6,11 @@ import java.util.Comparator;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 
-/** The least exposed routes over the posts of a grid, from every post to the goals. Immutable and thread-safe. */
+/** The least exposed routes over the nodes of a grid, from every node to the goals. Immutable and thread-safe. */
 final class RouteTree {
     private final RouteProblem problem;
 
-    /** By mode, heading and post. */
+    /** By mode, heading and node. */
     private final double[] cost;
 
     /** The state that follows; -1 at the end. */
@@ -27,34 +27,34 @@ final class RouteTree {
         return cost[state];
     }
 
-    /** The least exposure from a post to the goals; infinite where no route leads there. */
-    double cost(int post) {
-        return cost[state(post)];
+    /** The least exposure from a node to the goals; infinite where no route leads there. */
+    double cost(int node) {
+        return cost[state(node)];
     }
 
-    /** The best state of a route that begins at a post. */
-    private int state(int post) {
-        int best = post;
+    /** The best state of a route that begins at a node. */
+    private int state(int node) {
+        int best = node;
         for (int heading = 1; heading < problem.headings(); heading++) {
-            int state = heading * problem.grid().size() + post;
+            int state = heading * problem.grid().size() + node;
             best = cost[state] < cost[best] ? state : best;
         }
         return best;
     }
 
-    /** The ones among some posts from which the exposure is least, the least first; only posts that have a route. */
-    List<Integer> weakest(BitSet posts, int count) {
-        return posts.stream()
-                .filter(post -> cost(post) < Double.POSITIVE_INFINITY)
+    /** The ones among some nodes from which the exposure is least, the least first; only nodes that have a route. */
+    List<Integer> weakest(BitSet nodes, int count) {
+        return nodes.stream()
+                .filter(node -> cost(node) < Double.POSITIVE_INFINITY)
                 .boxed()
                 .sorted(Comparator.comparingDouble(this::cost))
                 .limit(count)
                 .toList();
     }
 
-    /** The states from a post to the end. */
-    List<Integer> states(int post) {
-        return from(state(post));
+    /** The states from a node to the end. */
+    List<Integer> states(int node) {
+        return from(state(node));
     }
 
     /** The states from a state to the end. */
@@ -73,10 +73,10 @@ final class RouteTree {
         List<Position> points = new ArrayList<>();
         List<Integer> modes = new ArrayList<>();
         for (int i = 0; i < states.size(); i++) {
-            int post = states.get(i) % grid.size();
-            boolean isLeft = i + 1 < states.size() && states.get(i + 1) % grid.size() != post;
+            int node = states.get(i) % grid.size();
+            boolean isLeft = i + 1 < states.size() && states.get(i + 1) % grid.size() != node;
             if (isLeft || i + 1 == states.size()) {
-                points.add(grid.position(post));
+                points.add(grid.position(node));
             }
             if (isLeft) {
                 modes.add(states.get(i) / modeSize);

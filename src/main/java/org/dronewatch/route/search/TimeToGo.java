@@ -3,13 +3,13 @@ package org.dronewatch.route.search;
 import java.util.OptionalDouble;
 
 /**
- * The least time that a drone needs from each post of a grid to the end of a route: where this is less than the time
+ * The least time that a drone needs from each node of a grid to the end of a route: where this is less than the time
  * that a response takes, an alert must already have been raised. Immutable and thread-safe.
  */
 public final class TimeToGo {
     private final RouteGrid grid;
 
-    /** By post, s; infinite where no route leads to the end. */
+    /** By node, s; infinite where no route leads to the end. */
     private final double[] least;
 
     TimeToGo(RouteGrid grid, double[] least) {
@@ -17,21 +17,21 @@ public final class TimeToGo {
         this.least = least.clone();
     }
 
-    /** The posts; for a site, they are in the middle of its cells, with rows counted from the south. */
+    /** The nodes; for a site, they are in the middle of its cells, with rows counted from the south. */
     public RouteGrid grid() {
         return grid;
     }
 
-    /** The least time from a post, s; empty where no route leads to the end. */
-    public OptionalDouble at(int post) {
-        return finite(least[post]);
+    /** The least time from a node, s; empty where no route leads to the end. */
+    public OptionalDouble at(int node) {
+        return finite(least[node]);
     }
 
     /** The least time from any height above a point in plan view, s; empty where no route leads to the end. */
     public OptionalDouble at(int column, int row) {
         double soonest = Double.POSITIVE_INFINITY;
         for (int level = 0; level < grid.levels(); level++) {
-            soonest = Math.min(soonest, least[grid.post(column, row, level)]);
+            soonest = Math.min(soonest, least[grid.node(column, row, level)]);
         }
         return finite(soonest);
     }

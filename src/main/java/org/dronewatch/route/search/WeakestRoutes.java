@@ -12,12 +12,12 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 
 /**
- * The least exposed routes from anywhere to the goals. They are searched for over the posts of a grid and then
- * smoothed: a smoothed route need not pass through posts, and its exposure is integrated again. Immutable and
+ * The least exposed routes from anywhere to the goals. They are searched for over the nodes of a grid and then
+ * smoothed: a smoothed route need not pass through nodes, and its exposure is integrated again. Immutable and
  * thread-safe.
  */
 public final class WeakestRoutes {
-    /** For this many starts, those with the least exposure over the posts, the exposure of the path is compared. */
+    /** For this many starts, those with the least exposure over the nodes, the exposure of the path is compared. */
     private static final int CANDIDATES = 64;
 
     /** As many of them, the least exposed, are smoothed, until one of them reaches the lower bound. */
@@ -33,7 +33,7 @@ public final class WeakestRoutes {
     private final Optional<RouteTree> onwards;
     private final ExposureBound bound;
 
-    /** The posts of all cubes in which what counts may end. */
+    /** The nodes of all cubes in which what counts may end. */
     private final BitSet ends;
 
     /** Searches and computes the bound, in parallel if a thread is available. */
@@ -59,8 +59,8 @@ public final class WeakestRoutes {
     /**
      * Searches for routes to the goals.
      *
-     * @param reached the posts of all cubes of the grid in which a route may end, for the lower bound; the goals
-     *     themselves if routes end at posts
+     * @param reached the nodes of all cubes of the grid in which a route may end, for the lower bound; the goals
+     *     themselves if routes end at nodes
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached) {
@@ -75,10 +75,10 @@ public final class WeakestRoutes {
      *     more, 1/s
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
-        return of(problem, reached, price, RouteEnd.AT_POST);
+        return of(problem, reached, price, RouteEnd.AT_NODE);
     }
 
-    /** The same, but a route may arrive between posts. */
+    /** The same, but a route may arrive between nodes. */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
         RouteProblem priced = problem.withField(problem.field().plus(price));
         return new WeakestRoutes(
@@ -109,10 +109,10 @@ public final class WeakestRoutes {
      * @param price as above
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
-        return inTime(problem, reached, response, price, RouteEnd.AT_POST);
+        return inTime(problem, reached, response, price, RouteEnd.AT_NODE);
     }
 
-    /** The same, but a route may arrive between posts. */
+    /** The same, but a route may arrive between nodes. */
     public static WeakestRoutes inTime(
             RouteProblem problem, BitSet reached, double response, double price, RouteEnd arrival) {
         RouteProblem fastest = problem.withField(new Clock());
@@ -149,10 +149,10 @@ public final class WeakestRoutes {
         }
     }
 
-    /** The weakest of the routes from some posts; empty if none of them has a route. */
+    /** The weakest of the routes from some nodes; empty if none of them has a route. */
     public Optional<WeakestRoute> from(BitSet starts) {
         RouteExposure search = new RouteExposure(priced);
-        // What the search adds up from post to post is not quite the exposure of a path, and smoothing gets further on
+        // What the search adds up from node to node is not quite the exposure of a path, and smoothing gets further on
         // some paths than on others: the best of several is taken.
         List<List<Integer>> candidates = tree.weakest(starts, CANDIDATES).stream()
                 .map(tree::states)
@@ -188,21 +188,21 @@ public final class WeakestRoutes {
         return finish.counted(route);
     }
 
-    /** A certified lower bound of the exposure and the price of all routes from some posts. */
+    /** A certified lower bound of the exposure and the price of all routes from some nodes. */
     double priced(BitSet starts) {
         return ExposureBound.of(priced, ends).from(starts);
     }
 
-    /** The least times to the goals: along the posts or, if turns need no room, in a straight line. */
+    /** The least times to the goals: along the nodes or, if turns need no room, in a straight line. */
     public TimeToGo timeToGo() {
         RouteTree fastest = onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock())));
         double[] least = new double[problem.grid().size()];
-        Arrays.setAll(least, post -> finish.least(fastest, post));
+        Arrays.setAll(least, node -> finish.least(fastest, node));
         return new TimeToGo(problem.grid(), least);
     }
 
-    /** The least exposure along a route over the posts alone, before it is smoothed; infinite if there is no route. */
-    public double overPosts(int post) {
-        return tree.cost(post);
+    /** The least exposure along a route over the nodes alone, before it is smoothed; infinite if there is no route. */
+    public double overNodes(int node) {
+        return tree.cost(node);
     }
 }

@@ -62,7 +62,7 @@ class ClosedFormTest {
         return new Position(x, y, 0.0);
     }
 
-    /** The posts of a rectangle. */
+    /** The nodes of a rectangle. */
     private static RouteGrid rectangle(double west, double east, double south, double north, double spacing) {
         int columns = (int) Math.rint((east - west) / spacing) + 1;
         int rows = (int) Math.rint((north - south) / spacing) + 1;
@@ -179,7 +179,7 @@ class ClosedFormTest {
         }
     }
 
-    /** The posts of a box about the origin's octant, with steps of one length. */
+    /** The nodes of a box about the origin's octant, with steps of one length. */
     private static RouteGrid box(double far, double top, double spacing) {
         int before = (int) Math.ceil(0.1 / spacing);
         int columns = (int) Math.rint(far / spacing) + before + 1;
@@ -207,8 +207,8 @@ class ClosedFormTest {
         BitSet start = new BitSet();
         start.set(grid.nearest(at(2000, 0)));
         BitSet goals = new BitSet();
-        for (int post = 0; post < grid.size(); post++) {
-            goals.set(post, grid.position(post).distance(at(0, 0)) <= 60.0);
+        for (int node = 0; node < grid.size(); node++) {
+            goals.set(node, grid.position(node).distance(at(0, 0)) <= 60.0);
         }
         ExposureField sensor = new PointExposure(at(0, 0), 40_000.0, 2);
         RouteProblem problem = new RouteProblem(

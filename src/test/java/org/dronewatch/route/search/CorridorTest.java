@@ -103,9 +103,9 @@ class CorridorTest {
     }
 
     private static BitSet row(RouteGrid grid, int row) {
-        BitSet posts = new BitSet();
-        posts.set(row * grid.columns(), (row + 1) * grid.columns());
-        return posts;
+        BitSet nodes = new BitSet();
+        nodes.set(row * grid.columns(), (row + 1) * grid.columns());
+        return nodes;
     }
 
     private static WeakestRoutes past(

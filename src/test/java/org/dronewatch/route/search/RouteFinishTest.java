@@ -25,8 +25,8 @@ class RouteFinishTest {
         BitSet starts = new BitSet();
         starts.set(0, GRID.size());
         BitSet goals = new BitSet();
-        for (int post = 0; post < GRID.size(); post++) {
-            goals.set(post, ZONE.distance(GRID.position(post)) == 0.0);
+        for (int node = 0; node < GRID.size(); node++) {
+            goals.set(node, ZONE.distance(GRID.position(node)) == 0.0);
         }
         ExposureField sensor = new PointExposure(new Position(0, 0, 0), 1000.0, 2);
         return new RouteProblem(
@@ -72,16 +72,16 @@ class RouteFinishTest {
         assertThat(route.lower()).isLessThanOrEqualTo(route.exposure());
     }
 
-    /** Where it decides whether a detection is in time; farther away, the flight is to a post in the zone. */
+    /** Where it decides whether a detection is in time; farther away, the flight is to a node in the zone. */
     @Test
     void theTimeToGoIsThatOfAStraightFlight() {
         TimeToGo times = routes(problem(0.0, 48)).timeToGo();
-        for (int post = 0; post < GRID.size(); post++) {
-            Position at = GRID.position(post);
+        for (int node = 0; node < GRID.size(); node++) {
+            Position at = GRID.position(node);
             double least = least(at);
             if (ZONE.distance(at) > 0.0) {
                 double excess = least < 1.1 * RESPONSE ? 0.05 : Double.POSITIVE_INFINITY;
-                assertThat(times.at(post).orElseThrow()).as("%s", at).isBetween(least - 1e-3, least + excess);
+                assertThat(times.at(node).orElseThrow()).as("%s", at).isBetween(least - 1e-3, least + excess);
             }
         }
     }

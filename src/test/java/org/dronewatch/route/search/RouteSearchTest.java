@@ -16,7 +16,7 @@ class RouteSearchTest {
     private static final RouteMode GLIDE =
             new RouteMode("glide", 1.5, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, -0.25);
 
-    /** A rate for each post, direction and mode: a multiple of 1/64, so that single precision is exact. */
+    /** A rate for each node, direction and mode: a multiple of 1/64, so that single precision is exact. */
     private record Table(RouteGrid grid, PlanDirections directions, int[] rates) implements ExposureField {
         static Table random(RouteGrid grid, PlanDirections directions, SplittableRandom random) {
             int[] rates = new int[2 * directions.count() * grid.size()];
@@ -24,8 +24,8 @@ class RouteSearchTest {
             return new Table(grid, directions, rates);
         }
 
-        double at(int post, int direction, int mode) {
-            return rates[(mode * directions.count() + direction) * grid.size() + post] / 64.0;
+        double at(int node, int direction, int mode) {
+            return rates[(mode * directions.count() + direction) * grid.size() + node] / 64.0;
         }
 
         @Override
@@ -44,12 +44,12 @@ class RouteSearchTest {
         @Override
         public double least(Position low, Position high, int mode) {
             double least = Double.POSITIVE_INFINITY;
-            for (int post = 0; post < grid.size(); post++) {
-                Position at = grid.position(post);
+            for (int node = 0; node < grid.size(); node++) {
+                Position at = grid.position(node);
                 boolean isNear = Math.abs(at.x() - 0.5 * (low.x() + high.x())) < 2.0
                         && Math.abs(at.y() - 0.5 * (low.y() + high.y())) < 2.0;
                 for (int direction = 0; isNear && direction < directions.count(); direction++) {
-                    least = Math.min(least, at(post, direction, mode));
+                    least = Math.min(least, at(node, direction, mode));
                 }
             }
             return least;
@@ -63,8 +63,8 @@ class RouteSearchTest {
         double[] ground = new double[columns * rows];
         Arrays.setAll(ground, i -> 0.25 * random.nextInt(3));
         BitSet closed = new BitSet();
-        for (int post = 0; post < columns * rows * heights.length; post++) {
-            closed.set(post, random.nextInt(6) == 0);
+        for (int node = 0; node < columns * rows * heights.length; node++) {
+            closed.set(node, random.nextInt(6) == 0);
         }
         return new RouteGrid(0.0, 0.0, 1.0, columns, rows, heights, ground, closed);
     }
@@ -96,14 +96,14 @@ class RouteSearchTest {
         int headings = problem.turnRadius() > 0.0 ? problem.directions().count() : 1;
         for (int mode = 0; mode < problem.modes().size(); mode++) {
             for (int heading = 0; heading < headings; heading++) {
-                for (int post = 0; post < grid.size(); post++) {
-                    int state = (mode * headings + heading) * grid.size() + post;
+                for (int node = 0; node < grid.size(); node++) {
+                    int state = (mode * headings + heading) * grid.size() + node;
                     if (mode + 1 < problem.modes().size()) {
                         legs.add(new Leg(state, state + headings * grid.size(), 0.0));
                     }
                     for (int direction = 0; direction < problem.directions().count(); direction++) {
                         if (headings == 1 || direction == heading) {
-                            addLegs(legs, problem, mode, post, direction, state);
+                            addLegs(legs, problem, mode, node, direction, state);
                         }
                     }
                 }
@@ -112,12 +112,12 @@ class RouteSearchTest {
         return legs;
     }
 
-    private static void addLegs(List<Leg> legs, RouteProblem problem, int mode, int post, int direction, int state) {
+    private static void addLegs(List<Leg> legs, RouteProblem problem, int mode, int node, int direction, int state) {
         RouteGrid grid = problem.grid();
         PlanDirections directions = problem.directions();
-        int column = post % grid.columns();
-        int row = post / grid.columns() % grid.rows();
-        int level = post / grid.columns() / grid.rows();
+        int column = node % grid.columns();
+        int row = node / grid.columns() % grid.rows();
+        int level = node / grid.columns() / grid.rows();
         double unit = Math.hypot(directions.east(direction), directions.north(direction));
         for (int climb = -1; climb <= 1; climb++) {
             if (level + climb < 0 || level + climb >= grid.levels()) {
@@ -133,11 +133,11 @@ class RouteSearchTest {
             if (toColumn < 0 || toRow < 0 || toColumn >= grid.columns() || toRow >= grid.rows()) {
                 continue;
             }
-            double cost = cost(problem, mode, post, grid.post(toColumn, toRow, level + climb), direction);
+            double cost = cost(problem, mode, node, grid.node(toColumn, toRow, level + climb), direction);
             for (int turn = -1; turn <= 1; turn++) {
                 int heading = problem.turnRadius() > 0.0 ? Math.floorMod(direction + turn, directions.count()) : 0;
                 int headings = problem.turnRadius() > 0.0 ? directions.count() : 1;
-                int to = (mode * headings + heading) * grid.size() + grid.post(toColumn, toRow, level + climb);
+                int to = (mode * headings + heading) * grid.size() + grid.node(toColumn, toRow, level + climb);
                 legs.add(new Leg(state, to, cost));
             }
         }
@@ -164,11 +164,11 @@ class RouteSearchTest {
             int column = from % columns + (int) Math.floor((double) east * i / pieces + 0.5);
             int row = from / columns % grid.rows() + (int) Math.floor((double) north * i / pieces + 0.5);
             int level = (2 * i < pieces ? from : to) / columns / grid.rows();
-            int post = grid.post(column, row, level);
-            if (!grid.isOpen(post)) {
+            int node = grid.node(column, row, level);
+            if (!grid.isOpen(node)) {
                 return Double.POSITIVE_INFINITY;
             }
-            sum += table.at(post, direction, mode) * (i == 0 || i == pieces ? 0.5 : 1.0);
+            sum += table.at(node, direction, mode) * (i == 0 || i == pieces ? 0.5 : 1.0);
         }
         return time * sum / pieces;
     }
@@ -219,7 +219,7 @@ class RouteSearchTest {
 
     /** The path that is given has the exposure that is stated, and its smoothed form no more. */
     @Test
-    void theBoundIsBelowAndTheSmoothedRouteNotAboveTheOneOverPosts() {
+    void theBoundIsBelowAndTheSmoothedRouteNotAboveTheOneOverNodes() {
         long seed = 4712;
         SplittableRandom random = new SplittableRandom(seed);
         int found = 0;
@@ -234,7 +234,7 @@ class RouteSearchTest {
             WeakestRoute route = routes.from(problem.starts()).get();
             assertThat(route.lower())
                     .as("seed %d, problem %d", seed, i)
-                    .isLessThanOrEqualTo(routes.overPosts(start))
+                    .isLessThanOrEqualTo(routes.overNodes(start))
                     .isLessThanOrEqualTo(route.exposure());
         }
         assertThat(found).isGreaterThan(100);

@@ -20,9 +20,9 @@ class SummedExposureTest {
         SplittableRandom random = new SplittableRandom(seed);
         RouteGrid grid = RouteGrid.level(0.0, 0.0, 10.0, 21, 21, 10.0, 30.0);
         BitSet starts = new BitSet();
-        starts.set(grid.post(0, 0, 0));
+        starts.set(grid.node(0, 0, 0));
         BitSet goals = new BitSet();
-        goals.set(grid.post(20, 20, 1));
+        goals.set(grid.node(20, 20, 1));
         for (int i = 0; i < 10; i++) {
             Map<String, ExposureField> sensors = new HashMap<>();
             double before = 0.0;

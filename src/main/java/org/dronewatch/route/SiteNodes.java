@@ -13,20 +13,20 @@ import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.RouteGrid;
 
-/** The posts of a site, one in the middle of each cell of its field, and those at which routes begin and end. */
-final class SitePosts {
+/** The nodes of a site, one in the middle of each cell of its field, and those at which routes begin and end. */
+final class SiteNodes {
     private final RouteGrid grid;
 
     /** By column and row, whether there is ground below. */
     private final BitSet known;
 
     /**
-     * The posts.
+     * The nodes.
      *
      * @param ceiling the greatest height above the ground, m
      * @throws IllegalArgumentException if the field has no height up to the ceiling
      */
-    SitePosts(DetectionField field, double ceiling) {
+    SiteNodes(DetectionField field, double ceiling) {
         FieldGrid cells = field.grid();
         int side = cells.columns();
         double[] heights = cells.heights().stream()
@@ -38,7 +38,7 @@ final class SitePosts {
                     + cells.heights().get(0) + " m, is above the drone's ceiling of " + ceiling + " m");
         }
         double[] ground = new double[side * side];
-        Arrays.setAll(ground, post -> field.ground(post % side, side - 1 - post / side));
+        Arrays.setAll(ground, node -> field.ground(node % side, side - 1 - node / side));
         this.known = new BitSet();
         for (int column = 0; column < ground.length; column++) {
             known.set(column, !Double.isNaN(ground[column]));
@@ -47,12 +47,12 @@ final class SitePosts {
         double[] filled = Arrays.stream(ground)
                 .map(height -> Double.isNaN(height) ? mean : height)
                 .toArray();
-        BitSet closed = new BitSet();
-        for (int post = 0; post < heights.length * ground.length; post++) {
-            int below = post % ground.length;
-            closed.set(post, !field.isOpen(post / ground.length, below % side, side - 1 - below / side));
+        BitSet blocked = new BitSet();
+        for (int node = 0; node < heights.length * ground.length; node++) {
+            int below = node % ground.length;
+            blocked.set(node, !field.isOpen(node / ground.length, below % side, side - 1 - below / side));
         }
-        this.grid = new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, filled, closed);
+        this.grid = new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, filled, blocked);
     }
 
     /** All of them. */
@@ -60,7 +60,7 @@ final class SitePosts {
         return grid;
     }
 
-    /** The open posts at the rim of the known ground: at that of the grid, or where the model of the site ends. */
+    /** The open nodes at the rim of the known ground: at that of the grid, or where the model of the site ends. */
     BitSet rim() {
         int side = grid.columns();
         BitSet outside = new BitSet();
@@ -87,7 +87,7 @@ final class SitePosts {
                 meet(column + side, outside, rim, next);
             }
         }
-        return open(post -> rim.get(post % (side * side)) ? 0.0 : 1.0, 0.0);
+        return open(node -> rim.get(node % (side * side)) ? 0.0 : 1.0, 0.0);
     }
 
     /** Ground that is reached from outside is part of the rim; where there is no ground, the outside continues. */
@@ -100,14 +100,14 @@ final class SitePosts {
         }
     }
 
-    /** The open posts above or below an area, in plan view. */
+    /** The open nodes above or below an area, in plan view. */
     BitSet over(AreaZone area) {
-        return open(post -> area.covers(grid.x(post), grid.y(post)) ? 0.0 : 1.0, 0.0);
+        return open(node -> area.covers(grid.x(node), grid.y(node)) ? 0.0 : 1.0, 0.0);
     }
 
     /**
      * How near a route has to come to the protected zone, or in plan view to the middle of the sensors, m: into it,
-     * where a post is in it; otherwise to within one cell's length.
+     * where a node is in it; otherwise to within one cell's length.
      */
     double reach(Protection protection, Position middle) {
         boolean isEntered =
@@ -115,11 +115,11 @@ final class SitePosts {
         return isEntered ? 0.0 : grid.spacing();
     }
 
-    /** The open posts within a distance of the protected zone, or in plan view of the middle of the sensors, m. */
+    /** The open nodes within a distance of the protected zone, or in plan view of the middle of the sensors, m. */
     BitSet near(Protection protection, Position middle, double distance) {
         return open(
-                post -> {
-                    Position at = grid.position(post);
+                node -> {
+                    Position at = grid.position(node);
                     return protection.isEmpty()
                             ? Math.hypot(at.x() - middle.x(), at.y() - middle.y())
                             : protection.distance(at);
@@ -128,7 +128,7 @@ final class SitePosts {
     }
 
     /**
-     * The open posts at which a route ends: those {@linkplain #near near} enough to the protected zone. Without one, in
+     * The open nodes at which a route ends: those {@linkplain #near near} enough to the protected zone. Without one, in
      * each column only the one whose height is nearest to that of the sensors: a drone that passes high over them has
      * not reached them.
      */
@@ -140,9 +140,9 @@ final class SitePosts {
         int columns = grid.columns() * grid.rows();
         Map<Integer, Integer> nearest = new TreeMap<>();
         goals.stream()
-                .forEach(post -> nearest.merge(
-                        post % columns,
-                        post,
+                .forEach(node -> nearest.merge(
+                        node % columns,
+                        node,
                         (one, other) -> Math.abs(grid.z(other) - middle.z()) < Math.abs(grid.z(one) - middle.z())
                                 ? other
                                 : one));
@@ -153,13 +153,13 @@ final class SitePosts {
 
     private BitSet open(ToDoubleFunction<Integer> distance, double most) {
         BitSet found = new BitSet();
-        for (int post = 0; post < grid.size(); post++) {
-            found.set(post, grid.isOpen(post) && distance.applyAsDouble(post) <= most);
+        for (int node = 0; node < grid.size(); node++) {
+            found.set(node, grid.isOpen(node) && distance.applyAsDouble(node) <= most);
         }
         return found;
     }
 
-    /** The longest diagonal of a cube between posts, m. */
+    /** The longest diagonal of a cube between nodes, m. */
     double diagonal() {
         double rise = grid.levels() > 1 ? grid.height(grid.levels() - 1) : 0.0;
         double gap = 0.0;
