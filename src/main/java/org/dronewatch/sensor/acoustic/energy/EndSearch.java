@@ -25,11 +25,14 @@ import org.dronewatch.world.World;
  * reflections carry most of the sound that is scattered near one end to the other. One per thread.
  */
 final class EndSearch {
-    private static final int RAYS_OF_SENSOR = 4000;
-    private static final int RAYS_OF_SOURCE = 1000;
+    /**
+     * Rays from either end that find its image sources: as many from both ends, so that what they find together is the
+     * same when the ends are exchanged.
+     */
+    private static final int RAYS = 2000;
 
-    /** Rays of the source for a sheltered sensor: sound that comes in through a door comes from few image sources. */
-    private static final int RAYS_OF_SOURCE_TO_SHELTER = 4000;
+    /** The same where one end is sheltered: sound that comes in through a door comes from few image sources. */
+    private static final int RAYS_TO_SHELTER = 4000;
 
     /**
      * Image sources are chosen as for this number of rays at most: with more, fewer would be worth joining, and what
@@ -74,10 +77,11 @@ final class EndSearch {
     private final ScatterSamples samples;
     private final SpecularPath path;
     private final RoughEstimate rough;
-    private final ImageSources pureOfSensor;
     private final double[] mirrored;
-    private final int[] wallsOfSensor;
-    private final End ofSensor;
+    private final Samples samplesOfSensor;
+
+    /** The sensor as an end, among sheltered ends or not; found when it is first needed. */
+    private final End[] ofSensor = new End[2];
 
     EndSearch(
             EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
@@ -89,15 +93,7 @@ final class EndSearch {
         this.samples = new ScatterSamples(world, planes, surfaces);
         this.path = new SpecularPath(world, planes, surfaces);
         this.rough = new RoughEstimate(world);
-        ImageSourceCandidates found = search.from(sensor, RAYS_OF_SENSOR, maxOrder);
-        this.pureOfSensor = found.best(MOST_PURE, 0.0);
-        this.wallsOfSensor = found.firstWalls(MOST_EXTRA);
-        this.ofSensor = new End(
-                sensor,
-                found,
-                RAYS_OF_SENSOR,
-                found.best(MOST_CANDIDATES, 0.0),
-                samples.from(sensor, SAMPLES, SCATTERINGS));
+        this.samplesOfSensor = samples.from(sensor, SAMPLES, SCATTERINGS);
         this.mirrored = new double[planes.count()];
         for (int wall = 0; wall < mirrored.length; wall++) {
             mirrored[wall] = world.materialsOf(planes.triangleOf(wall))
@@ -121,11 +117,30 @@ final class EndSearch {
      * @param position where it is, m
      * @param found its image sources
      * @param rays how many rays found them
+     * @param pure those from which purely specular paths are constructed
      * @param candidates the best of them
      * @param samples where rays from it are scattered
      */
     private record End(
-            Position position, ImageSourceCandidates found, int rays, ImageSources candidates, Samples samples) {}
+            Position position,
+            ImageSourceCandidates found,
+            int rays,
+            ImageSources pure,
+            ImageSources candidates,
+            Samples samples) {}
+
+    private End end(Position position, int rays, Samples itsSamples) {
+        ImageSourceCandidates found = search.from(position, rays, maxOrder);
+        return new End(position, found, rays, found.best(MOST_PURE, 0.0), found.best(MOST_CANDIDATES, 0.0), itsSamples);
+    }
+
+    private End sensor(boolean isToShelter) {
+        int which = isToShelter ? 1 : 0;
+        if (ofSensor[which] == null) {
+            ofSensor[which] = end(sensor, isToShelter ? RAYS_TO_SHELTER : RAYS, samplesOfSensor);
+        }
+        return ofSensor[which];
+    }
 
     /**
      * Finds the image sources of one look, and with them the exact paths.
@@ -134,28 +149,34 @@ final class EndSearch {
      */
     Ends find(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
-        double guess = rough.scattered(drone, ofSensor.samples()) + rough.straight(drone, sensor);
-        ImageSources fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
-        Samples sentTo = samples.from(drone, SAMPLES, SCATTERINGS);
-        double escapedOfSensor = ofSensor.samples().escaped();
-        if (sentTo.escaped() <= OPEN && escapedOfSensor <= OPEN) {
+        Samples samplesOfSource = samples.from(drone, SAMPLES, SCATTERINGS);
+        double escapedOfSensor = samplesOfSensor.escaped();
+        double escapedOfSource = samplesOfSource.escaped();
+        double guess = rough.straight(drone, sensor)
+                + (rough.scattered(drone, samplesOfSensor) + rough.scattered(sensor, samplesOfSource)) / 2.0;
+        boolean isToShelter = Math.min(escapedOfSource, escapedOfSensor) < SHELTERED;
+        End fromHere = sensor(isToShelter);
+        ImageSources fromSensor = worthwhile(fromHere.pure(), sensor, drone, guess);
+        if (escapedOfSource <= OPEN && escapedOfSensor <= OPEN) {
             exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
             ImageSources none = ImageSources.NONE;
-            Set<Integer> scatterers = scatterers(ofSensor.samples(), sentTo);
+            Set<Integer> scatterers = scatterers(samplesOfSensor, samplesOfSource);
             return new Ends(
                     source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false, scatterers);
         }
-        int rays = escapedOfSensor < SHELTERED ? RAYS_OF_SOURCE_TO_SHELTER : RAYS_OF_SOURCE;
-        ImageSourceCandidates found = search.from(drone, rays, maxOrder);
-        ImageSources fromSource = worthwhile(found.best(MOST_PURE, 0.0), drone, sensor, guess);
-        int[] extra = IntStream.concat(Arrays.stream(wallsOfSensor), Arrays.stream(found.firstWalls(MOST_EXTRA)))
+        End fromThere = end(drone, fromHere.rays(), samplesOfSource);
+        ImageSources fromSource = worthwhile(fromThere.pure(), drone, sensor, guess);
+        int[] extra = IntStream.concat(firstWalls(fromHere), firstWalls(fromThere))
                 .distinct()
                 .toArray();
         exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
-        End ofSource = new End(drone, found, rays, found.best(MOST_CANDIDATES, 0.0), sentTo);
-        return sentTo.escaped() < Math.min(SHELTERED, escapedOfSensor)
-                ? between(source, true, ofSource, fromSource, ofSensor, fromSensor, exact, curvature)
-                : between(source, false, ofSensor, fromSensor, ofSource, fromSource, exact, curvature);
+        return escapedOfSource < Math.min(SHELTERED, escapedOfSensor)
+                ? between(source, true, fromThere, fromSource, fromHere, fromSensor, exact, curvature)
+                : between(source, false, fromHere, fromSensor, fromThere, fromSource, exact, curvature);
+    }
+
+    private static IntStream firstWalls(End end) {
+        return Arrays.stream(end.found().firstWalls(MOST_EXTRA));
     }
 
     /**
@@ -166,9 +187,11 @@ final class EndSearch {
      */
     void findWithoutSource(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
-        double guess = rough.scattered(drone, ofSensor.samples()) + rough.straight(drone, sensor);
-        ImageSources fromSensor = worthwhile(pureOfSensor, sensor, drone, guess);
-        exact.find(source, sensor, fromSensor, ImageSources.NONE, wallsOfSensor, curvature);
+        double guess = rough.scattered(drone, samplesOfSensor) + rough.straight(drone, sensor);
+        End fromHere = sensor(true);
+        ImageSources fromSensor = worthwhile(fromHere.pure(), sensor, drone, guess);
+        int[] extra = firstWalls(fromHere).toArray();
+        exact.find(source, sensor, fromSensor, ImageSources.NONE, extra, curvature);
     }
 
     private Ends between(
