@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
+import org.apache.commons.numbers.gamma.Erfc;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.parallel.Workers;
@@ -30,6 +31,12 @@ import org.dronewatch.sensor.SensorSettings;
  * begins, while the drone waits, do not count. Immutable.
  */
 final class LookSchedule {
+    /** A level this many standard errors or fewer from its threshold may be on the other side of it with other rays. */
+    private static final double STANDARD_ERRORS = 8.0;
+
+    /** How often such a level is estimated. */
+    private static final int LEVELS = 64;
+
     private final List<SensorSettings<?>> sensors;
     private final List<ScheduledLook> looks;
     private final double begin;
@@ -99,13 +106,39 @@ final class LookSchedule {
 
     private static ScheduledLook assessed(Assessor assessor, ScheduledLook look, int estimates) {
         Assessment first = assess(assessor, look, 0);
-        boolean isEstimated = first.probabilityError() > 0.0;
-        double sum = first.probability();
-        for (int estimate = 1; isEstimated && estimate < estimates; estimate++) {
-            sum += assess(assessor, look, estimate).probability();
+        boolean isNear = Math.abs(first.margin()) < STANDARD_ERRORS * first.standardError();
+        boolean isEstimated = first.probabilityError() > 0.0 || isNear;
+        double mean = first.probability();
+        if (isNear && estimates > 1) {
+            mean = chanceOfLevel(assessor, look, first);
+        } else if (isEstimated) {
+            for (int estimate = 1; estimate < estimates; estimate++) {
+                mean += assess(assessor, look, estimate).probability();
+            }
+            mean /= estimates;
         }
-        double mean = isEstimated ? sum / estimates : sum;
         return new ScheduledLook(look.number(), look.look(), look.drone(), mean, isEstimated, look.counts());
+    }
+
+    /**
+     * The probability that a level with other rays reaches the threshold, if levels are normally distributed. A few
+     * looks near the threshold decide a whole flight, so that each of these is estimated often.
+     */
+    private static double chanceOfLevel(Assessor assessor, ScheduledLook look, Assessment first) {
+        double[] margins = new double[LEVELS];
+        margins[0] = first.margin();
+        for (int estimate = 1; estimate < LEVELS; estimate++) {
+            margins[estimate] = assess(assessor, look, estimate).margin();
+        }
+        double mean = Arrays.stream(margins).average().orElseThrow();
+        double squares =
+                Arrays.stream(margins).map(one -> (one - mean) * (one - mean)).sum();
+        double deviation = Math.sqrt(squares / (LEVELS - 1) * (1.0 + 1.0 / LEVELS));
+        if (!(deviation > 0.0)) {
+            // All are the same, or no ray has arrived in some.
+            return (double) Arrays.stream(margins).filter(one -> one >= 0.0).count() / LEVELS;
+        }
+        return 0.5 * Erfc.value(-mean / (Math.sqrt(2.0) * deviation));
     }
 
     /** The first with the rays of the look itself, the others with those of other seeds. */
