@@ -234,7 +234,7 @@ public final class DetectionField {
     /**
      * Whether a sensor covers a cell on a course: its probability is at least a given value. Parameters as above.
      *
-     * @param covered that value, above 0 and at most 1
+     * @param covered that value, 0.008 to 0.996, or 1
      */
     public boolean covers(int sensor, int height, int column, int row, int course, double covered) {
         return steps(sensor, height, column, row, course) >= CellCode.stepsToCover(covered);

@@ -18,7 +18,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param courses courses on which the drone flies, at least one
  * @param choice which of them counts
  * @param terms terms on which the drone counts as detected
- * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
+ * @param covered the probability with which a sensor must detect the drone to cover a cell, 0.008 to 0.996, or 1
  */
 public record FieldRequest(
         SceneSettings settings,

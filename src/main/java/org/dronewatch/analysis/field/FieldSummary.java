@@ -20,7 +20,7 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
     /**
      * Summarises a field.
      *
-     * @param covered the probability with which a sensor must detect the drone to cover a cell, above 0 and at most 1
+     * @param covered the probability with which a sensor must detect the drone to cover a cell, 0.008 to 0.996, or 1
      */
     public static FieldSummary of(DetectionField field, FieldCoverage.Choice choice, double covered) {
         FieldCoverage coverage = new FieldCoverage(field, choice, covered);

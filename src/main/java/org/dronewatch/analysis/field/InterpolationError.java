@@ -42,7 +42,8 @@ public record InterpolationError(
      * How far errors reach.
      *
      * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
-     *     them: the greatest error is {@value InterpolationError#CERTAIN} of these
+     *     them, chosen so that the greatest error measured is {@value InterpolationError#CERTAIN} of these over
+     *     {@value InterpolationError#MARGIN}
      * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB
      */
     record Bounds(double scale, double beyond) {

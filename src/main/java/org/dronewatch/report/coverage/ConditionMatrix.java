@@ -59,7 +59,8 @@ final class ConditionMatrix {
                 "% of the known cells covered, drone '" + inputs.drone() + "' " + inputs.headingInWords()
                         + inputs.within()
                                 .map(time -> ", within " + inputs.timeInWords())
-                                .orElse(""),
+                                .orElse("")
+                        + inputs.withProbability(),
                 MARGIN,
                 MARGIN + 42);
         for (int column = 0; column < conditions.size(); column++) {

@@ -13,10 +13,15 @@ public final class ConditionTable {
 
     private ConditionTable() {}
 
-    /** The fractions that are covered and lost, and the sensor that covers most. */
-    public static List<String> lines(List<ConditionCoverage> conditions) {
+    /**
+     * The fractions that are covered and lost, and the sensor that covers most.
+     *
+     * @param probability with which a sensor must detect the drone, as in {@code  with a probability of 0.9 or more};
+     *     empty for the default
+     */
+    static List<String> lines(List<ConditionCoverage> conditions, String probability) {
         List<String> lines = new ArrayList<>();
-        lines.add("covered under each condition, in % of the known cells:");
+        lines.add("covered" + probability + " under each condition, in % of the known cells:");
         addRows(lines, conditions, height -> percent(height, height.summary().covered()));
         lines.add("");
         lines.add("covered in the scene as it is, but not under the condition, in % of the cells known without it:");

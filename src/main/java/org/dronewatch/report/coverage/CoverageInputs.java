@@ -42,6 +42,11 @@ public record CoverageInputs(
         return within().map(time -> Numbers.text(time) + " s").orElse("");
     }
 
+    /** The probability with which a sensor must detect the drone, as an end of a phrase; empty for the default. */
+    String withProbability() {
+        return hasDefaultProbability() ? "" : " with a probability of " + Numbers.text(covered) + " or more";
+    }
+
     /** Whether {@link #covered} is the default. */
     boolean hasDefaultProbability() {
         return Double.compare(covered, FieldCoverage.DEFAULT_COVERED) == 0;

@@ -63,10 +63,10 @@ final class CoverageReport {
         page.verdict(verdict());
         page.section("The worst places", places.html());
         page.section("Coverage by height", heights());
-        page.section("Warning of inbound flights", warnings.html());
-        page.section("If a sensor fails", losses.html());
+        page.section("Warning of inbound flights", probability() + warnings.html());
+        page.section("If a sensor fails", probability() + losses.html());
         if (!conditions.isEmpty()) {
-            page.section("Under other conditions", underConditions());
+            page.section("Under other conditions", probability() + underConditions());
         }
         page.section("Maps", "");
         for (MapSheet map : maps) {
@@ -81,6 +81,14 @@ final class CoverageReport {
             page.section("Provenance", Html.definitions(provenance));
         }
         page.end();
+    }
+
+    /** States the probability with which a sensor must detect the drone, unless it is the default. */
+    private String probability() {
+        return inputs.hasDefaultProbability()
+                ? ""
+                : Html.plain(
+                        "p", "The drone counts as detected where a sensor detects it" + inputs.withProbability() + ".");
     }
 
     private String verdict() {

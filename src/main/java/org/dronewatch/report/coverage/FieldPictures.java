@@ -98,7 +98,7 @@ final class FieldPictures {
                         inputs.headingInWords()
                                 + inputs.within()
                                         .map(time -> ", within " + inputs.timeInWords())
-                                        .orElse("") + ":"));
+                                        .orElse("") + inputs.withProbability() + ":"));
     }
 
     /** A height for each column. */

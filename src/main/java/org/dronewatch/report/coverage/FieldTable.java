@@ -112,7 +112,7 @@ public final class FieldTable {
     }
 
     /** The percentage of columns in which a sensor detects the drone at or below each height. */
-    public static List<String> detectable(DetectableHeights detectable) {
+    public static List<String> detectable(DetectableHeights detectable, CoverageInputs inputs) {
         StringBuilder header = new StringBuilder(text("%-24s", ""));
         StringBuilder line = new StringBuilder(text("%-24s", "detected"));
         for (double height : detectable.grid().heights()) {
@@ -120,7 +120,7 @@ public final class FieldTable {
             line.append(text(HEIGHT, percent(detectable.count(height), detectable.columns())));
         }
         List<String> lines = new ArrayList<>();
-        lines.add("detected at or below a height, in % of the area with ground:");
+        lines.add("detected at or below a height" + inputs.withProbability() + ", in % of the area with ground:");
         lines.add(header.toString().stripTrailing());
         lines.add(line.toString());
         if (detectable.coveredAgain() > 0) {

@@ -34,12 +34,16 @@ public final class SurveyTables {
         List<List<String>> tables = new ArrayList<>();
         tables.add(FieldTable.causes(survey.summary(), inputs));
         survey.visible().map(FieldTable::visible).ifPresent(tables::add);
-        survey.detectable().map(FieldTable::detectable).ifPresent(tables::add);
+        survey.detectable()
+                .map(heights -> FieldTable.detectable(heights, inputs))
+                .ifPresent(tables::add);
         tables.add(FieldTable.gaps(survey.summary()));
         tables.add(FieldTable.losses(survey.summary(), inputs));
-        survey.warnings().map(WarningTable::lines).ifPresent(tables::add);
+        survey.warnings()
+                .map(warnings -> WarningTable.lines(warnings, inputs.withProbability()))
+                .ifPresent(tables::add);
         if (!survey.conditions().isEmpty()) {
-            tables.add(ConditionTable.lines(survey.conditions()));
+            tables.add(ConditionTable.lines(survey.conditions(), inputs.withProbability()));
         }
         tables.add(FieldTable.interpolated(survey.summary()));
         tables.removeIf(List::isEmpty);

@@ -20,11 +20,22 @@ public final class WarningTable {
      * little.
      */
     public static List<String> lines(InboundWarnings warnings) {
+        return lines(warnings, "");
+    }
+
+    /**
+     * The same.
+     *
+     * @param probability with which a sensor must detect the drone, as in {@code  with a probability of 0.9 or more};
+     *     empty for the default
+     */
+    static List<String> lines(InboundWarnings warnings, String probability) {
         boolean isRequired = warnings.response() > 0.0;
         List<String> lines = new ArrayList<>();
         lines.add(text(
-                "warning of drones that fly straight in from %s: time from the first detection until they reach %s:",
+                "warning of drones that fly straight in from %s: time from the first detection%s until they reach %s:",
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
+                probability,
                 warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
         lines.add(text("%10s  %34s  %10s  %14s", "height", "least", "median", "not detected")
                 + (isRequired ? text("  %24s", "less than " + Numbers.text(warnings.response()) + " s") : ""));
