@@ -55,6 +55,6 @@ final class RoutePieces {
                 style.colour(),
                 points.get(0).time(),
                 end.time(),
-                -Math.expm1(-end.exposure()));
+                route.detectionUntil(end.time()));
     }
 }

@@ -14,6 +14,7 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.map.RouteMap;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
@@ -161,5 +162,15 @@ class RouteWordsTest {
         assertThat(route.detectionUntil(route.critical(15.0))).isEqualTo(route.inTime(15.0));
         assertThat(route.detectionUntil(13.9)).isZero();
         assertThat(route.detectionUntil(30.0)).isEqualTo(route.detection());
+    }
+
+    /** The radar sees the drone in one of two flights: what counts is the mean probability, not the mean exposure. */
+    @Test
+    void mapsStateTheProbabilitiesOfTheTable() {
+        SectorRoute route = route(Map.of("slow", 1.0), 10.0, List.of(List.of(look(16.0, 20.0)), List.of()));
+        List<RouteMap.Piece> pieces = RoutePieces.of(results(route, Map.of()).survey());
+
+        assertThat(pieces.get(pieces.size() - 1).detection()).isEqualTo(route.detection());
+        assertThat(route.detection()).isCloseTo(0.5, within(1e-6));
     }
 }
