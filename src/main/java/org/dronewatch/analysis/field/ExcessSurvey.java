@@ -106,13 +106,15 @@ final class ExcessSurvey {
     }
 
     /**
-     * Traces positions on a random course each, or on the first one.
+     * Traces positions on a random course each, or on the first one. Not on courses across the line of sight of other
+     * sensors: what is interpolated for this one is the same with and without them.
      *
      * @param of the number of all positions of the survey
      */
     private List<TracedPlace> trace(List<Position> positions, boolean isOnAnyCourse, int of) {
+        int[] own = probe.ownCourses();
         int[] courses = positions.stream()
-                .mapToInt(at -> isOnAnyCourse ? random.nextInt(probe.courses().size()) : 0)
+                .mapToInt(at -> isOnAnyCourse ? own[random.nextInt(own.length)] : 0)
                 .toArray();
         TracedPlace[] traced = new TracedPlace[positions.size()];
         Workers.forEach(traced.length, probe::newAssessor, (assessor, i) -> {

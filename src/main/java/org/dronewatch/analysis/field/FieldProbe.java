@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -101,6 +102,17 @@ record FieldProbe(
     /** The state of the drone at a place, m, on a course given by its number. */
     FlightState state(Position at, int course) {
         return courses.get(course).at(at, drone.settings().speed());
+    }
+
+    /** The numbers of those courses that would also be there if this were the only sensor; of all if there are none. */
+    int[] ownCourses() {
+        int[] own = IntStream.range(0, courses.size())
+                .filter(course -> courses.get(course)
+                        .sensor()
+                        .filter(id -> !id.equals(sensor))
+                        .isEmpty())
+                .toArray();
+        return own.length == 0 ? IntStream.range(0, courses.size()).toArray() : own;
     }
 
     /**

@@ -18,6 +18,8 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.run.store.StoreKey;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Signal;
@@ -52,17 +54,21 @@ class ExcessSurveyTest {
     @BeforeAll
     static void interpolate() throws IOException {
         FieldSite site = FieldSite.in(directory, EAR);
-        each = new FieldProbe(
+        each = ear(site, List.of(new Course(Course.Kind.HOVER, 0.0, new Position(0, 0, 0), Optional.empty())));
+        columns = FieldColumns.of(each.world(), GRID);
+        map = survey(2);
+        layer = layer(map, 2);
+    }
+
+    private static FieldProbe ear(FieldSite site, List<Course> courses) {
+        return new FieldProbe(
                 site.stage().world(),
                 DetectionField.droneOf(site.stage(), FieldSite.DRONE),
                 "ear",
                 site.settings().enabledSensors().get("ear"),
                 7,
-                List.of(new Course(Course.Kind.HOVER, 0.0, new Position(0, 0, 0), Optional.empty())),
+                courses,
                 FieldTerms.ONE_LOOK);
-        columns = FieldColumns.of(each.world(), GRID);
-        map = survey(2);
-        layer = layer(map, 2);
     }
 
     private static ExcessMap survey(int threads) {
@@ -165,6 +171,36 @@ class ExcessSurveyTest {
                 }
             }
         }
+    }
+
+    /**
+     * The loudest tone of a drone depends on its heading: beside a radar, which adds courses across its line of sight, a
+     * microphone is interpolated in the same way as without it.
+     */
+    @Test
+    void anotherSensorDoesNotChangeTheMap(@TempDir Path place) throws IOException {
+        String narrow = EAR.replace("rays: 100", "rays: 100, criterion: narrow-band");
+        List<ExcessMap> maps = new ArrayList<>();
+        List<Integer> courses = new ArrayList<>();
+        for (String sensors : List.of(narrow, narrow + FieldSite.ROUND)) {
+            FieldSite.in(place, sensors);
+            Path scene = place.resolve("site.yaml");
+            String tones = "tones: {rotorSpeed: 6150 rpm, blades: 2, shares: [0.5, 0.3, 0.3]}\n    soundLevel:";
+            Files.writeString(scene, Files.readString(scene).replace("soundLevel:", tones));
+            SceneRunner runner = new SceneRunner(new SceneFile(scene));
+            FieldSite site = new FieldSite(runner.settings(), runner.stage(runner.settings()));
+            FieldProbe ear = ear(
+                    site,
+                    Course.all(
+                            site.settings().enabledSensors(), DetectionField.droneOf(site.stage(), FieldSite.DRONE)));
+            courses.add(ear.courses().size());
+            maps.add(ExcessSurvey.of(ear, columns, 100, SurveyProgress.of(ear, columns, cells -> {}))
+                    .orElseThrow());
+        }
+        assertThat(courses).containsExactly(9, 11);
+        assertThat(maps.get(1).heldOut()).hasSize(10).isEqualTo(maps.get(0).heldOut());
+        assertThat(maps.get(1).places()).isEqualTo(maps.get(0).places());
+        assertThat(maps.get(1).error()).isEqualTo(maps.get(0).error());
     }
 
     /** What was kept interpolates the same, and a damaged file is not used. */
