@@ -13,14 +13,20 @@ import org.dronewatch.sensor.Assessor;
  *     aim
  * @param passes the positions in this list at which the drone enters the field of view: before each of them, it was
  *     outside
+ * @param phases for each of them, the number of the phase of the search
  * @param share fraction of the time that they stand for, 0 to 1
  * @param away a pointing in which it cannot see the drone, if the fraction is less than 1
  */
-record CellPointings(List<Optional<Pointing>> towards, List<Integer> passes, double share, Optional<Pointing> away) {
+record CellPointings(
+        List<Optional<Pointing>> towards,
+        List<Integer> passes,
+        List<Integer> phases,
+        double share,
+        Optional<Pointing> away) {
 
     /** A single one, at all times. */
     static CellPointings always(Optional<Pointing> pointing) {
-        return new CellPointings(List.of(pointing), List.of(0), 1.0, Optional.empty());
+        return new CellPointings(List.of(pointing), List.of(0), List.of(0), 1.0, Optional.empty());
     }
 
     /** Whether looks at a drone are certainly the same at all its headings. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.random.RandomGenerator;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
@@ -66,7 +67,7 @@ record FieldProbe(
                 seed,
                 courses,
                 terms,
-                terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings) : Optional.empty(),
+                terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings, terms) : Optional.empty(),
                 new Assessor(sensor, settings, world),
                 Optional.empty(),
                 false);
@@ -167,10 +168,13 @@ record FieldProbe(
      * The probability on the terms of the field. Where signals are interpolated, a probability stands for what is not
      * known, and is the same for any number of looks.
      */
-    private double onTerms(double[] looks, double share) {
-        return excess.isPresent()
-                ? FieldTerms.ONE_LOOK.probability(looks, share, settings) * terms.probability(1.0, settings)
-                : terms.probability(looks, share, settings);
+    private double onTerms(double[] looks, CellPointings pointings, double mean) {
+        if (excess.isPresent()) {
+            return mean * terms.probability(1.0, settings);
+        }
+        return search.flatMap(SearchPeriod::window)
+                .map(window -> window.probability(looks, pointings.phases()))
+                .orElseGet(() -> terms.probability(mean, settings));
     }
 
     /** A look that is only as fine as the steps of a {@link CellCode}, and faster. */
@@ -199,11 +203,12 @@ record FieldProbe(
                 number -> glance.apply(pointings.towards().get(number)));
         double[] probabilities = series.probabilities();
         Optional<Assessment> best = series.best();
-        double mean = FieldTerms.ONE_LOOK.probability(probabilities, pointings.share(), settings);
+        double mean =
+                pointings.share() * DoubleStream.of(probabilities).average().orElse(0.0);
         boolean isMissed = best.isEmpty() || best.get().cause() == Cause.DETECTED && mean < EVEN_CHANCE;
         Assessment shown =
                 isMissed && pointings.away().isPresent() ? glance.apply(pointings.away()) : best.orElseThrow();
-        return new CellLook(onTerms(probabilities, pointings.share()), shown);
+        return new CellLook(onTerms(probabilities, pointings, mean), shown);
     }
 
     /**

@@ -1,8 +1,6 @@
 package org.dronewatch.analysis.field;
 
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.DoubleStream;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.In;
@@ -22,7 +20,10 @@ public record FieldTerms(
     public enum Turning {
         /** They have turned to the drone, and zoomed in. */
         CUED,
-        /** They search, or are at rest: their probability of detection is the mean over one period of the search. */
+        /**
+         * They search, or are at rest: their probability of detection is the mean over one period of the search, in
+         * which the look, or the time that they have, may begin at any moment.
+         */
         SEARCH
     }
 
@@ -47,53 +48,38 @@ public record FieldTerms(
         return new FieldTerms(other, within);
     }
 
+    /** The whole looks that a sensor has, 0 or more; 1 without a time. */
+    long looks(SensorSettings<?> sensor) {
+        return within.map(seconds -> (long) Math.floor(seconds * sensor.rate() + ROUNDING))
+                .orElse(1L);
+    }
+
     /**
-     * The probability that a sensor detects a drone that stays where it is, if its looks have certain probabilities. In
-     * one look, it is their mean p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once
-     * per encounter, it is that of an observer drawn at random who searches for as long as these looks take, n
-     * intervals between two of them: {@code 1 - exp(-mean hazard * time)}, averaged over all draws, for a constant
-     * probability {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}.
+     * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability p:
+     * in one look, p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once per encounter,
+     * it is that of an observer drawn at random who searches for as long as these looks take, n intervals between two
+     * of them: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that searches, whose looks
+     * differ, see {@link LookWindow}.
      *
-     * @param looks probabilities of looks that are evenly spaced in time, 0 to 1
-     * @param share fraction of the time that they stand for; at other times the probability is 0
+     * @param look probability of a look, 0 to 1
      * @return 0 and 1 only where they are exact
      */
-    double probability(double[] looks, double share, SensorSettings<?> sensor) {
-        double mean = looks.length == 0 ? 0.0 : share * DoubleStream.of(looks).sum() / looks.length;
-        if (within.isEmpty() || mean <= 0.0) {
-            return mean;
+    double probability(double look, SensorSettings<?> sensor) {
+        if (within.isEmpty() || look <= 0.0) {
+            return look;
         }
-        double number = Math.floor(within.get() * sensor.rate() + ROUNDING);
-        if (number == 0.0) {
+        long number = looks(sensor);
+        if (number == 0) {
             return 0.0;
         }
         double detected;
         if (sensor.chance() == Chance.PER_ENCOUNTER) {
-            detected = ofObservers(looks, share, number / sensor.rate(), sensor);
+            double hazard = sensor.chance().hazard(look, sensor.rate(), look);
+            detected = -look * StrictMath.expm1(-hazard * number / sensor.rate());
         } else {
-            detected = mean >= 1.0 ? 1.0 : Math.min(Math.nextDown(1.0), 1.0 - StrictMath.pow(1.0 - mean, number));
+            detected = look >= 1.0 ? 1.0 : Math.min(Math.nextDown(1.0), 1.0 - StrictMath.pow(1.0 - look, number));
         }
         return Math.max(Double.MIN_VALUE, detected);
-    }
-
-    /** The same for looks that all have one probability. */
-    double probability(double look, SensorSettings<?> sensor) {
-        return within.isEmpty() ? look : probability(new double[] {look}, 1.0, sensor);
-    }
-
-    /** The mean over observers: between two neighbouring probabilities, all draws give the same hazard. */
-    private static double ofObservers(double[] looks, double share, double time, SensorSettings<?> sensor) {
-        double[] sorted = looks.clone();
-        Arrays.sort(sorted);
-        double detected = 0.0;
-        double hazard = 0.0;
-        // Begins with the observers who need the highest probability: those who need less can use the other looks, too.
-        for (int i = sorted.length - 1; i >= 0; i--) {
-            double below = i == 0 ? 0.0 : sorted[i - 1];
-            hazard += share * sensor.chance().hazard(sorted[i], sensor.rate(), sorted[i]) / sorted.length;
-            detected -= (sorted[i] - below) * StrictMath.expm1(-hazard * time);
-        }
-        return detected;
     }
 
     /** The probability of a look at and above which all probabilities below 1 count as equal. */

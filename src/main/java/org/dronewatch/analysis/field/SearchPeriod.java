@@ -28,21 +28,28 @@ final class SearchPeriod {
     /** The field of view at each of them; empty for a sensor that has none. */
     private final List<Optional<Outline>> outlines = new ArrayList<>();
 
-    private SearchPeriod(SensorSettings<?> sensor, List<Pointing> pointings) {
+    private final Optional<LookWindow> window;
+
+    private SearchPeriod(SensorSettings<?> sensor, List<Pointing> pointings, Optional<LookWindow> window) {
         this.position = sensor.position();
         this.pointings = pointings;
+        this.window = window;
         pointings.forEach(one -> outlines.add(Outlined.fieldOfView(sensor, Optional.of(one))));
     }
 
-    /** The search of a sensor; empty on a fixed mount. */
-    static Optional<SearchPeriod> of(SensorSettings<?> sensor) {
+    /**
+     * The search of a sensor; empty on a fixed mount.
+     *
+     * @param terms with the time that it has, if it has more than one look
+     */
+    static Optional<SearchPeriod> of(SensorSettings<?> sensor, FieldTerms terms) {
         Optional<PositionerSettings> positioner = Mounted.positioner(sensor);
         if (positioner.isEmpty()) {
             return Optional.empty();
         }
         double period = positioner.get().search().period();
         if (period == 0.0) {
-            return Optional.of(new SearchPeriod(sensor, List.of(start(sensor).moveTo(0.0))));
+            return Optional.of(new SearchPeriod(sensor, List.of(start(sensor).moveTo(0.0)), Optional.empty()));
         }
         List<Pointing> coarse = pointings(start(sensor), period, LEAST);
         double path = 0.0;
@@ -53,7 +60,8 @@ final class SearchPeriod {
             narrowest = Math.min(narrowest, coarse.get(i).fov());
         }
         int count = (int) Math.max(LEAST, Math.min(MOST, Math.ceil(PER_FIELD_OF_VIEW * path / narrowest)));
-        return Optional.of(new SearchPeriod(sensor, pointings(start(sensor), period, count)));
+        return Optional.of(new SearchPeriod(
+                sensor, pointings(start(sensor), period, count), LookWindow.of(terms, sensor, period, count)));
     }
 
     private static Positioner start(SensorSettings<?> sensor) {
@@ -72,6 +80,11 @@ final class SearchPeriod {
         return all;
     }
 
+    /** The looks within the time that the sensor has; empty if it has a single look, or rests. */
+    Optional<LookWindow> window() {
+        return window;
+    }
+
     /**
      * The pointings that may show a drone.
      *
@@ -82,6 +95,7 @@ final class SearchPeriod {
         Position vector = at.minus(position);
         List<Optional<Pointing>> towards = new ArrayList<>();
         List<Integer> passes = new ArrayList<>();
+        List<Integer> phases = new ArrayList<>();
         Optional<Pointing> away = Optional.empty();
         boolean wasInView = false;
         for (int i = 0; i < pointings.size(); i++) {
@@ -92,11 +106,12 @@ final class SearchPeriod {
             }
             if (isInView) {
                 towards.add(Optional.of(pointings.get(i)));
+                phases.add(i);
             } else {
                 away = away.isEmpty() ? Optional.of(pointings.get(i)) : away;
             }
             wasInView = isInView;
         }
-        return new CellPointings(towards, passes, (double) towards.size() / pointings.size(), away);
+        return new CellPointings(towards, passes, phases, (double) towards.size() / pointings.size(), away);
     }
 }

@@ -55,13 +55,12 @@ class FieldTermsTest {
             double missed = 1.0;
             for (int looks = 1; looks <= 40; looks++) {
                 missed *= 1.0 - look;
-                double detected = terms(looks / 2.0 + 0.49).probability(new double[] {look}, 1.0, radar);
+                double detected = terms(looks / 2.0 + 0.49).probability(look, radar);
                 assertThat(detected).as("%s, %d looks", look, looks).isCloseTo(1.0 - missed, within(1e-12));
                 assertThat(detected).as("not certain").isStrictlyBetween(0.0, 1.0);
             }
         }
-        assertThat(FieldTerms.ONE_LOOK.probability(new double[] {0.3}, 1.0, radar))
-                .isEqualTo(0.3);
+        assertThat(FieldTerms.ONE_LOOK.probability(0.3, radar)).isEqualTo(0.3);
     }
 
     /** The mean over observers of one minus exp(-hazard t): 100,000 draws at even distances. */
@@ -75,27 +74,26 @@ class FieldTermsTest {
                     double hazard = Chance.PER_ENCOUNTER.hazard(look, 5.0, (i + 0.5) / draws);
                     sum += 1.0 - Math.exp(-hazard * time);
                 }
-                assertThat(terms(time).probability(new double[] {look}, 1.0, observed))
+                assertThat(terms(time).probability(look, observed))
                         .as("%s in %s s", look, time)
                         .isCloseTo(sum / draws, within(1.0 / draws));
             }
         }
-        assertThat(terms(5.0).probability(new double[] {0.9}, 1.0, observed))
+        assertThat(terms(5.0).probability(0.9, observed))
                 .as("the page of cameras")
                 .isCloseTo(0.660, within(0.0005));
     }
 
     @Test
     void zeroAndOneAreExact() {
-        assertThat(terms(10.0).probability(new double[] {0.0}, 1.0, radar)).isZero();
-        assertThat(terms(10.0).probability(new double[] {1.0}, 1.0, radar)).isEqualTo(1.0);
-        assertThat(terms(10.0).probability(new double[] {0.0}, 1.0, observed)).isZero();
-        assertThat(terms(86_400.0).probability(new double[] {Double.MIN_VALUE}, 1.0, radar))
-                .isPositive();
-        assertThat(terms(0.49).probability(new double[] {1.0}, 1.0, radar))
+        assertThat(terms(10.0).probability(0.0, radar)).isZero();
+        assertThat(terms(10.0).probability(1.0, radar)).isEqualTo(1.0);
+        assertThat(terms(10.0).probability(0.0, observed)).isZero();
+        assertThat(terms(86_400.0).probability(Double.MIN_VALUE, radar)).isPositive();
+        assertThat(terms(0.49).probability(1.0, radar))
                 .as("before the first look")
                 .isZero();
-        assertThat(terms(0.5).probability(new double[] {1.0}, 1.0, radar)).isEqualTo(1.0);
+        assertThat(terms(0.5).probability(1.0, radar)).isEqualTo(1.0);
     }
 
     /** 0.3 s at 10 Hz are three looks, though 0.3 times 10 is not 3 in every representation. */
@@ -104,7 +102,7 @@ class FieldTermsTest {
         SensorSettings<?> atTheRateOfTheCamera = ((RadarSettings) radar).withRate(observed.rate());
         for (int looks = 1; looks < 2000; looks++) {
             double expected = 1.0 - Math.pow(0.999, looks);
-            assertThat(terms(looks * 0.2).probability(new double[] {0.001}, 1.0, atTheRateOfTheCamera))
+            assertThat(terms(looks * 0.2).probability(0.001, atTheRateOfTheCamera))
                     .isCloseTo(expected, within(1e-12));
         }
     }

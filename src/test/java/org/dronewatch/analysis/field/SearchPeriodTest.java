@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Look;
@@ -160,24 +163,61 @@ class SearchPeriodTest {
         assertThat(between).isGreaterThan(5);
     }
 
-    /** An observer who is drawn once for all passes, by many draws. */
+    /**
+     * A turning camera with three seconds for a drone: of the 720 looks of a period taken as in a run, the share of those
+     * from which on one of 60 detects it. Looks of a camera that turns are not independent.
+     */
     @Test
-    void anObserverSearchesWhileTheDroneIsInView() throws IOException {
+    void withinATimeTheShareOfTheStartsOfARunThatDetect() throws IOException {
         FieldSite site = FieldSite.in(
                 Files.createTempDirectory(directory, "site"),
-                CAMERA.replace("rate: 5", "rate: 5, detection: {kind: target-task, byChance: true}")
-                        .formatted("{kind: round}"));
-        SensorSettings<?> eye = site.settings().enabledSensors().get("eye");
-        double[] looks = {0.9, 0.2, 0.0, 0.9};
-        double expected = 0.0;
-        int draws = 100_000;
-        for (int i = 0; i < draws; i++) {
-            double draw = (i + 0.5) / draws;
-            double rate = (0.9 >= draw ? 2 * 0.9 : 0.0) + (0.2 >= draw ? 0.2 : 0.0);
-            expected += (1.0 - Math.exp(-0.3 * rate / 4 * 20 / 3.4)) / draws;
+                CAMERA.replace("rate: 5", "rate: 20").formatted("{kind: round, speed: 10 deg/s}"));
+        DetectionField field = site.field(GRID, SEARCH.withWithin(3.0), 2);
+        DetectionField longer = site.field(GRID, SEARCH.withWithin(36.0), 2);
+        SensorSettings<?> settings = site.settings().enabledSensors().get("eye");
+        Positioner positioner =
+                settings.as(Mounted.class).orElseThrow().createPositioner().orElseThrow();
+        Sensor sensor = settings.create();
+        Drone sample = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
+        List<Optional<Pointing>> pointings = new ArrayList<>();
+        for (int i = 0; i < 2 * 720; i++) {
+            Optional<Pointing> now = Optional.of(positioner.moveTo(i / 20.0));
+            if (i >= 720) {
+                pointings.add(now);
+            }
         }
-        assertThat(SEARCH.withWithin(20.0).probability(looks, 0.3, eye)).isCloseTo(expected, within(1e-5));
-        assertThat(SEARCH.probability(looks, 0.3, eye)).isCloseTo(0.3 * 2.0 / 4, within(1e-12));
-        assertThat(SEARCH.withWithin(20.0).probability(new double[0], 0.0, eye)).isZero();
+        int between = 0;
+        for (int cell = 0; cell < GRID.cells(); cell += 5) {
+            int column = cell % GRID.columns();
+            int row = cell / GRID.columns();
+            if (!field.isOpen(0, column, row)) {
+                continue;
+            }
+            Drone there = sample.at(field.courses()
+                    .get(0)
+                    .at(field.middle(0, column, row), sample.settings().speed()));
+            BitSet detected = new BitSet();
+            for (int i = 0; i < 720; i++) {
+                Look look = Look.of(7, "eye", i, 0.0).withPointing(pointings.get(i));
+                detected.set(
+                        i,
+                        sensor.observe(site.stage().world(), List.of(there), look).stream()
+                                .anyMatch(seen -> seen.isDetected()));
+            }
+            int starts = 0;
+            for (int first = 0; first < 720; first++) {
+                boolean isDetected = false;
+                for (int i = 0; i < 60; i++) {
+                    isDetected |= detected.get((first + i) % 720);
+                }
+                starts += isDetected ? 1 : 0;
+            }
+            assertThat(field.steps(0, 0, column, row, 0)).as("cell %d", cell).isEqualTo(CellCode.steps(starts / 720.0));
+            assertThat(longer.steps(0, 0, column, row, 0))
+                    .as("cell %d, in a whole period", cell)
+                    .isEqualTo(detected.isEmpty() ? 0 : CellCode.STEPS);
+            between += starts > 72 && starts < 648 ? 1 : 0;
+        }
+        assertThat(between).isGreaterThan(4);
     }
 }
