@@ -55,11 +55,11 @@ public record FieldTerms(
     }
 
     /**
-     * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability p:
-     * in one look, p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once per encounter,
-     * it is that of an observer drawn at random who searches for as long as these looks take, n intervals between two
-     * of them: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that searches, whose looks
-     * differ, see {@link LookWindow}.
+     * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability
+     * p: in one look, p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once per
+     * encounter, it is that of an observer drawn at random who searches for as long as these looks take, n intervals
+     * between two of them: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that searches,
+     * whose looks differ, see {@link LookWindow}.
      *
      * @param look probability of a look, 0 to 1
      * @return 0 and 1 only where they are exact

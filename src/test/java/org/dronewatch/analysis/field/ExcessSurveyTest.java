@@ -174,8 +174,8 @@ class ExcessSurveyTest {
     }
 
     /**
-     * The loudest tone of a drone depends on its heading: beside a radar, which adds courses across its line of sight, a
-     * microphone is interpolated in the same way as without it.
+     * The loudest tone of a drone depends on its heading: beside a radar, which adds courses across its line of sight,
+     * a microphone is interpolated in the same way as without it.
      */
     @Test
     void anotherSensorDoesNotChangeTheMap(@TempDir Path place) throws IOException {

@@ -164,8 +164,8 @@ class SearchPeriodTest {
     }
 
     /**
-     * A turning camera with three seconds for a drone: of the 720 looks of a period taken as in a run, the share of those
-     * from which on one of 60 detects it. Looks of a camera that turns are not independent.
+     * A turning camera with three seconds for a drone: of the 720 looks of a period taken as in a run, the share of
+     * those from which on one of 60 detects it. Looks of a camera that turns are not independent.
      */
     @Test
     void withinATimeTheShareOfTheStartsOfARunThatDetect() throws IOException {
