@@ -162,8 +162,8 @@ final class CoverageReport {
         }
         return Html.plain(
                         "p",
-                        "The table states, in % of the known area at each height, where at least one sensor detects the"
-                                + " drone "
+                        "The table states the part of the known area at each height, in %, in which at least one sensor"
+                                + " detects the drone "
                                 + (inputs.within().isEmpty() ? "in one look " : time())
                                 + "with a probability of " + number(inputs.covered())
                                 + " or more, and the causes of all sensors' misses "
