@@ -26,7 +26,7 @@ public enum Cause {
     HIDDEN_BY_TERRAIN,
     /** It is hidden by a building, in the same sense. */
     HIDDEN_BY_BUILDING,
-    /** It is hidden by plants, in the same sense. */
+    /** It is hidden by vegetation, in the same sense. */
     HIDDEN_BY_VEGETATION,
     /** It is hidden by any other model, in the same sense. */
     HIDDEN_BY_OTHER,

@@ -148,7 +148,7 @@ final class SensorMover {
         // Rounding must not put a sensor that lies on a surface below it.
         Position clear = to.z() < surface.getAsDouble() ? to.plus(new Position(0.0, 0.0, 1.0 / IN_A_METRE)) : to;
         if (foothold.isInside(clear)) {
-            refuse("that is inside something solid");
+            refuse("it would be inside something solid");
             return;
         }
         String id = selected().orElseThrow();

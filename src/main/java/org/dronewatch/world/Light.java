@@ -22,7 +22,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param sun position of the sun; omit it if the sun does not shine
  * @param cn2 refractive-index structure constant Cn2 of the air, assumed equal everywhere, 0 to 1e-10 m^(-2/3): 5e-15
  *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and more over hot
- *     ground; 0 for still air
+ *     ground; 0 without turbulence
  * @param skyToGroundRatio ratio of the brightness of the sky at the horizon to that of the ground, 0.05 to 100: about
  *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds, and 1 where both are equally bright
  */
@@ -42,7 +42,7 @@ public record Light(
     /** The rate R of the rain changes it as {@code R^-0.21}. */
     private static final double DROP_DECAY_POWER = 0.21;
 
-    /** A day of good visibility under high cloud: 20 km, 5,000 lx, no sun, still air, ground as bright as the sky. */
+    /** A day of good visibility under high cloud: 20 km, 5,000 lx, no sun or turbulence, ground as bright as sky. */
     @Defaults
     public static final Light DAY = new Light(20_000.0, 0.05, 5_000.0, Optional.empty(), 0.0, 1.0);
 

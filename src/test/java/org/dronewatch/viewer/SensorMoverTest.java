@@ -75,7 +75,7 @@ class SensorMoverTest {
         assertThat(told).isEqualTo("'round' stays where it is: there is no ground");
         // At the foot of the wall, and within it.
         mover.drag(Optional.of(new Position(0, 62, 10)), 4.0);
-        assertThat(told).isEqualTo("'round' stays where it is: that is inside something solid");
+        assertThat(told).isEqualTo("'round' stays where it is: it would be inside something solid");
         mover.raise(-10.0);
         assertThat(told).isEqualTo("'round' stays where it is: it would be below the surface");
         mover.aim(0.0, 2.0);

@@ -55,7 +55,7 @@ final class LookWindow {
     /**
      * The probability that the sensor detects a drone within the time, which may begin at each of the phases with equal
      * probability: the mean over them of 1 minus the probability that all looks from there on miss it. Where chance
-     * decides once per encounter, an observer searches through all these looks.
+     * decides once per encounter, an observer searches throughout these looks.
      *
      * @param looks the probabilities of the looks in some phases, 0 to 1; in the others the probability is 0
      * @param at the numbers of these phases

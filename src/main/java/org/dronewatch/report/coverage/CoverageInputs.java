@@ -44,11 +44,20 @@ public record CoverageInputs(
 
     /** The probability with which a sensor must detect the drone, as an end of a phrase; empty for the default. */
     String withProbability() {
-        return hasDefaultProbability() ? "" : " with a probability of " + Numbers.text(covered) + " or more";
+        return withProbability(covered);
+    }
+
+    /** The same for any such probability, 0.008 to 0.996, or 1. */
+    public static String withProbability(double covered) {
+        return isDefault(covered) ? "" : " with a probability of " + Numbers.text(covered) + " or more";
+    }
+
+    private static boolean isDefault(double covered) {
+        return Double.compare(covered, FieldCoverage.DEFAULT_COVERED) == 0;
     }
 
     /** Whether {@link #covered} is the default. */
     boolean hasDefaultProbability() {
-        return Double.compare(covered, FieldCoverage.DEFAULT_COVERED) == 0;
+        return isDefault(covered);
     }
 }

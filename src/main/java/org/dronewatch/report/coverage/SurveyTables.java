@@ -40,7 +40,7 @@ public final class SurveyTables {
         tables.add(FieldTable.gaps(survey.summary()));
         tables.add(FieldTable.losses(survey.summary(), inputs));
         survey.warnings()
-                .map(warnings -> WarningTable.lines(warnings, inputs.withProbability()))
+                .map(warnings -> WarningTable.lines(warnings, inputs.covered()))
                 .ifPresent(tables::add);
         if (!survey.conditions().isEmpty()) {
             tables.add(ConditionTable.lines(survey.conditions(), inputs.withProbability()));

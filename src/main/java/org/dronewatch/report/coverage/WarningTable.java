@@ -18,24 +18,16 @@ public final class WarningTable {
     /**
      * For each height, the shortest warning and its bearing, the median, and how many bearings give no warning or too
      * little.
-     */
-    public static List<String> lines(InboundWarnings warnings) {
-        return lines(warnings, "");
-    }
-
-    /**
-     * The same.
      *
-     * @param probability with which a sensor must detect the drone, as in {@code  with a probability of 0.9 or more};
-     *     empty for the default
+     * @param covered the probability with which a sensor must detect the drone, 0.008 to 0.996, or 1
      */
-    static List<String> lines(InboundWarnings warnings, String probability) {
+    public static List<String> lines(InboundWarnings warnings, double covered) {
         boolean isRequired = warnings.response() > 0.0;
         List<String> lines = new ArrayList<>();
         lines.add(text(
                 "warning of drones that fly straight in from %s: time from the first detection%s until they reach %s:",
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
-                probability,
+                CoverageInputs.withProbability(covered),
                 warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
         lines.add(text("%10s  %34s  %10s  %14s", "height", "least", "median", "not detected")
                 + (isRequired ? text("  %24s", "less than " + Numbers.text(warnings.response()) + " s") : ""));

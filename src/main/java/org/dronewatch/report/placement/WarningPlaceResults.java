@@ -49,15 +49,16 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
         lines.addAll(new FrontWords(measure()).lines(front.points()));
+        double covered = best().plan().settings().air().covered();
         warnings.ifPresent(its -> {
             lines.add("");
             its.present().ifPresent(own -> {
                 lines.add("today:");
-                lines.addAll(WarningTable.lines(own));
+                lines.addAll(WarningTable.lines(own, covered));
                 lines.add("");
                 lines.add("layout:");
             });
-            lines.addAll(WarningTable.lines(its.layout()));
+            lines.addAll(WarningTable.lines(its.layout(), covered));
             lines.add(
                     "'coverage layout.yaml " + SameCoverage.options(best()) + "' gives these warnings of the layout.");
         });

@@ -74,8 +74,8 @@ final class RouteWords {
         if (route.mostExposedTo().isEmpty()) {
             return "no sensor detects the drone on it";
         }
-        return "the drone is detected with a probability of " + RouteNumbers.percent(route.detection()) + ", typically "
-                + when(route) + "; " + by(route);
+        return "the drone is detected, " + by(route) + ", with a probability of "
+                + RouteNumbers.percent(route.detection()) + ", typically " + when(route);
     }
 
     /** The sensor that contributes most, and the next one if it contributes no more than half. */

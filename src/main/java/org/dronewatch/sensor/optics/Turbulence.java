@@ -6,7 +6,7 @@ package org.dronewatch.sensor.optics;
  * blur is a shift of the whole image.
  *
  * @param coherenceDiameter Fried's parameter r0: with a lens of this diameter, the air blurs the image about as much as
- *     diffraction does, above 0, m; infinite in still air
+ *     diffraction does, above 0, m; infinite without turbulence
  * @param wavelength wavelength of the light or thermal radiation, above 0, m
  */
 public record Turbulence(double coherenceDiameter, double wavelength) {

@@ -38,7 +38,8 @@ import org.dronewatch.world.World;
  * @param gain gain of its antenna, in all directions or on the axis of its beam, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
- * @param clutter excess path loss caused by ground, plants and buildings that are not in the site's models, 0 to 100 dB
+ * @param clutter excess path loss caused by ground, vegetation and buildings that are not in the site's models, 0 to
+ *     100 dB
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  * @param polarisation polarisation of the signals; it only affects reflection from the ground
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set

@@ -37,9 +37,10 @@ import org.dronewatch.world.World;
  * @param fov field of view, 0.01 to 179 degrees, rad
  * @param fovAxis the axis of the image along which the field of view is measured
  * @param projection position of its axis in the image, and its near and far planes
- * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m; it determines the blur by diffraction;
- *     omit it for a lens without diffraction
- * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur by lens and air, m
+ * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m; it determines the blur due to
+ *     diffraction; omit it for a lens without diffraction
+ * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur due to
+ *     the lens and the air, m
  * @param rate looks per second, above 0, Hz: the frames that an observer is shown; those that a program
  *     examines have a separate rate in {@code pointTargets}
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K

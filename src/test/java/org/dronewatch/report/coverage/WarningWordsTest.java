@@ -56,7 +56,7 @@ class WarningWordsTest {
     }
 
     private static String table(InboundWarnings warnings) {
-        return String.join("\n", WarningTable.lines(warnings));
+        return String.join("\n", WarningTable.lines(warnings, FieldCoverage.DEFAULT_COVERED));
     }
 
     @Test

@@ -99,14 +99,15 @@ class RouteWordsTest {
         String verdict = new RouteWords(inputs).weakest(results(route, Map.of(0, 0.3)));
 
         assertThat(verdict)
-                .contains("; by b (44 %) and a (30 %)")
+                .contains("the drone is detected, by b (44 %) and a (30 %), with a probability of ")
                 .contains(
                         "detected in time with a probability of 39 %, and an alert comes in time with a probability of 30 %");
         three.put("b", 0.60);
         assertThat(new RouteWords(inputs)
                         .weakest(results(
                                 route(three, 1.0, route.flown().orElseThrow().flights()), Map.of())))
-                .contains("mostly by b. The drone is detected in time with a probability of 39 %.");
+                .contains("is detected, mostly by b, with a probability of ")
+                .contains(". The drone is detected in time with a probability of 39 %.");
     }
 
     /** Not even a look at the moment at which the flight begins is in time. */

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.energy.ScatterSamples.Sample;
@@ -45,18 +44,14 @@ final class EndSearch {
 
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
+
     /** Maximum number of image sources from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
-    /** Maximum number of image sources that join scattered sound to an end. */
-    private static final int MOST_JOINED = 64;
 
     /**
-     * Image sources are left to the rays that happen to pass the source if they increase the relative variance of a
-     * reading by less than this.
+     * Image sources with a purely specular path are left to the rays that happen to pass the source if one of them
+     * increases the relative variance of a reading by less than this: there may be thousands.
      */
-    private static final double NEGLIGIBLE = 3e-3;
-
-    /** The same for a single image source with a purely specular path: there may be thousands. */
     private static final double HARDLY_ANYTHING = 1e-6;
 
     /** Where less than this fraction of rays leaves the site over their first surfaces, the space is enclosed. */
@@ -75,7 +70,7 @@ final class EndSearch {
     private final WallPlanes planes;
     private final ImageSourceSearch search;
     private final ScatterSamples samples;
-    private final SpecularPath path;
+    private final JoinedImages joined;
     private final RoughEstimate rough;
     private final double[] mirrored;
     private final Samples samplesOfSensor;
@@ -91,7 +86,7 @@ final class EndSearch {
         this.planes = planes;
         this.search = new ImageSourceSearch(world, planes, surfaces);
         this.samples = new ScatterSamples(world, planes, surfaces);
-        this.path = new SpecularPath(world, planes, surfaces);
+        this.joined = new JoinedImages(planes, new SpecularPath(world, planes, surfaces), ofOneRay);
         this.rough = new RoughEstimate(world);
         this.samplesOfSensor = samples.from(sensor, SAMPLES, SCATTERINGS);
         this.mirrored = new double[planes.count()];
@@ -227,13 +222,13 @@ final class EndSearch {
         }
         Samples firstScattered = samples.from(target.position(), SAMPLES, 1);
         double first = rough.scattered(start.position(), firstScattered) / target.rays();
-        ImageSources ofTarget = chosen(
+        ImageSources ofTarget = joined.of(
                 near,
                 target.position(),
                 start.samples(),
                 known,
                 walls -> first * target.found().worth(walls));
-        ImageSources ofStart = chosen(far, start.position(), firstScattered, known, walls -> 0.0);
+        ImageSources ofStart = joined.of(far, start.position(), firstScattered, known, walls -> 0.0);
         return new Ends(
                 source,
                 sensor,
@@ -284,50 +279,5 @@ final class EndSearch {
             same.add(imageSources.walls(image), 0.0);
             reverse.add(SpecularPaths.reversed(imageSources.walls(image)), 0.0);
         }
-    }
-
-    /**
-     * The image sources of an end by whose reflections most of the sound that is scattered at some points reaches it.
-     *
-     * @param known what is heard without them
-     * @param first what is heard of an image source by reflections before all scattering
-     */
-    private ImageSources chosen(
-            ImageSourceCandidates candidates, Position end, Samples near, double known, ToDoubleFunction<int[]> first) {
-        ImageSources tried = candidates.best(Integer.MAX_VALUE, 0.0);
-        double[] images = new double[3 * tried.count()];
-        tried.positions(end.x(), end.y(), end.z(), planes, images);
-        ImageSourceCandidates worthy = new ImageSourceCandidates();
-        double all = known;
-        for (int image = 1; image < tried.count(); image++) {
-            double worth = first.applyAsDouble(tried.walls(image));
-            for (Sample point : near.points()) {
-                if (path.follow(
-                        tried,
-                        images,
-                        image,
-                        point.at().x(),
-                        point.at().y(),
-                        point.at().z(),
-                        point.wall(),
-                        WallPlanes.NONE)) {
-                    worth += heard(point) / near.rays();
-                }
-            }
-            if (worth > 0.0) {
-                worthy.add(tried.walls(image), worth);
-                all += worth;
-            }
-        }
-        return worthy.best(MOST_JOINED, NEGLIGIBLE * all * all / ofOneRay);
-    }
-
-    private double heard(Sample point) {
-        double reflected = 0.0;
-        for (int band = 0; band < OctaveBands.COUNT; band++) {
-            reflected += path.reflected(band) / OctaveBands.COUNT;
-        }
-        double cosine = Math.max(0.0, path.cosineAtBeginning(point.normal()));
-        return point.energy() * reflected * cosine / (Math.PI * path.length() * path.length());
     }
 }
