@@ -13,7 +13,7 @@ import org.dronewatch.sensor.SensorSettings;
  * than the period, a sensor that turns may not once point to the drone. Immutable.
  */
 final class LookWindow {
-    /** Observers are told apart by the probability that they need, to within this. */
+    /** Observers whose required probabilities differ by less than this are treated as one. */
     private static final double ALIKE = 0.001;
 
     private final SensorSettings<?> sensor;
