@@ -10,7 +10,7 @@ import org.dronewatch.setting.Defaults;
  * The prices of the sensors, for the report.
  *
  * @param currency currency of all prices, 1 to 12 letters, such as {@code EUR}
- * @param sensors known prices by name of the sensor, each 0 or more; they may include mount and installation
+ * @param sensors known prices by sensor name, each 0 or more; they may include mount and installation
  */
 public record PriceSettings(String currency, Map<String, Double> sensors) {
     /** No prices are known. */

@@ -45,7 +45,7 @@ final class SettingsReference {
                         "The fields of a scene file, the paths of `--set` and the components of the settings records of the"
                                 + " Java library\nare the same. This page is generated from the records; a test keeps it up to"
                                 + " date.\n\n"
-                                + "A number is in the unit of its column or carries a unit (`18 km/h`, `40 deg`, `70 %`); an angle"
+                                + "A number is in the unit given in the table or carries a unit (`18 km/h`, `40 deg`, `70 %`); an angle"
                                 + " without a unit is\nin radians, although ranges and defaults are given in degrees here. A setting"
                                 + " without a default is required. Where a\nsetting has several kinds, `kind` selects one; it may be"
                                 + " omitted where the other fields determine it.\n\n"

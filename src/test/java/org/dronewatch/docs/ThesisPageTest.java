@@ -49,7 +49,7 @@ class ThesisPageTest {
             "ultraviolet cameras",
             "automatic focus",
             "nodes of 32 bits for small scenes",
-            "correlation of pixels and detections of real detectors");
+            "correlation of pixels with detections by real detectors");
 
     private static final Pattern LINK = Pattern.compile("\\[[^\\]]+\\]\\([^)]+\\)");
     private static final Pattern PUT_OFF = Pattern.compile(

@@ -65,13 +65,13 @@ public sealed interface LinkBudget {
      * K).
      *
      * @param power transmitted power, 1e-9 to 1e9 W
-     * @param gain gain of the antenna Gt, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
+     * @param gain gain Gt of the antenna, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
      * @param integrationTime coherent integration time, 1e-9 to 10 s: that of a pulse, or of a coherent burst that
      *     counts as one
      * @param sweepBandwidth bandwidth of the transmitted signal, 1 to 1e12 Hz
      * @param noiseFigure noise figure of the receiver, -20 to 60 dB
      * @param losses total system losses, 0 to 60 dB
-     * @param receiveGain gain of the receiving antenna Gr if it is a separate one, -20 to 80 dBi
+     * @param receiveGain gain Gr of the receiving antenna if it is a separate one, -20 to 80 dBi
      */
     record Hardware(
             @In(value = Quantity.POWER, from = 1e-9, to = 1e9) double power,
