@@ -115,8 +115,8 @@ public final class RouteDirectory implements AutoCloseable {
         if (weakest.isPresent()) {
             BufferedImage profile = Charts.picture(RouteProfilePicture.of(weakest.get(), inputs));
             String caption =
-                    "The weakest route: its height above the ground, and the probability that the drone has been"
-                            + " detected by then.";
+                    "The weakest route: its height above the ground, and the probability that the drone has already"
+                            + " been detected.";
             figures.put("profile.png", Figure.of(caption, profile));
         }
         return figures;

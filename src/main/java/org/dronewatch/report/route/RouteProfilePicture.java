@@ -46,11 +46,11 @@ final class RouteProfilePicture {
         below.setXYSeriesRenderStyle(XYSeriesRenderStyle.Area);
         XYSeries path = chart.addSeries("flight", distances, flight);
         path.setMarker(SeriesMarkers.NONE).setLineColor(Color.BLACK).setLineWidth(3f);
-        XYSeries seen = chart.addSeries("detected by then [%], right scale", distances, detected);
+        XYSeries seen = chart.addSeries("detected so far [%], right scale", distances, detected);
         seen.setMarker(SeriesMarkers.NONE).setLineColor(EXPOSURE);
         seen.setLineStyle(new BasicStroke(3f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10f, DASHES, 0f));
         seen.setYAxisGroup(1);
-        chart.setYAxisGroupTitle(1, "detected by then [%]");
+        chart.setYAxisGroupTitle(1, "detected so far [%]");
         chart.getStyler().setYAxisGroupPosition(1, YAxisPosition.Right);
         chart.getStyler().setYAxisMin(1, 0.0).setYAxisMax(1, 100.0);
         double lowest = DoubleStream.of(ground).min().orElse(0.0);
