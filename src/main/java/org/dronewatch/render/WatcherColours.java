@@ -54,7 +54,7 @@ final class WatcherColours {
     /** Some names of sensors, or that there are none. */
     static String names(List<String> sensors) {
         if (sensors.isEmpty()) {
-            return "nobody";
+            return "not detected";
         }
         return sensors.size() <= MOST_NAMES
                 ? String.join(", ", sensors)
