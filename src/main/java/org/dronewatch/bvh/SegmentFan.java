@@ -5,10 +5,10 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Determines which of many segments with a common origin are hidden: the lines of sight from a sensor to many places.
+ * Determines which of many segments with a common origin are blocked: the lines of sight from a sensor to many places.
  * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends
- * of a segment that begins or ends on a triangle: rounding decides there, for single rays too. Segments of similar
- * directions are traced together, in whatever order they are given; those for which single precision leaves a doubt are
+ * of a segment that begins or ends on a triangle: rounding decides there, for single rays, too. Segments of similar
+ * directions are traced together, in whatever order they are given; those that single precision cannot decide are
  * traced again, one by one. For the use of one thread.
  */
 public final class SegmentFan {
@@ -43,7 +43,7 @@ public final class SegmentFan {
     }
 
     /**
-     * Determines which segments are hidden.
+     * Determines which segments are blocked.
      *
      * @param originX of the origin of all segments, m
      * @param originY of the origin, m
@@ -52,7 +52,7 @@ public final class SegmentFan {
      * @param count number of segments
      * @param skipped triangles within this distance of either end of a segment do not count, m; 0 or more, and more
      *     than 0 for ends on surfaces
-     * @param hidden receives for each segment whether any triangle hides it; a segment without length is never hidden
+     * @param hidden receives for each segment whether any triangle blocks it; nothing blocks a segment without length
      */
     public void trace(
             double originX,

@@ -39,7 +39,7 @@ public final class TracingIndex {
     /**
      * Builds the index of a mesh; if the mesh has no triangles, no ray hits anything.
      *
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the index is built
      */
     public static TracingIndex of(TriangleMesh mesh) {
         return of(mesh, TracingSettings.DEFAULT);
@@ -49,7 +49,7 @@ public final class TracingIndex {
      * Builds the index of a mesh.
      *
      * @param settings of the construction of its tree, and of the traversal by rays
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the index is built
      */
     public static TracingIndex of(TriangleMesh mesh, TracingSettings settings) {
         return new TracingIndex(KDTree.of(mesh, settings.costs()), settings.traversal());

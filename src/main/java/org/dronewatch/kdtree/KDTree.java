@@ -50,7 +50,7 @@ public final class KDTree {
     /**
      * Builds the tree of a mesh; if the mesh has no triangles, no ray hits anything.
      *
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the tree is built
      */
     public static KDTree of(TriangleMesh mesh) {
         return of(mesh, SahCost.DEFAULT);
@@ -59,7 +59,7 @@ public final class KDTree {
     /**
      * Builds the tree of a mesh with given costs, which affect the speed of rays, but not their hits.
      *
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the tree is built
      */
     public static KDTree of(TriangleMesh mesh, SahCost costs) {
         return of(mesh, costs, LongTask.silent());
@@ -69,7 +69,7 @@ public final class KDTree {
      * Builds the tree of a mesh and reports its progress.
      *
      * @param task advances to the number of triangles
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the tree is built
      */
     public static KDTree of(TriangleMesh mesh, SahCost costs, LongTask task) {
         return new KDTreeBuilder(mesh, costs).build(task);

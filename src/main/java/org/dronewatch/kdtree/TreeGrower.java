@@ -59,7 +59,7 @@ final class TreeGrower {
      *
      * @param cell its root
      * @param duplicates how many references it may have beyond those of its root
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the tree is built
      */
     Subtree grow(Cell cell, long duplicates) {
         AtomicLong left = new AtomicLong(duplicates);

@@ -10,10 +10,10 @@ import java.util.List;
  */
 public final class HillTerrain {
 
-    /** Edge of the square the terrain covers, metres; the plan origin is its centre. */
+    /** Side of the square that the terrain covers, metres; the plan origin is its centre. */
     public static final double EDGE_METRES = 1500;
 
-    /** Number of grid cells along each edge; every cell is two triangles. */
+    /** Number of grid cells along each side; every cell is two triangles. */
     public static final int CELLS = 180;
 
     /** Height of the flat top at the plan origin, metres. */

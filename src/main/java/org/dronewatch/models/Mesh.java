@@ -20,7 +20,7 @@ public record Mesh(String name, int decimals, List<Point> vertices, List<Part> p
     }
 
     /**
-     * One object of the file; in the craft and the house each part is a closed solid.
+     * One object of the file; in the aircraft and the house, each part is a closed solid.
      *
      * @param name object name
      * @param faces faces in file order

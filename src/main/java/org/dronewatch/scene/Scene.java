@@ -49,9 +49,9 @@ import org.dronewatch.world.Light;
  * created there. {@link #run()} runs it on the calling thread; {@link SceneRunner} runs it with other settings, threads
  * or pace.
  *
- * <p>A scene is a DSOL model: with your own DSOL simulator, it runs beside other DSOL models and in DSOL experiments,
- * whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps are run by
- * {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose flight is
+ * <p>A scene is a DSOL model: with your own DSOL simulator, it runs alongside other DSOL models and in DSOL
+ * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners.
+ * Sweeps are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose flight is
  * {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {

@@ -62,8 +62,8 @@ final class CoverageForm extends JPanel {
                 named(
                         "Heading",
                         headings,
-                        "The heading on which the sensors are least or most likely to detect it, or the one towards"
-                                + " what is protected"),
+                        "The heading on which the sensors are least or most likely to detect the drone, or the one"
+                                + " towards what is protected"),
                 headings,
                 button));
         add(row(

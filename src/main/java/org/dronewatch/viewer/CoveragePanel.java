@@ -67,7 +67,7 @@ final class CoveragePanel extends JPanel {
         this.pictures = new CoveragePictures(threads, failed);
         layout.listen(this::update);
         this.pointed = new PointedCell(this::describe, failed);
-        button.setToolTipText("Computes where the sensors detect the drone, and why not elsewhere");
+        button.setToolTipText("Computes where the sensors detect the drone, and why they do not elsewhere");
         button.addActionListener(e -> {
             if (awaited == null) {
                 compute();

@@ -97,7 +97,7 @@ public final class Places {
     /**
      * A point in plan view by latitude and longitude, at the level of the origin.
      *
-     * @throws IllegalArgumentException when the scene has no origin, or it is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
      */
     public GroundPoint at(EarthPoint point) {
         double level = origin.flatMap(Origin::height).orElse(0.0);
@@ -135,7 +135,7 @@ public final class Places {
      * @param latitude rad
      * @param longitude rad
      * @param height m
-     * @throws IllegalArgumentException when the scene has no origin, or it is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
      */
     public Position atHeight(double latitude, double longitude, double height) {
         return near(geodesy().inWorld(latitude, longitude, height), latitude, longitude);
@@ -147,7 +147,7 @@ public final class Places {
      *
      * @param latitude rad
      * @param longitude rad
-     * @throws IllegalArgumentException when the scene has no origin, or it is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
      */
     public OptionalDouble surface(double latitude, double longitude) {
         Geodesy geodesy = geodesy();

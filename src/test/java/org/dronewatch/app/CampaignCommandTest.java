@@ -264,7 +264,7 @@ class CampaignCommandTest {
                 .containsExactly("path", "first", "low", "high", "total", "total_low", "total_high");
         assertThat(distance.get("total").asDouble()).isBetween(0.9, 1.1);
         assertThat(matters.out())
-                .contains("what explains the warning time of scene, in % of its variance")
+                .contains("what explains the warning time with scene, in % of its variance")
                 .containsPattern("drones.intruder.flight.distance +alone +\\d")
                 .containsPattern("chance +alone");
         assertThat(Files.readAllLines(directory.resolve("matters/sensitivity.csv")))

@@ -22,7 +22,7 @@ public record Warning(
         return time.isPresent() && time.getAsDouble() >= response;
     }
 
-    /** Whether the flight begins too near to show if the drone would be detected in time. */
+    /** Whether the flight begins too near to show whether the drone would be detected in time. */
     public boolean isUndecided(double response) {
         return isFromStart && !isInTime(response);
     }

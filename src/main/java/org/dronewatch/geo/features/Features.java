@@ -96,8 +96,8 @@ public final class Features {
     }
 
     /**
-     * The place with this name, at the given height if there is one. Otherwise it is at the height in the file, if the
-     * datum of that is stated, or else on the surface.
+     * The place with this name, at the given height if there is one. Otherwise it is at the height in the file, if
+     * its datum is stated, or else on the surface.
      *
      * @param above height above the surface, m
      * @param height height above sea level, m

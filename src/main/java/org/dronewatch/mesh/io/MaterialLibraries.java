@@ -45,7 +45,7 @@ final class MaterialLibraries {
      *
      * @param names as the model names them
      * @param used the names of the materials that the model uses
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while a library is read
      */
     void read(Collection<String> names, Collection<String> used) {
         for (String name : names) {

@@ -33,7 +33,7 @@ public final class ModelLoader {
     /**
      * Reads a model that is not in coordinates of a national grid, and places it.
      *
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the model is read
      * @throws InputException when the file is missing, too large, or not a mesh
      */
     public LoadedModel load(ModelSettings settings) {
@@ -45,7 +45,7 @@ public final class ModelLoader {
      *
      * @param sceneOrigin geographic position of the scene's origin, which a model with a {@linkplain
      *     ModelSettings#crs() crs} needs
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the model is read
      * @throws InputException when the file is missing, too large, or not a mesh, or the model has a crs and the origin
      *     is not known
      */

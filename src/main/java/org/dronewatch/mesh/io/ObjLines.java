@@ -44,7 +44,7 @@ final class ObjLines extends BufferedReader {
     /**
      * The next statement, empty for a line without one; null after the last.
      *
-     * @throws CancellationException when the thread is interrupted meanwhile
+     * @throws CancellationException when the thread is interrupted while the file is read
      * @throws IOException also when the line is too long or holds a zero byte
      */
     @Override

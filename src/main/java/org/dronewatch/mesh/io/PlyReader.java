@@ -66,7 +66,7 @@ public final class PlyReader implements MeshReader {
                 }
             }
             if (!hasFaces) {
-                throw new InputException(file.name() + ": has no faces: a cloud of points is not a mesh");
+                throw new InputException(file.name() + ": has no faces: a point cloud is not a mesh");
             }
         } catch (EOFException e) {
             throw new InputException(file.name() + ": ends too early: it is cut off or damaged", e);

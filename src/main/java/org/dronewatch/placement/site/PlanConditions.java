@@ -35,9 +35,9 @@ final class PlanConditions {
     static InputException impossible(PlacePlan plan, Optional<String> remaining) {
         return new InputException(
                 "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
-                        + ": no layout was found that complies with it and with the other conditions: the numbers of sensors"
+                        + ": no layout was found that complies with it and with the limits on the numbers of sensors"
                         + remaining
-                                .map(what -> ", and " + what + " after the loss of any one")
+                                .map(what -> ", and leaves " + what + " after the loss of any one")
                                 .orElse(""));
     }
 }

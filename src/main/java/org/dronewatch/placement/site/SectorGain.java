@@ -15,7 +15,7 @@ public record SectorGain(double bearing, double lowest, double highest, double b
     /** A part of which this fraction is covered, or a route with this probability of a detection, counts as closed. */
     private static final double CLOSED = 0.95;
 
-    /** Whether the layout leaves hardly any gap there, although the other one does; for fractions and probabilities. */
+    /** Whether the layout leaves hardly any gap where the other one leaves one; for fractions and probabilities. */
     public boolean isClosed() {
         return after >= CLOSED && before < CLOSED;
     }

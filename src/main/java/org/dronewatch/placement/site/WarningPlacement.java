@@ -14,8 +14,8 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The layout of a plan that gives the longest warning: the worst or the mean over flights straight in; a warning is 0
- * if the drone is not detected before it arrives.
+ * The layout of a plan that gives the longest warning: the worst or the mean over straight inbound flights; a warning
+ * is 0 if the drone is not detected before it arrives.
  *
  * @param plan what was asked for
  * @param grid the cells; the length of their sides is the step of the flights
@@ -108,8 +108,8 @@ public record WarningPlacement(
 
     /**
      * The best order in which to buy the sensors of the layout, after those that are kept: at each step, the one that
-     * adds the most for its price or, where none makes the worst warning any longer, the one that gives the most
-     * warnings for its price.
+     * adds the most for its price or, where none lengthens the shortest warning, the one that gives the most warnings
+     * for its price.
      */
     @Override
     public List<PlaceStep> purchases() {

@@ -28,7 +28,7 @@ public final class CampaignWords {
     /** Which settings matter: a line for each, the most influential first, and chance last. */
     public static List<String> sensitivity(Sensitivity sensitivity) {
         CampaignQuantity output = sensitivity.settings().output();
-        String what = output.words() + " of " + sensitivity.variant();
+        String what = output.words() + " with " + sensitivity.variant();
         List<Sensitivity.Influence> influences = ordered(sensitivity);
         List<String> lines = new ArrayList<>();
         if (influences.isEmpty()) {

@@ -16,7 +16,7 @@ final class SensitivityBars {
 
     SensitivityBars(Sensitivity sensitivity) {
         this.sensitivity = sensitivity;
-        this.what = sensitivity.settings().output().words() + " of " + sensitivity.variant();
+        this.what = sensitivity.settings().output().words() + " with " + sensitivity.variant();
     }
 
     /** The section. */

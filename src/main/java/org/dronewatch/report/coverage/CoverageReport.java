@@ -217,7 +217,7 @@ final class CoverageReport {
         boolean mayHover =
                 summary.coverage().field().courses().stream().anyMatch(course -> course.kind() == Course.Kind.HOVER);
         items.add("Only the drone '" + inputs.drone() + "' flies, level and at its cruise speed"
-                + (mayHover ? ", or hovers where hovering counts as its heading" : "") + "; sensors on positioners "
+                + (mayHover ? ", or hovers, which counts as one more heading" : "") + "; sensors on positioners "
                 + (inputs.terms().pointing() == FieldTerms.Turning.CUED
                         ? "have turned to it."
                         : "search for it: probabilities are means over one period of the search."));

@@ -32,8 +32,8 @@ public final class Losses {
         html.append(Html.plain(
                 "p",
                 "The table states the coverage, in % of the known area at each height, with all sensors and"
-                        + " without each one. Without a sensor, the drone may fly on the heading that suits the"
-                        + " others least."));
+                        + " without each one. If a sensor fails, a different heading of the drone may become the"
+                        + " worst for the others."));
         html.append(table());
         List<String> bands = sensors.stream()
                 .map(this::band)
@@ -136,9 +136,9 @@ public final class Losses {
         String names = ("'" + String.join("', '", idle) + "'").replaceFirst(", ('[^']+')$", " and $1");
         return idle.size() == 1
                 ? names
-                        + " adds nothing on this heading: without it, the same cells are covered at every height. It"
+                        + " adds nothing to this coverage: without it, the same cells are covered at every height. It"
                         + " still serves as a backup if another sensor fails, and may confirm what others detect."
-                : names + " each add nothing on this heading: without any one of them, the same cells are covered at"
+                : names + " each add nothing to this coverage: without any one of them, the same cells are covered at"
                         + " every height. Without several of them, some cells may no longer be covered.";
     }
 

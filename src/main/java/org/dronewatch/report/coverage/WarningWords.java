@@ -30,7 +30,7 @@ public final class WarningWords {
                 + ". For each bearing from which it comes, the figure shows the time from its first detection until"
                 + " it arrives; where a line touches the centre, it arrives undetected. "
                 + (warnings.response() > 0.0
-                        ? "From bearings where a line is inside the ring, the warning comes too late."
+                        ? "For bearings at which a line is inside the ring, the warning comes too late."
                         : "The scene requires no response time (alert.response).");
     }
 

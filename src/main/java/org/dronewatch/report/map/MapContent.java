@@ -66,7 +66,7 @@ final class MapContent implements DrawnFeatures {
                 result.runs().size() > 1 ? ", in the first of " + result.runs().size() + " runs" : "";
         return "Where each sensor detects each drone" + which + ". " + heights() + " Fields of view are"
                 + " drawn in plan, as if nothing obstructed them; that of a camera extends to the range at"
-                + " which it first detects a drone, or " + Math.round(MapFootprint.UNKNOWN_REACH)
+                + " which it first detects a drone, or to " + Math.round(MapFootprint.UNKNOWN_REACH)
                 + " m if it detects none." + buildings();
     }
 

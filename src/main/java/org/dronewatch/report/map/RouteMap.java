@@ -28,7 +28,7 @@ public final class RouteMap {
      * @param colour of its line
      * @param begin when the drone is at its first point, s
      * @param end when it is at its last, s
-     * @param detection probability that the drone has been detected by then, 0 to 1
+     * @param detection probability that the drone has been detected by the end of the piece, 0 to 1
      */
     public record Piece(
             String route,

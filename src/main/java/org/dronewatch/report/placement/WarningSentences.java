@@ -18,9 +18,9 @@ final class WarningSentences {
     /** The warning that the layout gives, compared with the best possible. */
     String worth() {
         int heights = best.grid().heights().size();
-        String given = "The layout " + measure.claim(true, best.value()) + " of straight flights from "
+        String given = "The layout " + measure.claim(true, best.value()) + " for straight flights from "
                 + InboundWarnings.BEARINGS + " bearings at " + Counted.of(heights, "height")
-                + ", for " + Numbers.text(best.result().cost());
+                + ", at a cost of " + Numbers.text(best.result().cost());
         return given
                 + (best.bound() <= best.value()
                         ? "; no layout within the budget gives more."

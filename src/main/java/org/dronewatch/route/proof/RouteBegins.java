@@ -16,9 +16,9 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers a long distance
  * between two looks of a slow sensor. So the route begins at several moments, spread evenly over the longest period of
- * any sensor: the period of its looks or, on a positioner, that of its search. With slow periods of several lengths,
- * the moments are moved within their parts of the longest one so that they are spread as evenly as possible over each,
- * even where one is a multiple of another.
+ * any sensor: the period of its looks or, on a positioner, that of its search. If slow sensors have
+ * different periods, the moments are shifted within their parts of the longest one so that they are spread as evenly as
+ * possible over each period, even where one is a multiple of another.
  */
 public final class RouteBegins {
     /** The maximum number of moments. */

@@ -17,7 +17,7 @@ import org.dronewatch.statistics.Proportion;
 
 /**
  * A route proved by flight: how often runs of its scene detect the drone, and how often they should. The prediction is
- * {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance is drawn once
+ * {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance decides once
  * per encounter, the mean over all draws. Positioners only search in these runs, since what they follow depends on
  * chance. Where a program looks for spots in the images of a thermal camera, successive looks share frames and so are
  * not independent: for such cameras, the prediction is too high.

@@ -411,7 +411,7 @@ class ModelFormatsTest {
                 "a.ply | ply%nformat binary 1.0%n | a.ply:2: format must be ascii, binary_little_endian",
                 "a.ply | ply%nelement vertex 99999999999%n | 99999999999 elements 'vertex' in a file of 31 bytes",
                 "a.ply | ply%nformat ascii 1.0%nelement vertex 1%nproperty float x%nend_header%n1%n | its vertices have no 'y'",
-                "a.ply | ply%nformat ascii 1.0%nend_header%n | has no faces: a cloud of points is not a mesh",
+                "a.ply | ply%nformat ascii 1.0%nend_header%n | has no faces: a point cloud is not a mesh",
                 "a.ply | plx | a.ply:1: the header does not end",
                 "a.gltf | {} | asset.version is '' but must be 2.0: not glTF",
                 "a.gltf | [ | not glTF",

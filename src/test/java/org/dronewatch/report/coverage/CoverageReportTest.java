@@ -137,9 +137,8 @@ class CoverageReportTest {
     @Test
     void theReportSaysThatTheDroneMayHover() {
         assertThat(text)
-                .contains(
-                        "flies, level and at its cruise speed, or hovers where hovering counts as its heading; sensors"
-                                + " on");
+                .contains("flies, level and at its cruise speed, or hovers, which counts as one more heading; sensors"
+                        + " on");
     }
 
     @Test

@@ -342,7 +342,7 @@ class CoverageSkinTest {
                         "far -",
                         "the same cells are covered on the worst heading without far");
         assertThat(new Losses(one).html())
-                .contains("12.0 (+2.0)", "10.0 (different cells)", "'far' adds nothing on this heading");
+                .contains("12.0 (+2.0)", "10.0 (different cells)", "'far' adds nothing to this coverage");
     }
 
     /** The sensor that decides has the highest probability; what it lacks is the difference of its two values. */

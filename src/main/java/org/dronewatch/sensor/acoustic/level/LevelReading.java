@@ -9,8 +9,8 @@ import java.util.OptionalInt;
  *
  * @param bestLevel the highest undivided level received, dB; minus infinity when nothing was received
  * @param detected whether the best level reaches the threshold
- * @param energy the received fraction of the emitted energy, summed over all rays: for information only, as the forced
- *     rays make it unphysical
+ * @param energy the received fraction of the emitted energy, summed over all rays: for information only, since rays
+ *     that are aimed at the sensor make it unphysical
  * @param received number of rays that reached the sensor
  * @param traced number of ray segments that were traced
  * @param cutByOrder number of rays not followed because of the maximum order
