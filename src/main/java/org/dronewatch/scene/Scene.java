@@ -50,9 +50,9 @@ import org.dronewatch.world.Light;
  * or pace.
  *
  * <p>A scene is a DSOL model: with your own DSOL simulator, it runs alongside other DSOL models and in DSOL
- * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners.
- * Sweeps are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose flight is
- * {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
+ * experiments, whose replications each have their own seed. It then fires {@link #OBSERVATION} to its listeners. Sweeps
+ * are run by {@link SceneRunner}; under another simulator the scene runs with its settings as they are. Drones whose
+ * flight is {@code steered} are steered by the scene's {@link #pilot()}, or by another model through {@link #drone}.
  */
 public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInterface<Double>> {
     /** Fired when one sensor has looked at one drone, with the {@link Observation}. */
