@@ -66,7 +66,7 @@ final class BuildingSite {
     /** The buildings near the origin, with their outlines at its level. */
     List<Building> buildings(MapFeatures map) {
         MapTransform transform = transform(map);
-        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.WGS_84);
+        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.wgs84());
         List<Building> buildings = new ArrayList<>();
         for (MapFeature feature : map.features()) {
             if (feature.isWood()) {
@@ -87,7 +87,7 @@ final class BuildingSite {
     List<Footprint> woods(MapFeatures map) {
         List<Footprint> woods = new ArrayList<>();
         MapTransform transform = transform(map);
-        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.WGS_84);
+        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.wgs84());
         for (MapFeature feature : map.features()) {
             if (feature.isWood()) {
                 List<double[]> inners = feature.inners().stream()
@@ -115,7 +115,7 @@ final class BuildingSite {
     /** From coordinates of the map to the plane of the world frame, x and y of each corner in turn. */
     UnaryOperator<double[]> projection(MapFeatures map) {
         MapTransform transform = transform(map);
-        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.WGS_84);
+        boolean isPlain = crs(map).equals(CoordinateReferenceSystem.wgs84());
         return line -> flat(line, transform, isPlain);
     }
 

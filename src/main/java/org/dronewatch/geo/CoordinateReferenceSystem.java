@@ -31,9 +31,6 @@ public final class CoordinateReferenceSystem {
     /** Looking one up takes milliseconds. */
     private static final Map<Integer, CoordinateReferenceSystem> KNOWN = new ConcurrentHashMap<>();
 
-    /** Longitude and latitude in degrees on the ellipsoid of GPS. */
-    public static final CoordinateReferenceSystem WGS_84 = of("EPSG:4326");
-
     private final String name;
     private final org.locationtech.proj4j.CoordinateReferenceSystem system;
 
@@ -58,6 +55,14 @@ public final class CoordinateReferenceSystem {
             throw new InputException("coordinate reference system '" + shown + "' " + EXAMPLE);
         }
         return KNOWN.computeIfAbsent(Integer.parseInt(matcher.group(1)), CoordinateReferenceSystem::find);
+    }
+
+    /**
+     * Longitude and latitude in degrees on the ellipsoid of GPS. Found when first asked for: most scenes have no map
+     * and should not load PROJ4J's classes.
+     */
+    public static CoordinateReferenceSystem wgs84() {
+        return of("EPSG:4326");
     }
 
     private static CoordinateReferenceSystem find(int number) {

@@ -45,8 +45,9 @@ public final class MapTransform {
         CoordinateTransformFactory factory = new CoordinateTransformFactory();
         this.crs = crs;
         this.geodesy = new Geodesy(origin);
-        this.toEarth = factory.createTransform(crs.system(), CoordinateReferenceSystem.WGS_84.system());
-        this.toMap = factory.createTransform(CoordinateReferenceSystem.WGS_84.system(), crs.system());
+        this.toEarth = factory.createTransform(
+                crs.system(), CoordinateReferenceSystem.wgs84().system());
+        this.toMap = factory.createTransform(CoordinateReferenceSystem.wgs84().system(), crs.system());
     }
 
     /** The system of the map's coordinates. */

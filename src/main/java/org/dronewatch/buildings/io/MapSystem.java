@@ -61,14 +61,14 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
                 throw new InputException(file + ": has longitude and latitude, like all OpenStreetMap data, but crs is "
                         + grid + ": leave out crs");
             });
-            return CoordinateReferenceSystem.WGS_84;
+            return CoordinateReferenceSystem.wgs84();
         }
         if (given.isEmpty() && stated.isEmpty() && rule == Rule.STATED) {
             throw new InputException(
                     file + ": does not state its coordinate reference system: set crs, as in crs: EPSG:25832");
         }
-        CoordinateReferenceSystem crs =
-                given.orElseGet(() -> stated.map(text -> parsed(file, text)).orElse(CoordinateReferenceSystem.WGS_84));
+        CoordinateReferenceSystem crs = given.orElseGet(
+                () -> stated.map(text -> parsed(file, text)).orElseGet(CoordinateReferenceSystem::wgs84));
         if (crs.isGeographic() && foreign.isPresent()) {
             throw new InputException(file + ": " + foreign.get()
                     + " but must be longitude and latitude, -180 to 180 and -90 to 90 degrees: for coordinates of a grid, set"
@@ -83,7 +83,11 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
     }
 
     private static boolean isSame(String text, CoordinateReferenceSystem used) {
-        return used.name().equals(CRS84.matcher(text).matches() ? CoordinateReferenceSystem.WGS_84.name() : code(text));
+        return used.name()
+                .equals(
+                        CRS84.matcher(text).matches()
+                                ? CoordinateReferenceSystem.wgs84().name()
+                                : code(text));
     }
 
     private static String code(String text) {
@@ -93,7 +97,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
 
     private CoordinateReferenceSystem parsed(String file, String text) {
         if (CRS84.matcher(text).matches()) {
-            return CoordinateReferenceSystem.WGS_84;
+            return CoordinateReferenceSystem.wgs84();
         }
         String code = code(text);
         if (code.isEmpty()) {

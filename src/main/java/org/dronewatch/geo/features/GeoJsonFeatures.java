@@ -32,7 +32,7 @@ final class GeoJsonFeatures {
         JsonNode root = JsonText.read(file, bytes);
         grid = GeoJsonSystem.stated(root)
                 .map(this::system)
-                .filter(crs -> !crs.equals(CoordinateReferenceSystem.WGS_84))
+                .filter(crs -> !crs.equals(CoordinateReferenceSystem.wgs84()))
                 .map(crs -> new MapTransform(crs, ANYWHERE));
         String type = root.path("type").asString("");
         if (type.equals("Feature")) {

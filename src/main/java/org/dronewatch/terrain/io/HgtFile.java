@@ -81,7 +81,7 @@ final class HgtFile implements ElevationFile {
 
     @Override
     public Optional<CoordinateReferenceSystem> crs() {
-        return Optional.of(CoordinateReferenceSystem.WGS_84);
+        return Optional.of(CoordinateReferenceSystem.wgs84());
     }
 
     @Override
