@@ -23,7 +23,7 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param height height of buildings for which the map states neither a height nor levels, 1 to 200 m
  * @param levelHeight height of a level, for buildings for which the map states only the number of levels, 1 to 20 m
  * @param verticalOffset offset that is added to the heights of a city model, -1000 to 1000 m: for one whose heights
- *     refer to a different level from that of {@code world.origin.height} and the terrain
+ *     are not measured from the same level as {@code world.origin.height} and the terrain
  * @param woodHeight height of the woods on the map, which are modelled as opaque canopies, 1 to 100 m; omit it to leave
  *     out woods
  * @param landCover whether the ground of {@code world.terrain} has the colours and the acoustic surfaces of what the

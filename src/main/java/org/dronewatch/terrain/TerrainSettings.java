@@ -30,7 +30,7 @@ import org.dronewatch.setting.file.PackagedSite;
  * @param surface surface that the heights describe: the bare ground (dtm), or the highest surface, including roofs and
  *     treetops (dsm)
  * @param verticalOffset offset that is added to the heights of the files, -1000 to 1000 m: for files whose heights
- *     refer to a different level from that of {@code world.origin.height}
+ *     are not measured from the same level as {@code world.origin.height}
  * @param nodata a height that means "no data", in addition to those that the files state; omit it if there is no other
  * @param material name of the ground's material, to which {@code world.surfaces} assigns an acoustic surface; a name in
  *     the table of surfaces needs no assignment

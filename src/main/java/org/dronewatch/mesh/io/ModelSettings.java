@@ -22,8 +22,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param file path of a model file, such as an .obj file, or {@code packaged:NAME} for a model of the library
  * @param upAxis axis of the file that points up
  * @param scale length of the file's unit, 1e-6 to 1e6 m
- * @param crs national grid of the file's coordinates by its EPSG code, such as EPSG:28992, with heights above the level
- *     of {@code world.origin.height}; omit it for a model in local coordinates
+ * @param crs national grid of the file's coordinates by its EPSG code, such as EPSG:28992, with heights measured from
+ *     the same level as {@code world.origin.height}; omit it for a model in local coordinates
  * @param origin point of the file that is placed at {@code position}, in the file's unit and along its axes; with a
  *     {@code crs}, the point at which the coordinates of the grid are zero, which matters only if the file's
  *     coordinates are shifted: (-155000, -463000, 0) if 155,000 and 463,000 were subtracted from them
