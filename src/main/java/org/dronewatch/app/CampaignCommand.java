@@ -72,7 +72,7 @@ final class CampaignCommand implements Callable<Integer> {
 
     @Option(
             names = "--resume",
-            description = "Completes what an interrupted run of the same campaign left in the directory.")
+            description = "Completes the results that an interrupted run of the same campaign left in the directory.")
     private boolean resume;
 
     @Option(

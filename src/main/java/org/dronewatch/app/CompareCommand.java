@@ -51,8 +51,9 @@ final class CompareCommand implements Callable<Integer> {
 
     @Option(
             names = "--resume",
-            description = "Completes what an interrupted run of the same comparison left in the directory given by"
-                    + " --out.")
+            description =
+                    "Completes the results that an interrupted run of the same comparison left in the directory"
+                            + " given by --out.")
     private boolean resume;
 
     @Mixin

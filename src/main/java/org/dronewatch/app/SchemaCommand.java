@@ -19,7 +19,8 @@ import picocli.CommandLine.Spec;
         name = "schema",
         mixinStandardHelpOptions = true,
         description = {
-            "Prints the JSON schema of scene files, or of placement files, with the kinds that all jars on the class path add.",
+            "Prints the JSON schema of scene files, or of placement files, including the kinds that jars on the class"
+                    + " path add.",
             "Editors complete and check scene files as you type if their first line is",
             "# yaml-language-server: $schema=scene.schema.json"
         },

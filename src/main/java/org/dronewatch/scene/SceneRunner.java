@@ -150,7 +150,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Ends each run after this time and the looks at this time; up to then, the results are those of the whole run.
+     * Ends each run after the looks at this time; up to then, the results are those of the whole run.
      *
      * @param seconds simulated time since the start of the run, 0 or more; beyond the duration it changes nothing
      * @throws IllegalArgumentException when negative or not a number

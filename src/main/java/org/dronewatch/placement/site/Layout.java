@@ -34,7 +34,7 @@ public final class Layout {
         return SettingsForm.with(scene, Map.of("sensors", all, "disabled", others));
     }
 
-    /** A scene with only the sensors of a layout: it is consistent even if the scene needs others. */
+    /** The scene of a plan with only the sensors of a layout: it is consistent even if that scene needs others. */
     public static SceneSettings alone(PlacePlan plan, List<SiteCandidate> chosen) {
         return alone(plan.present(), sensors(chosen));
     }

@@ -69,7 +69,7 @@ final class WorstPlaces {
             return "There is no gap in the coverage at these heights.";
         }
         GapSpan worst = gaps.get(0);
-        return "The largest gap, at " + heights(worst) + ", covers " + size(worst) + ". It "
+        return "The largest gap, at " + heights(worst) + ", has an area of " + size(worst) + ". It "
                 + where(GapMap.of(summary.coverage(), worst.height()), worst) + ". The main reason there: "
                 + cause(worst.gap().cause()) + ".";
     }
@@ -121,7 +121,7 @@ final class WorstPlaces {
         return begins
                 + (span.gap().touchesRim()
                         ? " and reaches the edge of the area, beyond which it may continue"
-                        : " and is surrounded by covered cells");
+                        : " and does not reach the edge of the area");
     }
 
     private String why(Gap gap, List<GapEvidence> evidence) {
