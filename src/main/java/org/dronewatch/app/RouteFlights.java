@@ -14,6 +14,7 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.route.search.TimeToGo;
+import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 
@@ -52,7 +53,7 @@ final class RouteFlights {
         try {
             shown.during("looks along the routes", all, progress -> {
                 for (SectorRoute route : survey.routes()) {
-                    assessed.add(assess(route, survey, runs > 0 ? FlownRoute.ESTIMATES : 1));
+                    assessed.add(assess(route, survey, runs));
                     progress.accept(1);
                 }
                 return all;
@@ -87,12 +88,14 @@ final class RouteFlights {
         }
     }
 
-    private SectorRoute assess(SectorRoute route, RouteSurvey survey, int estimates) {
+    private SectorRoute assess(SectorRoute route, RouteSurvey survey, int runs) {
         Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
         if (scene.isEmpty()) {
             return route;
         }
-        FlownRoute flight = FlownRoute.of(scene.get(), runner.load(scene.get()), estimates);
+        ModelCache models = runner.load(scene.get());
+        FlownRoute flight =
+                runs > 0 ? FlownRoute.toProve(scene.get(), models, runs) : FlownRoute.of(scene.get(), models, 1);
         flown.put(route.sector(), flight);
         scenes.put(route.sector(), scene.get());
         if (inputs.isCued()) {

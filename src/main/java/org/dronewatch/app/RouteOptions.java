@@ -99,6 +99,9 @@ final class RouteOptions {
             } catch (InputException e) {
                 String asked = "--set alert.response=" + response + ": ";
                 String fault = e.getMessage();
+                if (fault.startsWith("--set ") && !fault.startsWith(asked)) {
+                    throw e;
+                }
                 throw new InputException(
                         GivenOption.words(RESPONSE, response) + ": "
                                 + (fault.startsWith(asked) ? fault.substring(asked.length()) : fault),

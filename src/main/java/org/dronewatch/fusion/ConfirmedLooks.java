@@ -1,19 +1,20 @@
 package org.dronewatch.fusion;
 
-/** The latest looks of one sensor at one contact. */
-final class ConfirmedLooks {
+/** The latest looks of one sensor at one contact. One thread at a time. */
+public final class ConfirmedLooks {
     private final boolean[] last;
     private final int needed;
     private int next;
     private int hits;
 
-    ConfirmedLooks(Confirmation confirmation) {
+    /** No looks so far. */
+    public ConfirmedLooks(Confirmation confirmation) {
         this.last = new boolean[confirmation.looks()];
         this.needed = confirmation.hits();
     }
 
-    /** Whether enough of the latest looks, this one included, detected the drone. */
-    boolean add(boolean detected) {
+    /** Adds a look. Returns whether enough of the latest looks, this one included, detected the drone. */
+    public boolean add(boolean detected) {
         hits += (detected ? 1 : 0) - (last[next] ? 1 : 0);
         last[next] = detected;
         next = (next + 1) % last.length;

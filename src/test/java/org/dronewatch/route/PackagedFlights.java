@@ -15,6 +15,8 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.RouteLeg;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteScene;
@@ -38,6 +40,9 @@ import org.dronewatch.world.SiteMemory;
 final class PackagedFlights {
     /** Among cross-sections from 1e-8 to 10 m2. */
     private static final int BISECTIONS = 7;
+
+    /** The response to an alert as a fraction of a random flight. */
+    private static final double RESPONSE = 0.3;
 
     private static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0);
 
@@ -112,7 +117,12 @@ final class PackagedFlights {
             double speed = usual * (0.5 + random.nextDouble());
             legs.add(new RouteLeg(anywhere(random), Optional.of(speed), true));
         }
-        return leftToChance(RouteScene.of(settings, drone, RouteFlight.of(anywhere(random), legs)), areAlone);
+        SceneSettings flight = RouteScene.of(settings, drone, RouteFlight.of(anywhere(random), legs));
+        AlertSettings alert = flight.alert()
+                .withProtectedZone(
+                        new ProtectedZone(legs.get(1).to(), 1.0),
+                        RESPONSE * flight.run().duration());
+        return leftToChance(SettingsForm.with(flight, "alert", alert), areAlone);
     }
 
     private SceneSettings leftToChance(SceneSettings scene, boolean areAlone) {

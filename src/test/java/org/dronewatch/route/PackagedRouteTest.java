@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneSettings;
@@ -24,8 +25,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Weakest routes and random flights of real scenes, flown with many seeds: the predictions lie in the 99 % intervals,
- * but for one in a hundred. Of 1,000 runs, 50 are repeated as plain runs. In the long form,
+ * Weakest routes and random flights of real scenes, flown with many seeds: the predictions of detections, and of alerts
+ * in time, lie in the 99 % intervals, but for one in a hundred. Of 1,000 runs, 50 are repeated as plain runs. In the long form,
  * {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line as soon as it is done.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -139,25 +140,30 @@ class PackagedRouteTest {
         SceneSettings scene = SettingsForm.with(site, "run", run);
         RouteProof proof = RouteProof.of(scene, flights.models(), RUNS, done -> {});
         assertThat(proof.plain()).isEqualTo((RUNS + 19) / 20);
-        Proportion.Interval interval = proof.interval();
-        boolean isUndecided = proof.predicted() > 0.01 && proof.predicted() < 0.99;
+        compare(flight, proof.detection(), scene, begun);
+        proof.alertInTime().ifPresent(alert -> compare(flight + ", alert in time", alert, scene, begun));
+        return proof;
+    }
+
+    private void compare(String flight, ProvenChance proven, SceneSettings scene, long begun) {
+        Proportion.Interval interval = proven.interval();
+        boolean isUndecided = proven.predicted() > 0.01 && proven.predicted() < 0.99;
         all++;
         undecided += isUndecided ? 1 : 0;
-        rare += proof.agrees() && !interval.contains(proof.predicted()) ? 1 : 0;
+        rare += proven.agrees() && !interval.contains(proven.predicted()) ? 1 : 0;
         String figures = String.format(
                 Locale.ROOT,
-                "%s: predicted %.3f %%, detected in %d of %d runs, %.3f to %.3f %%",
+                "%s: predicted %.3f %%, true of %d of %d runs, %.3f to %.3f %%",
                 flight,
-                100.0 * proof.predicted(),
-                proof.detections().count(),
+                100.0 * proven.predicted(),
+                proven.flown().count(),
                 RUNS,
                 100.0 * interval.low(),
                 100.0 * interval.high());
-        say("%s; %s; %.1f s", figures, proof.agrees() ? "agrees" : "OUTSIDE", since(begun));
-        if (!proof.agrees()) {
+        say("%s; %s; %.1f s", figures, proven.agrees() ? "agrees" : "OUTSIDE", since(begun));
+        if (!proven.agrees()) {
             outside.add(figures + ", " + scene.individualDrones().values());
         }
-        return proof;
     }
 
     /** What cues make of it is no part of the prediction. */
@@ -172,7 +178,7 @@ class PackagedRouteTest {
     @AfterAll
     void predictionsAreInTheIntervals() {
         say(
-                "%d flights, %d of them left to chance, %d outside, %d outside Wilson's interval only",
+                "%d predictions, %d of them left to chance, %d outside, %d outside Wilson's interval only",
                 all, undecided, outside.size(), rare);
         assertThat(undecided).isGreaterThanOrEqualTo(CHOSEN.isEmpty() ? all / 5 : 0);
         assertThat(outside).as("of %d, seed %d", all, seed).hasSizeLessThanOrEqualTo(all * 3 / 100);

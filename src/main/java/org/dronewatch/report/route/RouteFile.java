@@ -6,6 +6,7 @@ import org.dronewatch.report.Numbers;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.route.proof.RouteBegins;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.route.search.RouteMode;
@@ -84,15 +85,25 @@ public final class RouteFile {
 
     private static void add(ObjectNode node, RouteProof proof) {
         node.put("runs", proof.detections().of());
-        node.put("k", proof.detections().count());
-        node.put("low", Numbers.rounded(proof.interval().low()));
-        node.put("high", Numbers.rounded(proof.interval().high()));
-        node.put("predicted", Numbers.rounded(proof.predicted()));
-        node.put("agrees", proof.agrees());
-        proof.cued().ifPresent(cued -> {
-            node.put("cued_runs", cued.of());
-            node.put("cued_k", cued.count());
+        add(node, proof.detection());
+        proof.withCues().ifPresent(cued -> {
+            node.put("cued_runs", cued.flown().of());
+            node.put("cued_k", cued.flown().count());
+            node.put("cued_agrees", cued.agrees());
         });
+        if (proof.alertInTime().isPresent()) {
+            add(node.putObject("in_time"), proof.alertInTime().get());
+        } else {
+            node.putNull("in_time");
+        }
+    }
+
+    private static void add(ObjectNode node, ProvenChance proven) {
+        node.put("k", proven.flown().count());
+        node.put("low", Numbers.rounded(proven.interval().low()));
+        node.put("high", Numbers.rounded(proven.interval().high()));
+        node.put("predicted", Numbers.rounded(proven.predicted()));
+        node.put("agrees", proven.agrees());
     }
 
     private static void add(ObjectNode node, RoutePoint point, RouteSurvey survey) {

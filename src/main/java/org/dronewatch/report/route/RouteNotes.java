@@ -2,6 +2,7 @@ package org.dronewatch.report.route;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,7 +28,7 @@ final class RouteNotes {
 
     /** Notes on the results, one line each. */
     List<String> notes(RouteResults results) {
-        return Stream.of(begins(results.survey()), withoutAlert(results))
+        return Stream.of(begins(results.survey()), withoutAlert(results), cued(results))
                 .flatMap(Optional::stream)
                 .toList();
     }
@@ -88,10 +89,14 @@ final class RouteNotes {
                 survey.routes().stream().anyMatch(route -> route.flown().isPresent());
         return RouteBegins.slowest(inputs.settings().enabledSensors())
                 .filter(sensor -> isFlown)
-                .map(sensor -> "All figures of flights are means over " + RouteBegins.MOST
+                .map(sensor -> "All figures of flights are means over "
+                        + RouteBegins.of(inputs.settings().enabledSensors().values())
+                                .size()
                         + " flights of each route, which begin at moments spread over the " + period(Set.of(sensor))
                         + " in which '"
-                        + PlainText.value(sensor) + "' scans once.");
+                        + PlainText.value(sensor)
+                        + "' scans once. Scene files of the routes have the first of them; their comments say how to fly"
+                        + " another.");
     }
 
     private String period(Set<String> sensors) {
@@ -127,5 +132,18 @@ final class RouteNotes {
                                 : "for the alert rule of this scene, but only for rules by which a single sensor raises"
                                         + " the alert, after at most twelve looks."))
                 : Optional.empty();
+    }
+
+    /** States on which routes cues make a difference; empty if there are none, or no flights with cues. */
+    private Optional<String> cued(RouteResults results) {
+        List<String> routes = new ArrayList<>();
+        results.proofs().forEach((sector, proof) -> proof.withCues()
+                .filter(cued -> !cued.agrees())
+                .ifPresent(cued -> routes.add("from the " + RouteWords.sector(sector) + " in "
+                        + cued.flown().count() + " of " + cued.flown().of() + " flights instead of "
+                        + RouteNumbers.percent(cued.predicted()))));
+        return routes.isEmpty()
+                ? Optional.empty()
+                : Optional.of("With cues, the drone is detected " + String.join(", ", routes) + ".");
     }
 }

@@ -19,7 +19,7 @@ import org.dronewatch.report.html.SensorTables;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
-import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.run.Stage;
 
 /** The weakest routes of a site for those who decide: the verdict, a table, the plan, a profile, and their scope. */
@@ -164,28 +164,40 @@ final class RouteReport {
     }
 
     private String proofs() {
-        List<List<String>> rows = new ArrayList<>();
-        for (SectorRoute route : survey.routes()) {
-            RouteProof proof = results.proofs().get(route.sector());
-            if (proof != null) {
-                rows.add(List.of(
-                        RouteWords.sector(route),
-                        proof.detections().count() + " of " + proof.detections().of(),
-                        RouteNumbers.percent(proof.interval().low()) + " to "
-                                + RouteNumbers.percent(proof.interval().high()),
-                        RouteNumbers.percent(proof.predicted()),
-                        proof.agrees() ? "yes" : "no",
-                        proof.cued()
-                                .map(cued -> cued.count() + " of " + cued.of())
-                                .orElse("-")));
-            }
-        }
+        List<List<String>> detections = new ArrayList<>();
+        List<List<String>> alerts = new ArrayList<>();
+        results.proofs().forEach((sector, proof) -> {
+            List<String> row = row(sector, proof.detection());
+            row.add(proof.cued().map(cued -> cued.count() + " of " + cued.of()).orElse("-"));
+            detections.add(row);
+            proof.alertInTime().ifPresent(alert -> alerts.add(row(sector, alert)));
+        });
         return Html.plain(
                         "p",
                         "Each route was flown with many seeds, with sensors on positioners only searching. The"
                                 + " prediction follows from all looks at the drone during such a flight. Where sensors are on positioners,"
                                 + " up to 100 of these runs are repeated with all cues.")
-                + Html.table(List.of("from", "detected", "99 % interval", "predicted", "agrees", "with cues"), rows);
+                + Html.table(
+                        List.of("from", "detected", "99 % interval", "predicted", "agrees", "with cues"), detections)
+                + (alerts.isEmpty()
+                        ? ""
+                        : Html.plain(
+                                        "p",
+                                        "In these flights, the scene's rule raises an alert at least "
+                                                + number(survey.response())
+                                                + " s before the drone arrives as often as this:")
+                                + Html.table(
+                                        List.of("from", "in time", "99 % interval", "predicted", "agrees"), alerts));
+    }
+
+    private static List<String> row(int sector, ProvenChance proven) {
+        return new ArrayList<>(List.of(
+                RouteWords.sector(sector),
+                proven.flown().count() + " of " + proven.flown().of(),
+                RouteNumbers.percent(proven.interval().low()) + " to "
+                        + RouteNumbers.percent(proven.interval().high()),
+                RouteNumbers.percent(proven.predicted()),
+                proven.agrees() ? "yes" : "no"));
     }
 
     private List<String> scope(SensorTables sensors) {

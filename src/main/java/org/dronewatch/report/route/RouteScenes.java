@@ -12,6 +12,7 @@ import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.RouteBegins;
 import org.dronewatch.route.proof.RouteScene;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
@@ -50,15 +51,31 @@ public final class RouteScenes {
         for (SectorRoute route : survey.routes()) {
             String name = name(route);
             try {
-                settings(route, survey).ifPresent(scene -> scenes.put(name, text.apply(scene, target.resolve(name))));
+                settings(route, survey)
+                        .ifPresent(scene -> scenes.put(name, commented(text.apply(scene, target.resolve(name)))));
             } catch (InputException e) {
-                return Optional.of("no scenes of the routes are written: " + e.getMessage());
+                return Optional.of("warning: no scenes of the routes are written: " + e.getMessage());
             }
         }
         for (Map.Entry<String, String> scene : scenes.entrySet()) {
             Files.write(directory.file(scene.getKey()), scene.getValue().getBytes(StandardCharsets.UTF_8));
         }
         return Optional.empty();
+    }
+
+    /** Says after the first line which of the flights the drone flies, if the figures are means over several. */
+    private String commented(String scene) {
+        int flights =
+                RouteBegins.of(inputs.settings().enabledSensors().values()).size();
+        int first = scene.indexOf('\n') + 1;
+        return flights == 1
+                ? scene
+                : scene.substring(0, first)
+                        + "# The figures of 'route' are means over " + flights
+                        + " flights that begin at different moments; this is the first of them.\n"
+                        + "# For another one, add one of the times in begins_s of route.json to the delay of the flight and"
+                        + " to the duration of the run.\n"
+                        + scene.substring(first);
     }
 
     /** The scene in which the drone flies a route; empty if the route begins where it ends. */

@@ -9,6 +9,7 @@ import org.dronewatch.report.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.proof.ProvenChance;
 
 /** The table of the weakest routes, one for each sector, and the weakest of all in words. */
 public final class RouteTable {
@@ -113,19 +114,31 @@ public final class RouteTable {
         lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees")
                 + (isCued ? text(CUED, "with cues") : ""));
         results.proofs()
-                .forEach((sector, proof) -> lines.add(text(
-                                PROOF,
-                                RouteWords.sector(sector),
-                                proof.detections().count() + " of "
-                                        + proof.detections().of(),
-                                RouteNumbers.percent(proof.interval().low()) + " to "
-                                        + RouteNumbers.percent(proof.interval().high()),
-                                RouteNumbers.percent(proof.predicted()),
-                                proof.agrees() ? "yes" : "no")
+                .forEach((sector, proof) -> lines.add(proof(sector, proof.detection())
                         + proof.cued()
                                 .map(cued -> text(CUED, cued.count() + " of " + cued.of()))
                                 .orElse("")));
+        if (results.proofs().values().stream()
+                .anyMatch(proof -> proof.alertInTime().isPresent())) {
+            lines.add("");
+            lines.add("alerts of these flights at least "
+                    + Numbers.text(results.survey().response()) + " s before the drone arrives:");
+            lines.add(text(PROOF, "from", "in time", "99 % interval", "predicted", "agrees"));
+            results.proofs().forEach((sector, proof) -> proof.alertInTime()
+                    .ifPresent(alert -> lines.add(proof(sector, alert))));
+        }
         return lines;
+    }
+
+    private static String proof(int sector, ProvenChance proven) {
+        return text(
+                PROOF,
+                RouteWords.sector(sector),
+                proven.flown().count() + " of " + proven.flown().of(),
+                RouteNumbers.percent(proven.interval().low()) + " to "
+                        + RouteNumbers.percent(proven.interval().high()),
+                RouteNumbers.percent(proven.predicted()),
+                proven.agrees() ? "yes" : "no");
     }
 
     private static String text(String pattern, Object... values) {

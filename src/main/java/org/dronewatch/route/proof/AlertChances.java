@@ -29,13 +29,27 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
      * The chances by the rule of a scene, where they can be computed: if any sensor alone raises an alert, by its first
      * detection or, where its looks are independent, by detections in several of up to twelve looks. Empty for other
      * rules.
+     *
+     * @param wait what observers make of the drone while it waits
      */
-    static Optional<AlertChances> of(LookSchedule schedule, AlertSettings alert) {
+    static Optional<AlertChances> of(LookSchedule schedule, AlertSettings alert, MissedLooks.Wait wait) {
+        return isKnown(schedule, alert) ? Optional.of(ofAnySensor(schedule, alert, wait)) : Optional.empty();
+    }
+
+    /** Whether they can be computed. */
+    static boolean isKnown(LookSchedule schedule, AlertSettings alert) {
         int looks = alert.confirm().looks();
         boolean isIndependent = schedule.sensors().stream().allMatch(sensor -> sensor.chance() == Chance.PER_LOOK);
-        boolean isKnown = alert.rule() instanceof AlertRule.AnySensor
+        return alert.rule() instanceof AlertRule.AnySensor
                 && (looks == 1 || isIndependent && looks <= ConfirmedMisses.MOST_LOOKS);
-        return isKnown ? Optional.of(ofAnySensor(schedule, alert)) : Optional.empty();
+    }
+
+    /** The probability that an alert is raised at or before a time, s since the start of the run. */
+    double by(double time) {
+        return IntStream.range(0, times.size())
+                .filter(i -> times.get(i) <= time)
+                .mapToDouble(probabilities::get)
+                .sum();
     }
 
     /**
@@ -54,11 +68,11 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
                 .sum();
     }
 
-    private static AlertChances ofAnySensor(LookSchedule schedule, AlertSettings alert) {
+    private static AlertChances ofAnySensor(LookSchedule schedule, AlertSettings alert, MissedLooks.Wait wait) {
         List<ConfirmedMisses> confirmed = schedule.sensors().stream()
                 .map(sensor -> new ConfirmedMisses(alert.confirm()))
                 .toList();
-        double[] undetected = schedule.missedAfterEach();
+        double[] undetected = schedule.missedAfterEach(wait);
         double[] missed = new double[schedule.sensors().size()];
         Arrays.fill(missed, 1.0);
         List<Double> times = new ArrayList<>();

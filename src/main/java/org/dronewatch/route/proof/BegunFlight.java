@@ -20,4 +20,29 @@ record BegunFlight(SceneSettings settings, World world, LookSchedule schedule) {
     double detection(int sensor, MissedLooks.Wait wait) {
         return 1.0 - schedule.missed(sensor, settings.run().duration(), wait);
     }
+
+    /**
+     * The last moment at which an alert leaves enough time for the scene's response, s since the start of the run; it
+     * may be negative.
+     */
+    double critical() {
+        return settings.run().duration() - settings.alert().response();
+    }
+
+    /**
+     * The probability that an alert is raised at or before that moment, 0 to 1, where observers search for the drone
+     * while it waits.
+     *
+     * @throws java.util.NoSuchElementException if it cannot be computed ({@link AlertChances#isKnown})
+     */
+    double alertInTime() {
+        return AlertChances.of(schedule, settings.alert(), MissedLooks.Wait.SEEN)
+                .orElseThrow()
+                .by(critical());
+    }
+
+    /** The same with more estimates of the looks; see {@link LookSchedule#withEstimates}. */
+    BegunFlight withEstimates(int[] counts) {
+        return new BegunFlight(settings, world, schedule.withEstimates(settings, world, counts));
+    }
 }

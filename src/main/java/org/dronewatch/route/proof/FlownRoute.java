@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.UnaryOperator;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.ResponseTime;
@@ -33,11 +34,16 @@ public final class FlownRoute {
 
     private final ModelCache models;
     private final List<String> sensors;
-    private final List<BegunFlight> flights = new ArrayList<>();
+    private final List<BegunFlight> flights;
 
-    private FlownRoute(SceneSettings settings, ModelCache models, int estimates) {
+    private FlownRoute(ModelCache models, List<String> sensors, List<BegunFlight> flights) {
         this.models = models;
-        this.sensors = List.copyOf(settings.enabledSensors().keySet());
+        this.sensors = sensors;
+        this.flights = List.copyOf(flights);
+    }
+
+    private static List<BegunFlight> flights(SceneSettings settings, ModelCache models, int estimates) {
+        List<BegunFlight> flights = new ArrayList<>();
         List<Double> begins = RouteBegins.of(settings.enabledSensors().values());
         for (double begin : begins) {
             SceneSettings later = RouteScene.later(settings, begin);
@@ -45,6 +51,7 @@ public final class FlownRoute {
             int each = Math.max(1, estimates / begins.size());
             flights.add(new BegunFlight(later, stage.world(), LookSchedule.of(later, stage, each)));
         }
+        return flights;
     }
 
     /**
@@ -66,11 +73,30 @@ public final class FlownRoute {
      *     for microphones with the level model; at least 1, shared among the moments at which the route begins
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models, int estimates) {
+        return of(scene, models, flights -> flights, estimates);
+    }
+
+    /**
+     * The same with so many estimates that their error hardly matters if the route is then flown.
+     *
+     * @param runs number of runs with which it is flown, at least 1
+     */
+    public static FlownRoute toProve(SceneSettings scene, ModelCache models, int runs) {
+        checkRuns(runs);
+        return of(scene, models, flights -> ProofEstimates.enough(flights, runs), ESTIMATES);
+    }
+
+    private static FlownRoute of(
+            SceneSettings scene, ModelCache models, UnaryOperator<List<BegunFlight>> refined, int estimates) {
         int drones = scene.individualDrones().size();
         if (drones != 1) {
             throw new IllegalArgumentException(drones + " drones: there must be one on a route");
         }
-        return new FlownRoute(RouteScene.withoutCues(scene), models, estimates);
+        SceneSettings searching = RouteScene.withoutCues(scene);
+        return new FlownRoute(
+                models,
+                List.copyOf(searching.enabledSensors().keySet()),
+                refined.apply(flights(searching, models, estimates)));
     }
 
     /** The probability that the drone is detected, 0 to 1. */
@@ -131,7 +157,7 @@ public final class FlownRoute {
         double sum = 0.0;
         for (BegunFlight flight : flights) {
             Optional<AlertChances> alerts =
-                    AlertChances.of(flight.schedule(), flight.settings().alert());
+                    AlertChances.of(flight.schedule(), flight.settings().alert(), MissedLooks.Wait.UNSEEN);
             if (alerts.isEmpty()) {
                 return OptionalDouble.empty();
             }
@@ -153,9 +179,13 @@ public final class FlownRoute {
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public RouteProof prove(int runs, IntConsumer progress) {
+        checkRuns(runs);
+        return new ProofRuns(flights, models).of(runs, bySensor(MissedLooks.Wait.SEEN), progress);
+    }
+
+    private static void checkRuns(int runs) {
         if (runs < 1) {
             throw new IllegalArgumentException(runs + " runs: there must be at least one");
         }
-        return new ProofRuns(flights, models).of(runs, bySensor(MissedLooks.Wait.SEEN), progress);
     }
 }

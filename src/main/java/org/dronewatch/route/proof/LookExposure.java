@@ -23,7 +23,7 @@ record LookExposure(List<FlownExposure.Step> steps, List<Double> bySensor) {
     /** The exposure, {@code -ln} of the probability that all looks have missed. */
     static LookExposure of(LookSchedule schedule) {
         double[] sums = new double[schedule.sensors().size()];
-        double[] missed = schedule.missedAfterEach();
+        double[] missed = schedule.missedAfterEach(MissedLooks.Wait.UNSEEN);
         List<FlownExposure.Step> steps = new ArrayList<>();
         for (int i = 0; i < missed.length; i++) {
             ScheduledLook look = schedule.looks().get(i);

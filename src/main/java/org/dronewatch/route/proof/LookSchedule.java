@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import org.apache.commons.numbers.gamma.Erfc;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightPath;
 import org.dronewatch.parallel.Workers;
@@ -16,14 +15,11 @@ import org.dronewatch.positioner.Positioner;
 import org.dronewatch.run.EmissionTime;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.sensor.Assessment;
-import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Chance;
-import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Mounted;
-import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.world.World;
 
 /**
  * All looks that a run takes at its only drone, each assessed exactly where it is taken: at the time, the position, the
@@ -31,12 +27,6 @@ import org.dronewatch.sensor.SensorSettings;
  * begins, while the drone waits, do not count. Immutable.
  */
 final class LookSchedule {
-    /** A level this many standard errors or fewer from its threshold may be on the other side of it with other rays. */
-    private static final double STANDARD_ERRORS = 8.0;
-
-    /** How often such a level is estimated. */
-    private static final int LEVELS = 64;
-
     private final List<SensorSettings<?>> sensors;
     private final List<ScheduledLook> looks;
     private final double begin;
@@ -52,9 +42,9 @@ final class LookSchedule {
      *
      * @param settings of a scene with one drone, {@linkplain RouteScene#withoutCues without cues}
      * @param stage of the same scene
-     * @param estimates of a probability that is estimated from random rays: it is their mean
+     * @param count number of estimates of a look; see {@link LookEstimates#of}
      */
-    static LookSchedule of(SceneSettings settings, Stage stage, int estimates) {
+    static LookSchedule of(SceneSettings settings, Stage stage, int count) {
         Drone drone = stage.dronesAt(0.0).get(0);
         FlightPath path = stage.flight(drone.id());
         List<String> names = List.copyOf(settings.enabledSensors().keySet());
@@ -73,81 +63,30 @@ final class LookSchedule {
                 OptionalDouble left = Double.isFinite(speed)
                         ? EmissionTime.of(path, one.position(), speed, time)
                         : OptionalDouble.of(time);
-                boolean counts = time >= begin;
+                // Sound that the drone emitted while it waited does not count either.
+                boolean counts = left.isPresent() && left.getAsDouble() >= begin;
                 // What an observer sees of the drone before decides which encounter follows.
                 if (left.isPresent() && (counts || one.chance() == Chance.PER_ENCOUNTER)) {
-                    taken.add(
-                            new ScheduledLook(sensor, look, drone.at(path.at(left.getAsDouble())), 0.0, true, counts));
+                    taken.add(new ScheduledLook(
+                            sensor, look, drone.at(path.at(left.getAsDouble())), RayEstimate.exact(0.0), counts));
                 }
             }
         }
-        return new LookSchedule(sensors, assessed(taken, names, sensors, stage, estimates), begin);
-    }
-
-    private static List<ScheduledLook> assessed(
-            List<ScheduledLook> taken,
-            List<String> names,
-            List<SensorSettings<?>> sensors,
-            Stage stage,
-            int estimates) {
-        ScheduledLook[] assessed = new ScheduledLook[taken.size()];
-        Workers.forEach(taken.size(), () -> new Assessor[sensors.size()], (assessors, i) -> {
-            ScheduledLook look = taken.get(i);
-            int sensor = look.number();
-            if (assessors[sensor] == null) {
-                assessors[sensor] = new Assessor(names.get(sensor), sensors.get(sensor), stage.world());
-            }
-            assessed[i] = assessed(assessors[sensor], look, estimates);
-        });
-        return Arrays.stream(assessed)
-                .sorted(Comparator.comparingDouble(ScheduledLook::time))
-                .toList();
-    }
-
-    private static ScheduledLook assessed(Assessor assessor, ScheduledLook look, int estimates) {
-        Assessment first = assess(assessor, look, 0);
-        boolean isNear = Math.abs(first.margin()) < STANDARD_ERRORS * first.standardError();
-        boolean isEstimated = first.probabilityError() > 0.0 || isNear;
-        double mean = first.probability();
-        if (isNear && estimates > 1) {
-            mean = chanceOfLevel(assessor, look, first);
-        } else if (isEstimated) {
-            for (int estimate = 1; estimate < estimates; estimate++) {
-                mean += assess(assessor, look, estimate).probability();
-            }
-            mean /= estimates;
-        }
-        return new ScheduledLook(look.number(), look.look(), look.drone(), mean, isEstimated, look.counts());
+        taken.sort(Comparator.comparingDouble(ScheduledLook::time));
+        LookEstimates estimates = new LookEstimates(names, sensors, stage.world());
+        return new LookSchedule(sensors, estimates.of(taken, count), begin);
     }
 
     /**
-     * The probability that a level with other rays reaches the threshold, if levels are normally distributed. A few
-     * looks near the threshold decide a whole flight, so that each of these is estimated often.
+     * The same with more estimates, on the {@link Workers} of the calling thread.
+     *
+     * @param settings of the same scene
+     * @param world of the scene
+     * @param counts by look, the number of estimates that there must be at least
      */
-    private static double chanceOfLevel(Assessor assessor, ScheduledLook look, Assessment first) {
-        double[] margins = new double[LEVELS];
-        margins[0] = first.margin();
-        for (int estimate = 1; estimate < LEVELS; estimate++) {
-            margins[estimate] = assess(assessor, look, estimate).margin();
-        }
-        double mean = Arrays.stream(margins).average().orElseThrow();
-        double squares =
-                Arrays.stream(margins).map(one -> (one - mean) * (one - mean)).sum();
-        double deviation = Math.sqrt(squares / (LEVELS - 1) * (1.0 + 1.0 / LEVELS));
-        if (!(deviation > 0.0)) {
-            // All are the same, or no ray has arrived in some.
-            return (double) Arrays.stream(margins).filter(one -> one >= 0.0).count() / LEVELS;
-        }
-        return 0.5 * Erfc.value(-mean / (Math.sqrt(2.0) * deviation));
-    }
-
-    /** The first with the rays of the look itself, the others with those of other seeds. */
-    private static Assessment assess(Assessor assessor, ScheduledLook look, int estimate) {
-        Look its = look.look();
-        long seed = Draws.derivedSeed(its.seed(), "estimate", estimate);
-        String drone = look.drone().id();
-        return assessor.assess(
-                look.drone(), its.pointing(), Draws.stream(seed, its.sensor(), drone, its.index(), RaySensor.RAYS));
+    LookSchedule withEstimates(SceneSettings settings, World world, int[] counts) {
+        List<String> names = List.copyOf(settings.enabledSensors().keySet());
+        return new LookSchedule(sensors, new LookEstimates(names, sensors, world).more(looks, counts), begin);
     }
 
     /** When the route begins, s since the start of the run. */
@@ -192,11 +131,12 @@ final class LookSchedule {
     /**
      * For each look, in the order of {@link #looks}, the probability that its sensor has not detected the drone on the
      * route, neither in this look nor before.
+     *
+     * @param wait what observers make of the drone while it waits
      */
-    double[] missedAfterEach() {
+    double[] missedAfterEach(MissedLooks.Wait wait) {
         double[][] ofSensors = new double[sensors.size()][];
-        Arrays.setAll(
-                ofSensors, sensor -> MissedLooks.afterEach(of(sensor), sensors.get(sensor), MissedLooks.Wait.UNSEEN));
+        Arrays.setAll(ofSensors, sensor -> MissedLooks.afterEach(of(sensor), sensors.get(sensor), wait));
         int[] taken = new int[sensors.size()];
         return looks.stream()
                 .mapToDouble(look -> ofSensors[look.number()][taken[look.number()]++])

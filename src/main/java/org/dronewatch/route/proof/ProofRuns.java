@@ -4,7 +4,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.Confirmation;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
@@ -34,6 +37,8 @@ final class ProofRuns {
      */
     RouteProof of(int runs, Map<String, Double> bySensor, IntConsumer progress) {
         boolean[] isDetected = new boolean[runs];
+        boolean[] isInTime = new boolean[runs];
+        Optional<Confirmation> alerts = alerts();
         Workers.forEach(
                 runs,
                 () -> flights.stream()
@@ -43,30 +48,43 @@ final class ProofRuns {
                     int begin = run % flights.size();
                     SceneSettings settings = flights.get(begin).settings();
                     long seed = RouteProof.seed(settings, run);
-                    Optional<Observation> detected = seeded.get(begin).firstDetection(seed);
+                    FlownRun flown = seeded.get(begin).fly(seed, alerts);
                     if (RouteProof.isPlain(run)) {
-                        check(detected, settings, seed);
+                        check(flown.detection(), settings, seed);
                     }
-                    isDetected[run] = detected.isPresent();
+                    isDetected[run] = flown.detection().isPresent();
+                    isInTime[run] = flown.isAlertedBy(flights.get(begin).critical());
                     progress.accept(1);
                 });
-        int count =
-                (int) IntStream.range(0, runs).filter(run -> isDetected[run]).count();
         int plain = (int) IntStream.range(0, runs).filter(RouteProof::isPlain).count();
-        return new RouteProof(predicted(runs), bySensor, new Proportion(count, runs), plain, Optional.empty());
+        return new RouteProof(
+                proven(isDetected, flight -> flight.detection(MissedLooks.Wait.SEEN)),
+                bySensor,
+                alerts.map(confirmation -> proven(isInTime, BegunFlight::alertInTime)),
+                plain,
+                Optional.empty());
+    }
+
+    /** How alerts are confirmed, if it matters whether they come in time, and can be predicted. */
+    private Optional<Confirmation> alerts() {
+        AlertSettings alert = flights.get(0).settings().alert();
+        boolean isAsked =
+                alert.response() > 0.0 && AlertChances.isKnown(flights.get(0).schedule(), alert);
+        return isAsked ? Optional.of(alert.confirm()) : Optional.empty();
     }
 
     /**
-     * The mean probability that a run detects the drone. The first moments have one run more than the others if the
-     * number of runs is not a multiple of that of the moments.
+     * The runs in which something came true, with the mean probability. The first moments have one run more than the
+     * others if the number of runs is not a multiple of that of the moments.
      */
-    private double predicted(int runs) {
-        double[] each = flights.stream()
-                .mapToDouble(flight -> flight.detection(MissedLooks.Wait.SEEN))
-                .toArray();
-        return IntStream.range(0, Math.min(runs, each.length))
+    private ProvenChance proven(boolean[] isTrue, ToDoubleFunction<BegunFlight> probability) {
+        int runs = isTrue.length;
+        double[] each = flights.stream().mapToDouble(probability).toArray();
+        double predicted = IntStream.range(0, Math.min(runs, each.length))
                 .mapToDouble(begin -> each[begin] * ((runs - 1 - begin) / each.length + 1) / runs)
                 .sum();
+        int count = (int) IntStream.range(0, runs).filter(run -> isTrue[run]).count();
+        return new ProvenChance(predicted, new Proportion(count, runs));
     }
 
     private void check(Optional<Observation> replayed, SceneSettings settings, long seed) {

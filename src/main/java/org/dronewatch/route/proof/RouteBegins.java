@@ -14,18 +14,24 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers a long distance
- * between two looks of a slow sensor. So the route begins at several moments, spread evenly over the longest period of
- * any sensor: the period of its looks or, on a positioner, that of its search. If slow sensors have
- * different periods, the moments are shifted within their parts of the longest one so that they are spread as evenly as
- * possible over each period, even where one is a multiple of another.
+ * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers some distance
+ * between two looks. So the route begins at several moments, spread evenly over the longest period of any sensor: the
+ * period of its looks or, on a positioner, that of its search. If slow sensors have different periods, the moments are
+ * shifted within their parts of the longest one so that they are spread as evenly as possible over each period, even
+ * where one is a multiple of another. There are fewer moments if no sensor has a period of more than half a second.
  */
 public final class RouteBegins {
     /** The maximum number of moments. */
     public static final int MOST = 8;
 
-    /** Between two looks this far apart or less, a drone hardly leaves a cell of the search, s. */
-    private static final double SHORT = 0.5;
+    /** The number of moments if no sensor is slow. */
+    static final int FEW = 4;
+
+    /** A sensor with a longer period is slow, s. */
+    private static final double SLOW = 0.5;
+
+    /** Between two looks this far apart or less, a drone hardly moves, s. */
+    private static final double SHORT = 0.1;
 
     /** The number of ways to move the moments within their intervals of which the best one is taken. */
     private static final int WAYS = 64;
@@ -34,17 +40,19 @@ public final class RouteBegins {
 
     /** The moments, s since the start of the run, beginning with 0; only 0 if all sensors look often. */
     public static List<Double> of(Collection<SensorSettings<?>> sensors) {
-        double[] slow = sensors.stream()
-                .flatMapToDouble(RouteBegins::periods)
-                .filter(period -> period > SHORT)
-                .distinct()
-                .toArray();
-        if (slow.length == 0) {
+        double longest = period(sensors);
+        if (longest <= SHORT) {
             return List.of(0.0);
         }
+        boolean isSlow = longest > SLOW;
+        double[] periods = sensors.stream()
+                .flatMapToDouble(RouteBegins::periods)
+                .filter(period -> period > (isSlow ? SLOW : SHORT))
+                .distinct()
+                .toArray();
         return IntStream.range(0, WAYS)
-                .mapToObj(way -> moments(period(sensors), (double) way / WAYS))
-                .min(Comparator.comparingDouble(moments -> Arrays.stream(slow)
+                .mapToObj(way -> moments(longest, isSlow ? MOST : FEW, (double) way / WAYS))
+                .min(Comparator.comparingDouble(moments -> Arrays.stream(periods)
                         .map(period -> unevenness(moments, period))
                         .max()
                         .orElseThrow()))
@@ -52,9 +60,9 @@ public final class RouteBegins {
     }
 
     /** One moment in each part of a period, each moved on by a fraction of a part more than the one before. */
-    private static List<Double> moments(double period, double more) {
-        return IntStream.range(0, MOST)
-                .mapToObj(i -> (i + i * more % 1.0) * period / MOST)
+    private static List<Double> moments(double period, int count, double more) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> (i + i * more % 1.0) * period / count)
                 .toList();
     }
 

@@ -22,23 +22,23 @@ import org.dronewatch.statistics.Proportion;
  * chance. Where a program looks for spots in the images of a thermal camera, successive looks share frames and so are
  * not independent: for such cameras, the prediction is too high.
  *
- * @param predicted predicted mean probability that a run detects the drone, 0 to 1
- * @param bySensor the same for each sensor, as if it were the only one
- * @param detections proportion of all runs that detected it
+ * @param detection the predicted mean probability that a run detects the drone, and the proportion of those that do
+ * @param bySensor the prediction for each sensor, as if it were the only one
+ * @param alertInTime the same as {@code detection} for an alert at or before the last moment that leaves enough time for
+ *     the scene's response, if flight and response take exactly as long as planned; empty if the scene has no
+ *     response, or where the probability cannot be computed ({@link FlownRoute#interruption})
  * @param plain the number of these runs, evenly spread, that were repeated as plain runs
  * @param cued proportion of runs that detected it when the first of these runs were repeated with all cues; empty if
  *     none were repeated
  */
 public record RouteProof(
-        double predicted, Map<String, Double> bySensor, Proportion detections, int plain, Optional<Proportion> cued) {
-    /** The confidence of the interval. */
-    public static final double CONFIDENCE = 0.99;
-
+        ProvenChance detection,
+        Map<String, Double> bySensor,
+        Optional<ProvenChance> alertInTime,
+        int plain,
+        Optional<Proportion> cued) {
     /** One in this many runs is repeated as a plain run. */
     static final int PLAIN = 20;
-
-    /** A prediction of exactly 0 or 1 may be off by rounding. */
-    private static final double ROUNDING = 1e-12;
 
     /** Keeps the order of the sensors. */
     public RouteProof {
@@ -59,7 +59,7 @@ public record RouteProof(
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static RouteProof of(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
-        return FlownRoute.of(scene, models).prove(runs, progress);
+        return FlownRoute.toProve(scene, models, runs).prove(runs, progress);
     }
 
     /**
@@ -101,7 +101,7 @@ public record RouteProof(
 
     /** The same proof with the result of {@link #withCues}. */
     public RouteProof with(Proportion flownWithCues) {
-        return new RouteProof(predicted, bySensor, detections, plain, Optional.of(flownWithCues));
+        return new RouteProof(detection, bySensor, alertInTime, plain, Optional.of(flownWithCues));
     }
 
     /** Whether cues can make a difference at all: whether a sensor is on a positioner. */
@@ -119,18 +119,23 @@ public record RouteProof(
         return Draws.derivedSeed(scene.run().seed(), "run", run);
     }
 
-    /** The Wilson interval for the probability, with a confidence of 99 %. */
-    public Proportion.Interval interval() {
-        return detections.wilson(CONFIDENCE);
+    /** The predicted mean probability that a run detects the drone, 0 to 1. */
+    public double predicted() {
+        return detection.predicted();
     }
 
-    /**
-     * Whether the prediction lies in this interval or in the exact one: if less than one detection is expected, a
-     * single detection is less rare than the Wilson interval implies.
-     */
+    /** The proportion of all runs that detected it. */
+    public Proportion detections() {
+        return detection.flown();
+    }
+
+    /** The prediction, which knows no cues, compared with the runs with cues; empty if there are none. */
+    public Optional<ProvenChance> withCues() {
+        return cued.map(runs -> new ProvenChance(predicted(), runs));
+    }
+
+    /** Whether all predictions agree with the runs. */
     public boolean agrees() {
-        boolean isInside = predicted >= interval().low() - ROUNDING
-                && predicted <= interval().high() + ROUNDING;
-        return isInside || detections.isPlausible(predicted, CONFIDENCE);
+        return detection.agrees() && alertInTime.map(ProvenChance::agrees).orElse(true);
     }
 }

@@ -9,17 +9,27 @@ import org.dronewatch.sensor.Look;
  * @param number of the sensor in the order of the scene
  * @param look with the time and the pointing, and with any seed
  * @param drone as it appears to the sensor
- * @param probability that the look detects it or, where chance is drawn once per encounter, that an observer can
- * @param isEstimated whether the probability is estimated from random rays: even at 0, the look may detect the drone
+ * @param estimate the probability that the look detects it or, where chance is drawn once per encounter, that an
+ *     observer can
  * @param counts whether the drone is on the route; before, it waits where the route begins
  */
-record ScheduledLook(int number, Look look, Drone drone, double probability, boolean isEstimated, boolean counts) {
-    /** Whether the look may detect the drone at all. */
+record ScheduledLook(int number, Look look, Drone drone, RayEstimate estimate, boolean counts) {
+    /** The probability that the look detects the drone, or that an observer can, 0 to 1. */
+    double probability() {
+        return estimate.probability();
+    }
+
+    /** Whether the look may detect the drone at all; with other rays it may, even if none has so far. */
     boolean mayDetect() {
-        return probability > 0.0 || isEstimated;
+        return probability() > 0.0 || estimate.isRandom();
     }
 
     double time() {
         return look.time();
+    }
+
+    /** The same look, estimated otherwise. */
+    ScheduledLook with(RayEstimate other) {
+        return new ScheduledLook(number, look, drone, other, counts);
     }
 }

@@ -3,7 +3,9 @@ package org.dronewatch.route.proof;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.dronewatch.run.Frame;
+import java.util.OptionalDouble;
+import org.dronewatch.fusion.Confirmation;
+import org.dronewatch.fusion.ConfirmedLooks;
 import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.scenario.SceneSettings;
@@ -16,8 +18,8 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
 /**
- * Runs of a schedule of looks with other seeds, only up to the first detection on the route, and only those looks that
- * can detect the drone. Each of these is the look of a run with the same seed. Scratch memory of one thread.
+ * Runs of a schedule of looks with other seeds, only up to the first detection on the route, or the alert, and only those
+ * looks that can detect the drone. Each of these is the look of a run with the same seed. Scratch memory of one thread.
  */
 final class SeededFlights {
     private final LookSchedule schedule;
@@ -32,14 +34,28 @@ final class SeededFlights {
         this.encounters = new Encounters[sensors.length];
     }
 
-    /** The look with which a run with this seed first detects the drone; empty if none does. */
-    Optional<Observation> firstDetection(long seed) {
+    /**
+     * The run with this seed, up to its first detection.
+     *
+     * @param alerts if given, it goes on up to its alert: that of any sensor alone, so confirmed
+     */
+    FlownRun fly(long seed, Optional<Confirmation> alerts) {
         Arrays.fill(encounters, Encounters.NONE);
-        return schedule.looks().stream()
-                .filter(ScheduledLook::mayDetect)
-                .map(scheduled -> detection(scheduled, seed).filter(seen -> scheduled.counts()))
-                .flatMap(Optional::stream)
-                .findFirst();
+        List<ConfirmedLooks> confirmed = schedule.sensors().stream()
+                .map(sensor -> new ConfirmedLooks(alerts.orElse(Confirmation.DEFAULT)))
+                .toList();
+        Optional<Observation> first = Optional.empty();
+        for (ScheduledLook scheduled : schedule.looks()) {
+            Optional<Observation> seen = scheduled.mayDetect() ? detection(scheduled, seed) : Optional.empty();
+            if (scheduled.counts()) {
+                first = first.or(() -> seen);
+                boolean isAlert = confirmed.get(scheduled.number()).add(seen.isPresent()) && alerts.isPresent();
+                if (isAlert || first.isPresent() && alerts.isEmpty()) {
+                    return new FlownRun(first, isAlert ? OptionalDouble.of(scheduled.time()) : OptionalDouble.empty());
+                }
+            }
+        }
+        return new FlownRun(first, OptionalDouble.empty());
     }
 
     private Optional<Observation> detection(ScheduledLook scheduled, long seed) {
@@ -64,14 +80,15 @@ final class SeededFlights {
                 .findFirst();
     }
 
-    /** The same by a plain run. */
+    /** The first detection on the route by a plain run. */
     static Optional<Observation> firstDetectionOfRun(SceneSettings settings, long seed, ModelCache models) {
         try (RunSession session = new RunSession(settings, seed, models)) {
             double begin = RouteScene.begin(settings);
             while (session.nextTime().isPresent()) {
-                Frame frame = session.advance();
-                Optional<Observation> detection = detection(frame.observations());
-                if (detection.isPresent() && frame.time() >= begin) {
+                Optional<Observation> detection = detection(session.advance().observations().stream()
+                        .filter(one -> one.truth().time() >= begin)
+                        .toList());
+                if (detection.isPresent()) {
                     return detection;
                 }
             }

@@ -20,6 +20,7 @@ import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.route.search.RoutePath;
@@ -123,7 +124,9 @@ class RouteWordsTest {
     @Test
     void theTableStatesTheProofWithCues() {
         SectorRoute route = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
-        RouteProof proof = new RouteProof(0.6, Map.of("slow", 0.6), new Proportion(31, 50), 3, Optional.empty());
+        ProvenChance detection = new ProvenChance(0.6, new Proportion(31, 50));
+        ProvenChance alert = new ProvenChance(0.4, new Proportion(9, 50));
+        RouteProof proof = new RouteProof(detection, Map.of("slow", 0.6), Optional.of(alert), 3, Optional.empty());
         RouteResults results = results(route, Map.of());
         RouteResults without = new RouteResults(results.survey(), results.times(), Map.of(0, proof), Map.of(), true);
         RouteResults with = new RouteResults(
@@ -132,7 +135,8 @@ class RouteWordsTest {
         assertThat(RouteTable.lines(without, inputs)).noneMatch(line -> line.contains("with cues"));
         assertThat(RouteTable.lines(with, inputs))
                 .anyMatch(line -> line.endsWith("agrees     with cues"))
-                .anyMatch(line -> line.contains("31 of 50") && line.endsWith("33 of 50"));
+                .anyMatch(line -> line.contains("31 of 50") && line.endsWith("33 of 50"))
+                .anyMatch(line -> line.contains("9 of 50") && line.endsWith("no"));
     }
 
     /** Half of the flights are surely detected in time, and half of them surely not. */

@@ -44,7 +44,7 @@ class MissedLooksTest {
 
     private ScheduledLook look(long index, double time, double probability, double begin) {
         Look look = Look.of(0, "watched", index, time);
-        return new ScheduledLook(0, look, drone, probability, false, time >= begin);
+        return new ScheduledLook(0, look, drone, RayEstimate.exact(probability), time >= begin);
     }
 
     /** The drone is visible for some seconds, hidden for as many, and visible again, half of the time as before. */

@@ -137,8 +137,12 @@ class RouteBeginsTest {
         SceneSettings often = scene(fast, 160);
         SceneSettings both = scene(fast.replace("slow", "fast") + RADAR, 160);
 
-        assertThat(RouteBegins.of(often.enabledSensors().values())).containsExactly(0.0);
-        assertThat(RouteBegins.slowest(often.enabledSensors())).isEmpty();
+        SceneSettings always = scene(RADAR.replace("rate: 0.2", "rate: 10"), 160);
+
+        assertThat(RouteBegins.of(always.enabledSensors().values())).containsExactly(0.0);
+        assertThat(RouteBegins.slowest(always.enabledSensors())).isEmpty();
+        assertThat(RouteBegins.of(often.enabledSensors().values())).containsExactly(0.0, 0.0625, 0.125, 0.1875);
+        assertThat(RouteBegins.slowest(often.enabledSensors())).contains("slow");
         // Of the slow periods there is one only.
         assertThat(RouteBegins.of(both.enabledSensors().values()))
                 .containsExactly(0.0, 0.625, 1.25, 1.875, 2.5, 3.125, 3.75, 4.375);

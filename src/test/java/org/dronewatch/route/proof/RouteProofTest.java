@@ -214,7 +214,7 @@ class RouteProofTest {
     /** The probability of an alert in time on a flight that begins at once. */
     private double alertInTime(SceneSettings scene, double response) {
         Stage stage = new Stage(scene, models, scene.run().seed());
-        return AlertChances.of(LookSchedule.of(scene, stage, 1), scene.alert())
+        return AlertChances.of(LookSchedule.of(scene, stage, 1), scene.alert(), MissedLooks.Wait.UNSEEN)
                 .orElseThrow()
                 .inTime(scene.run().duration(), new ResponseTime(response, FlownRoute.SPREAD * response));
     }
