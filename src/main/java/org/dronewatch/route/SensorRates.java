@@ -18,8 +18,8 @@ import org.dronewatch.sensor.SensorSettings;
  * independent has the rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One
  * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see {@link
  * Chance#hazard}): the resulting probability of detection is not too low. Where levels are interpolated, a probability
- * between 0 and 1 stands for what is not known about a place, and all looks there have the same outcome: they count as
- * independent only once per distance between traced positions.
+ * between 0 and 1 stands for what is not known about a place, and all looks there have the same outcome: only three of
+ * them per distance between traced positions count as independent.
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds
  * states what fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
@@ -29,6 +29,12 @@ import org.dronewatch.sensor.SensorSettings;
 final class SensorRates {
     /** The steps of a probability in a field. */
     private static final int STEPS = 250;
+
+    /**
+     * The number of independent looks per mean distance between traced positions. Near the threshold, these are closer
+     * together. Compared with flights past microphones that look 2 and 10 times a second.
+     */
+    private static final double INDEPENDENT = 3.0;
 
     private final DetectionField field;
     private final int sensor;
@@ -79,13 +85,13 @@ final class SensorRates {
         List<Course> crossing = IntStream.of(across).mapToObj(all::get).toList();
         this.response =
                 its.as(CrossingBlind.class).map(blind -> new RadialResponse(blind, its.position(), motions, crossing));
-        double looks = Math.min(its.rate(), flown.mode().speed() / unknownOver());
+        double looks = Math.min(its.rate(), INDEPENDENT * flown.mode().speed() / unknownOver());
         for (int step = 1; step <= STEPS; step++) {
             rates[step] = rate(its, (double) step / STEPS, step == STEPS ? its.rate() : looks);
         }
     }
 
-    /** The distance between traced positions, over which the level stays equally unknown; 0 if it is known, m. */
+    /** The mean distance between traced positions; 0 if no level is interpolated, m. */
     private double unknownOver() {
         InterpolationError error = field.interpolated().get(field.sensors().get(sensor));
         if (error == null) {

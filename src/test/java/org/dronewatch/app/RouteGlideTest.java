@@ -48,7 +48,12 @@ class RouteGlideTest {
         int glides = 0;
         for (JsonNode route : found.get("routes")) {
             JsonNode proof = route.get("proof");
-            assertThat(proof.propertyNames()).containsExactly("runs", "k", "low", "high", "predicted", "agrees");
+            assertThat(proof.propertyNames())
+                    .containsExactly("runs", "k", "low", "high", "predicted", "agrees", "in_time");
+            // Its first detection is an alert.
+            assertThat(proof.get("in_time").get("predicted").asDouble())
+                    .isCloseTo(route.get("p_in_time").asDouble(), within(1e-5));
+            assertThat(proof.get("in_time").get("agrees").asBoolean()).isTrue();
             assertThat(proof.get("runs").asInt()).isEqualTo(20);
             assertThat(route.get("p_detect").asDouble())
                     .isCloseTo(proof.get("predicted").asDouble(), within(1e-5));

@@ -20,8 +20,9 @@ import org.dronewatch.route.search.LegMotion;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.RaySensor;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Among four boxes, the levels of a microphone are interpolated, so that it is not certain in which cells it detects a
@@ -31,17 +32,18 @@ class InterpolatedExposureTest {
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 400, 4, List.of(3.0, 10.0, 20.0, 60.0));
     private static final int FLIGHTS = 250;
     private static final double SPEED = 12.0;
-    private static final double RATE = 2.0;
 
     @TempDir
     private Path directory;
 
-    @Test
-    void asManyFlightsAreDetectedAsTheirExposuresSay() throws IOException {
+    @ParameterizedTest(name = "{0} Hz")
+    @ValueSource(doubles = {2.0, 10.0})
+    void asManyFlightsAreDetectedAsTheirExposuresSay(double rate) throws IOException {
         assumeThat(LongForm.IS_ON).isTrue();
         FieldSite site = FieldSite.in(
                 directory,
-                "  ear: {kind: acoustic, position: [0, 0, 4], rate: 2, propagation: {kind: energy-model, rays: 100}}\n");
+                "  ear: {kind: acoustic, position: [0, 0, 4], rate: " + rate
+                        + ", propagation: {kind: energy-model, rays: 100}}\n");
         DetectionField field = site.field(GRID, 2);
         DroneSettings settings = site.settings().drones().get(FieldSite.DRONE);
         FieldExposure exposure = FieldExposure.of(ModeField.powered(field, settings), site.settings());
@@ -57,21 +59,23 @@ class InterpolatedExposureTest {
             Position from = anywhere(random);
             double heading = 2.0 * Math.PI * random.nextDouble();
             Position velocity = new Position(SPEED * Math.sin(heading), SPEED * Math.cos(heading), 0.0);
-            int looks = 5 + random.nextInt(15);
-            double sum = exposure(exposure, from, velocity, looks);
+            int looks = (int) (rate * (2.5 + 7.5 * random.nextDouble()));
+            Position between = velocity.times(1.0 / rate);
+            double sum = exposure(exposure, from, velocity, between, looks) / rate;
             double chance = -Math.expm1(-sum);
             // A look from a cell that is certain to detect the drone adds 13.8.
-            if (sum > 0.0 && sum < 6.0 && isInside(from.plus(velocity.times(looks / RATE)))) {
+            if (sum > 0.0 && sum < 6.0 && isInside(from.plus(between.times(looks)))) {
                 flights++;
                 predicted += chance;
                 variance += chance * (1.0 - chance);
-                detected += isDetected(ear, drone, from, velocity, looks) ? 1 : 0;
+                detected += isDetected(ear, drone, from, velocity, between, looks) ? 1 : 0;
             }
         }
-        assertThat(site.settings().enabledSensors().get("ear").rate()).isEqualTo(RATE);
+        assertThat(site.settings().enabledSensors().get("ear").rate()).isEqualTo(rate);
         assertThat(field.interpolated()).containsKey("ear");
         System.out.printf(
-                "InterpolatedExposureTest: seed %d, %.1f predicted, %d detected%n", seed, predicted, detected);
+                "InterpolatedExposureTest: %.0f Hz, seed %d, %.1f predicted, %d detected, limit %.1f%n",
+                rate, seed, predicted, detected, 4.0 * Math.sqrt(variance));
         assertThat(Math.abs(detected - predicted)).isLessThan(4.0 * Math.sqrt(variance));
     }
 
@@ -84,20 +88,22 @@ class InterpolatedExposureTest {
         return Math.max(Math.abs(at.x()), Math.abs(at.y())) < 199.0;
     }
 
-    private static double exposure(FieldExposure field, Position from, Position velocity, int looks) {
+    /** The sum of the rates at the looks, 1/s. */
+    private static double exposure(FieldExposure field, Position from, Position velocity, Position between, int looks) {
         LegMotion motion = LegMotion.along(velocity.x(), velocity.y(), 0.0, 1.0);
         double sum = 0.0;
         for (int look = 0; look < looks; look++) {
-            Position at = from.plus(velocity.times(look / RATE));
-            sum += field.rate(at.x(), at.y(), at.z(), motion, 0) / RATE;
+            Position at = from.plus(between.times(look));
+            sum += field.rate(at.x(), at.y(), at.z(), motion, 0);
         }
         return sum;
     }
 
-    private static boolean isDetected(Assessor ear, Drone drone, Position from, Position velocity, int looks) {
+    private static boolean isDetected(
+            Assessor ear, Drone drone, Position from, Position velocity, Position between, int looks) {
         double heading = Math.atan2(velocity.x(), velocity.y());
         for (int look = 0; look < looks; look++) {
-            Position at = from.plus(velocity.times(look / RATE));
+            Position at = from.plus(between.times(look));
             if (ear.assess(
                                     drone.at(new FlightState(at, velocity, heading)),
                                     Optional.empty(),

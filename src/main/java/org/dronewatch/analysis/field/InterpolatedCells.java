@@ -12,7 +12,7 @@ import org.dronewatch.sensor.Signal;
 /**
  * Assesses cells by interpolation. Where the signal in the open and the excesses of the neighbours leave no doubt, they
  * decide; elsewhere the exact paths are found, and only what comes along other paths is interpolated. The probability
- * is 0 or 1 where the margin exceeds the error, otherwise that with which a normally distributed error leaves the
+ * is 0 or 1 where the margin exceeds any error that is possible, otherwise that with which a normally distributed error leaves the
  * margin positive.
  */
 record InterpolatedCells(FieldProbe probe, ExcessMap excess, Assessor assessor) {
@@ -52,9 +52,10 @@ record InterpolatedCells(FieldProbe probe, ExcessMap excess, Assessor assessor) 
     private Signal signal(Signal open, double exact, ExcessMap.Estimate estimate, boolean isInSight) {
         double threshold = open.threshold();
         double quantity = open.quantity() + estimate.over(open.quantity(), exact);
-        double deviation = excess.error().deviation(estimate.spread(open.quantity(), exact), isInSight);
+        double spread = estimate.spread(open.quantity(), exact);
+        double deviation = excess.error().deviation(spread, isInSight);
         double margin = quantity - threshold;
-        double probability = Math.abs(margin) > InterpolationError.CERTAIN * deviation
+        double probability = Math.abs(margin) > excess.error().greatest(spread, isInSight)
                 ? margin > 0.0 ? 1.0 : 0.0
                 : NormalTail.above(-margin / deviation);
         return new Signal(probability, quantity, open.unit(), threshold, deviation, 0.0);

@@ -29,9 +29,6 @@ public record InterpolationError(
     /** What counts as spread if all neighbours agree, dB: about the error of the traced levels. */
     private static final double LEAST_SPREAD = 0.05;
 
-    /** How many standard deviations count as certain. */
-    static final double CERTAIN = 3.0;
-
     /** How far errors that were not measured may exceed those that were. */
     private static final double MARGIN = 1.25;
 
@@ -42,22 +39,30 @@ public record InterpolationError(
      * How far errors reach.
      *
      * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
-     *     them, chosen so that the greatest error measured is {@value InterpolationError#CERTAIN} of these over
-     *     {@value InterpolationError#MARGIN}
+     *     them: that of the errors measured (root mean square)
+     * @param reach the same for the greatest error that counts as possible: {@value InterpolationError#MARGIN} times
+     *     that of the greatest error measured
      * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB
      */
-    record Bounds(double scale, double beyond) {
+    record Bounds(double scale, double reach, double beyond) {
         /** With these, nothing is certain. */
-        private static final Bounds UNKNOWN = new Bounds(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+        private static final Bounds UNKNOWN =
+                new Bounds(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
 
         Bounds atLeast(Bounds other) {
-            return new Bounds(Math.max(scale, other.scale), Math.max(beyond, other.beyond));
+            return new Bounds(
+                    Math.max(scale, other.scale), Math.max(reach, other.reach), Math.max(beyond, other.beyond));
         }
     }
 
     /** The standard deviation of an estimate with a spread, dB. */
     double deviation(double spread, boolean isInSight) {
         return bounds(isInSight).scale * (LEAST_SPREAD + spread);
+    }
+
+    /** The greatest error of an estimate with a spread that counts as possible, dB. */
+    double greatest(double spread, boolean isInSight) {
+        return bounds(isInSight).reach * (LEAST_SPREAD + spread);
     }
 
     /** How far errors reach. */
@@ -102,7 +107,8 @@ public record InterpolationError(
 
     /** Empty where too few positions show how far errors reach. */
     private static Optional<Bounds> bounds(ExcessMap map, List<TracedPlace> heldOut, boolean isInSight) {
-        double scale = 0.0;
+        double squares = 0.0;
+        double most = 0.0;
         double beyond = 0.0;
         int count = 0;
         for (TracedPlace place : heldOut) {
@@ -110,7 +116,9 @@ public record InterpolationError(
             Optional<ExcessMap.Estimate> its = map.at(place.at(), isInSight, place.exact());
             if (place.isInSight() == isInSight && its.isPresent()) {
                 double spread = its.get().spread(place.open(), place.exact());
-                scale = Math.max(scale, error(its.get(), place) / (CERTAIN * (LEAST_SPREAD + spread)));
+                double relative = error(its.get(), place) / (LEAST_SPREAD + spread);
+                squares += relative * relative;
+                most = Math.max(most, relative);
                 count++;
             }
             if (place.isInSight() == isInSight && rough.isPresent()) {
@@ -118,6 +126,8 @@ public record InterpolationError(
                 beyond = Math.max(beyond, rough.get().least() - place.overOpen());
             }
         }
-        return count < FEWEST ? Optional.empty() : Optional.of(new Bounds(MARGIN * scale, MARGIN * beyond));
+        return count < FEWEST
+                ? Optional.empty()
+                : Optional.of(new Bounds(Math.sqrt(squares / count), MARGIN * most, MARGIN * beyond));
     }
 }

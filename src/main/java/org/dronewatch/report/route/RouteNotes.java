@@ -94,9 +94,7 @@ final class RouteNotes {
                                 .size()
                         + " flights of each route, which begin at moments spread over the " + period(Set.of(sensor))
                         + " in which '"
-                        + PlainText.value(sensor)
-                        + "' scans once. Scene files of the routes have the first of them; their comments say how to fly"
-                        + " another.");
+                        + PlainText.value(sensor) + "' scans once.");
     }
 
     private String period(Set<String> sensors) {

@@ -44,7 +44,7 @@ public final class RouteScenes {
     /**
      * Writes them, or none of them.
      *
-     * @return why there are none; empty if they were written
+     * @return why there are none, or which of several flights they have
      */
     Optional<String> write(RouteSurvey survey, Path target, OutputDirectory directory) throws IOException {
         Map<String, String> scenes = new LinkedHashMap<>();
@@ -60,18 +60,24 @@ public final class RouteScenes {
         for (Map.Entry<String, String> scene : scenes.entrySet()) {
             Files.write(directory.file(scene.getKey()), scene.getValue().getBytes(StandardCharsets.UTF_8));
         }
-        return Optional.empty();
+        return flights() == 1 || scenes.isEmpty()
+                ? Optional.empty()
+                : Optional.of("the scene of each route has the first of its " + flights()
+                        + " flights; comments in it say how to fly another");
+    }
+
+    /** The number of flights of each route. */
+    private int flights() {
+        return RouteBegins.of(inputs.settings().enabledSensors().values()).size();
     }
 
     /** Says after the first line which of the flights the drone flies, if the figures are means over several. */
     private String commented(String scene) {
-        int flights =
-                RouteBegins.of(inputs.settings().enabledSensors().values()).size();
         int first = scene.indexOf('\n') + 1;
-        return flights == 1
+        return flights() == 1
                 ? scene
                 : scene.substring(0, first)
-                        + "# The figures of 'route' are means over " + flights
+                        + "# The figures of 'route' are means over " + flights()
                         + " flights that begin at different moments; this is the first of them.\n"
                         + "# For another one, add one of the times in begins_s of route.json to the delay of the flight and"
                         + " to the duration of the run.\n"
