@@ -51,9 +51,8 @@ final class CompareCommand implements Callable<Integer> {
 
     @Option(
             names = "--resume",
-            description =
-                    "Completes the results that an interrupted run of the same comparison left in the directory"
-                            + " given by --out.")
+            description = "Completes the results that an interrupted run of the same comparison left in the directory"
+                    + " given by --out.")
     private boolean resume;
 
     @Mixin

@@ -26,8 +26,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Weakest routes and random flights of real scenes, flown with many seeds: the predictions of detections, and of alerts
- * in time, lie in the 99 % intervals, but for one in a hundred. Of 1,000 runs, 50 are repeated as plain runs. In the long form,
- * {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line as soon as it is done.
+ * in time, lie in the 99 % intervals, but for one in a hundred. Of 1,000 runs, 50 are repeated as plain runs. In the
+ * long form, {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line as soon as it is done.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class PackagedRouteTest {

@@ -6,15 +6,15 @@ import java.util.stream.IntStream;
 
 /**
  * How often looks that depend on their rays must be estimated for a proof. A single look near its threshold may decide
- * a whole flight, and its estimates are hits and misses, just as the runs are. So there are so many that the variance of
- * a prediction is at most a quarter of that of the runs, shared among the looks so that they are as few as possible
+ * a whole flight, and its estimates are hits and misses, just as the runs are. So there are so many that the variance
+ * of a prediction is at most a quarter of that of the runs, shared among the looks so that they are as few as possible
  * (Neyman's allocation).
  */
 final class ProofEstimates {
     /** The variance of the prediction as a fraction of that of the proportion of runs. */
     private static final double VARIANCE = 0.25;
 
-    /** Where fewer runs than this are expected to detect the drone, or to miss it, the interval hardly gets narrower. */
+    /** Where fewer runs than this should detect the drone, or miss it, the interval hardly gets narrower. */
     private static final double FEW = 10.0;
 
     /** The factor by which estimates become more at a time: the more there are, the better it is known how many. */

@@ -59,8 +59,8 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
 
     /**
      * The probability that a level is on the other side of the threshold if none of the estimates is: what follows by
-     * Laplace's rule of succession, or less if the levels are far from the threshold. Rare rays make them so skewed that
-     * their tail is about exponential, not normal.
+     * Laplace's rule of succession, or less if the levels are far from the threshold. Rare rays make them so skewed
+     * that their tail is about exponential, not normal.
      */
     private double other() {
         double mean = margins / count;

@@ -24,8 +24,8 @@ import org.dronewatch.statistics.Proportion;
  *
  * @param detection the predicted mean probability that a run detects the drone, and the proportion of those that do
  * @param bySensor the prediction for each sensor, as if it were the only one
- * @param alertInTime the same as {@code detection} for an alert at or before the last moment that leaves enough time for
- *     the scene's response, if flight and response take exactly as long as planned; empty if the scene has no
+ * @param alertInTime the same as {@code detection} for an alert at or before the last moment that leaves enough time
+ *     for the scene's response, if flight and response take exactly as long as planned; empty if the scene has no
  *     response, or where the probability cannot be computed ({@link FlownRoute#interruption})
  * @param plain the number of these runs, evenly spread, that were repeated as plain runs
  * @param cued proportion of runs that detected it when the first of these runs were repeated with all cues; empty if
