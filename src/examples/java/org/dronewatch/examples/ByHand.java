@@ -40,7 +40,7 @@ public final class ByHand {
         return TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
     }
 
-    /** How far a ray flies to the nearest triangle, found through a tree, m; empty if it meets none. */
+    /** How far a ray travels to the nearest triangle, found through a tree, m; empty if it meets none. */
     static OptionalDouble throughATree(Ray ray) {
         return new SequentialTraversal(KDTree.of(wall()))
                 .closestHit(ray).stream().mapToDouble(Hit::distance).findFirst();
@@ -60,7 +60,7 @@ public final class ByHand {
         return Double.isInfinite(nearest) ? OptionalDouble.empty() : OptionalDouble.of(nearest);
     }
 
-    /** The stretch of a ray within a box, m; empty if it passes by. */
+    /** The part of a ray within a box, m; empty if the ray misses the box. */
     static List<Double> withinABox(Ray ray, AABB box) {
         double[] interval = new double[2];
         return IntersectionHandler.rayBox(ray, box, interval) ? List.of(interval[0], interval[1]) : List.of();

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 class ByHandTest {
     private static final double EXACT = 1e-9;
 
-    /** 40 m in y, while z rises by a twentieth of that: the direction is not of unit length, distances count in it. */
+    /** 40 m in y, while z rises by a twentieth of that: distances are multiples of a vector longer than 1. */
     @Test
     void theTreeFindsWhatTryingEveryTriangleFinds() {
         Ray ray = new Ray(new Point3d(1, 0, 1.5), new Vector3d(0, 1, 0.05));

@@ -36,7 +36,7 @@ public class Chase extends Scene {
         return new Guard();
     }
 
-    /** Flies towards the visitor, and corrects its course ten times a second; each run creates another guard. */
+    /** Flies towards the visitor, and corrects its course ten times a second; each run creates a new guard. */
     private static final class Guard implements Pilot {
         private PilotedRun run;
 

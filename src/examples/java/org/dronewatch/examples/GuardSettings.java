@@ -16,11 +16,11 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.World;
 
 /**
- * A guard who looks around without binoculars, and notices a drone in line of sight once it appears large enough.
+ * A guard who looks around without binoculars, and notices a drone within line of sight once it appears large enough.
  *
  * @param position the guard's eyes, m
  * @param rate how often the guard looks around, Hz
- * @param acuity the smallest angle under which the guard notices something in the sky, rad
+ * @param acuity the smallest angular size at which the guard notices something in the sky, rad
  */
 public record GuardSettings(
         Position position,

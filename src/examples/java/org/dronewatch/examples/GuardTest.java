@@ -25,7 +25,7 @@ class GuardTest {
         double range =
                 new GuardedGate().run().firstDetectionRange("guard", "intruder").orElse(0.0);
 
-        // A drone 0.78 m across appears 3 mrad large from 260 m; it flies 12 m from one look to the next.
+        // A drone 0.78 m across subtends 3 mrad at 260 m; it flies 12 m from one look to the next.
         assertTrue(range > 150.0 && range < 270.0, "first seen at " + range + " m");
     }
 
