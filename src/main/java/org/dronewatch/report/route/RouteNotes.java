@@ -137,8 +137,8 @@ final class RouteNotes {
         List<String> routes = new ArrayList<>();
         results.proofs().forEach((sector, proof) -> proof.withCues()
                 .filter(cued -> !cued.agrees())
-                .ifPresent(cued -> routes.add("from the " + RouteWords.sector(sector) + " in "
-                        + cued.flown().count() + " of " + cued.flown().of() + " flights instead of "
+                .ifPresent(cued -> routes.add("on the route from the " + RouteWords.sector(sector) + " in "
+                        + cued.flown().count() + " of " + cued.flown().of() + " flights instead of the predicted "
                         + RouteNumbers.percent(cued.predicted()))));
         return routes.isEmpty()
                 ? Optional.empty()

@@ -183,9 +183,10 @@ final class RouteReport {
                         ? ""
                         : Html.plain(
                                         "p",
-                                        "In these flights, the scene's rule raises an alert at least "
+                                        "The table states how often, in these flights, the scene's rule raises an alert at"
+                                                + " least "
                                                 + number(survey.response())
-                                                + " s before the drone arrives as often as this:")
+                                                + " s before the drone arrives.")
                                 + Html.table(
                                         List.of("from", "in time", "99 % interval", "predicted", "agrees"), alerts));
     }

@@ -77,7 +77,7 @@ public final class FlownRoute {
     }
 
     /**
-     * The same with so many estimates that their error hardly matters if the route is then flown.
+     * The same with enough estimates for their error to be negligible when the route is flown.
      *
      * @param runs number of runs with which it is flown, at least 1
      */
