@@ -1,5 +1,6 @@
 package org.dronewatch.bench;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -18,7 +19,7 @@ public final class KernelBench {
      * before the virtual machine has compiled the tracing for the last time: one picture takes ten milliseconds, the
      * compiler half a second.
      */
-    private static final long WARM_UP_NANOS = 1_000_000_000L;
+    private static final Duration WARM_UP = Duration.ofSeconds(1);
 
     private static final int BUILDS = 3;
 
@@ -26,6 +27,7 @@ public final class KernelBench {
     private final double buildSeconds;
     private final TraversalKind kind;
     private final int threads;
+    private final Duration warmUp;
     private float[] distances = new float[0];
     private int[] triangles = new int[0];
 
@@ -35,6 +37,10 @@ public final class KernelBench {
      * @param threads number of threads that trace
      */
     public KernelBench(TriangleMesh mesh, TraversalKind kind, int threads) {
+        this(mesh, kind, threads, WARM_UP);
+    }
+
+    KernelBench(TriangleMesh mesh, TraversalKind kind, int threads, Duration warmUp) {
         double[] seconds = new double[BUILDS];
         KDTree built = null;
         for (int i = 0; i < BUILDS; i++) {
@@ -47,6 +53,7 @@ public final class KernelBench {
         this.buildSeconds = seconds[BUILDS / 2];
         this.kind = kind;
         this.threads = threads;
+        this.warmUp = warmUp;
     }
 
     /**
@@ -82,7 +89,7 @@ public final class KernelBench {
         long begun = System.nanoTime();
         do {
             traceAll(tracers);
-        } while (System.nanoTime() - begun < WARM_UP_NANOS);
+        } while (System.nanoTime() - begun < warmUp.toNanos());
     }
 
     private void traceAll(List<Tracer> tracers) {

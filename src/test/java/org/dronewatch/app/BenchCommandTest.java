@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -57,35 +56,33 @@ class BenchCommandTest extends CommandLines {
         Files.write(
                 directory.resolve("my.rays"),
                 rays(new float[] {0.2f, 0.2f, -2, 0, 0, 1}, new float[] {0.2f, 0.2f, -2, 0, 0, -1}));
-        for (String traversal : List.of("stack", "sequential")) {
-            Program.Outcome outcome =
-                    commandIn("bench DIR/model.obj --rays DIR/my.rays --hits DIR/my.hits --passes 2 --threads 2"
-                            + " --traversal " + traversal);
+        Program.Outcome outcome =
+                commandIn("bench DIR/model.obj --rays DIR/my.rays --hits DIR/my.hits --passes 2 --threads 2"
+                        + " --traversal sequential");
 
-            assertThat(outcome.code()).isZero();
-            JsonNode line = JSON.readTree(outcome.out());
-            assertThat(line.get("set").asString()).isEqualTo("file");
-            assertThat(line.get("rays").asInt()).isEqualTo(2);
-            assertThat(line.get("hits").asInt()).isEqualTo(1);
-            assertThat(line.get("traversal").asString()).isEqualTo(traversal);
-            assertThat(line.get("threads").asInt()).isEqualTo(2);
-            assertThat(line.get("mrays_min").asDouble())
-                    .isLessThanOrEqualTo(line.get("mrays").asDouble());
-            assertThat(line.get("mrays").asDouble())
-                    .isLessThanOrEqualTo(line.get("mrays_max").asDouble());
-            assertThat(line.has("build_s")).isTrue();
-            ByteBuffer hits = ByteBuffer.wrap(Files.readAllBytes(directory.resolve("my.hits")))
-                    .order(ByteOrder.LITTLE_ENDIAN);
-            // The triangle without area is dropped, but counts: the hit is the file's second triangle.
-            assertThat(hits.getFloat()).isEqualTo(2.0f);
-            assertThat(hits.getInt()).isEqualTo(1);
-            assertThat(hits.getFloat()).isInfinite();
-            assertThat(hits.getInt()).isEqualTo(-1);
-            assertThat(hits.hasRemaining()).isFalse();
-        }
+        assertThat(outcome.code()).isZero();
+        JsonNode line = JSON.readTree(outcome.out());
+        assertThat(line.get("set").asString()).isEqualTo("file");
+        assertThat(line.get("rays").asInt()).isEqualTo(2);
+        assertThat(line.get("hits").asInt()).isEqualTo(1);
+        assertThat(line.get("traversal").asString()).isEqualTo("sequential");
+        assertThat(line.get("threads").asInt()).isEqualTo(2);
+        assertThat(line.get("mrays_min").asDouble())
+                .isLessThanOrEqualTo(line.get("mrays").asDouble());
+        assertThat(line.get("mrays").asDouble())
+                .isLessThanOrEqualTo(line.get("mrays_max").asDouble());
+        assertThat(line.has("build_s")).isTrue();
+        ByteBuffer hits = ByteBuffer.wrap(Files.readAllBytes(directory.resolve("my.hits")))
+                .order(ByteOrder.LITTLE_ENDIAN);
+        // The triangle without area is dropped, but counts: the hit is the file's second triangle.
+        assertThat(hits.getFloat()).isEqualTo(2.0f);
+        assertThat(hits.getInt()).isEqualTo(1);
+        assertThat(hits.getFloat()).isInfinite();
+        assertThat(hits.getInt()).isEqualTo(-1);
+        assertThat(hits.hasRemaining()).isFalse();
     }
 
-    /** Of three segments towards a triangle, one ends behind it, one in front of it, and one passes it. */
+    /** As KernelBenchTest does with every traversal. */
     @Test
     void benchCountsHiddenSegments() throws IOException {
         Files.writeString(directory.resolve("model.obj"), TRIANGLE + "f 1 2 3\n");
@@ -94,13 +91,10 @@ class BenchCommandTest extends CommandLines {
                 rays(new float[] {0.2f, 0.2f, -2, 0, 0, 3}, new float[] {0.2f, 0.2f, -2, 0, 0, 1.5f}, new float[] {
                     0.2f, 0.2f, -2, 5, 0, 3
                 }));
-        for (String traversal : List.of("fastest", "bvh", "stack", "sequential")) {
-            Program.Outcome outcome = commandIn(
-                    "bench DIR/model.obj --rays DIR/my.rays --query occluded --passes 1 --traversal " + traversal);
+        Program.Outcome outcome = commandIn("bench DIR/model.obj --rays DIR/my.rays --query occluded --passes 1");
 
-            assertThat(outcome.code()).as(outcome.err()).isZero();
-            assertThat(JSON.readTree(outcome.out()).get("hits").asInt()).isEqualTo(1);
-        }
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(JSON.readTree(outcome.out()).get("hits").asInt()).isEqualTo(1);
         assertThat(commandIn("bench DIR/model.obj --query occluded").err())
                 .contains("--query occluded needs --rays: segments are not generated");
         assertThat(commandIn("bench DIR/model.obj --rays DIR/my.rays --query occluded --hits DIR/h")

@@ -24,6 +24,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,11 +36,15 @@ import tools.jackson.databind.json.JsonMapper;
 /** A project of somebody else, whose jar adds one of each that can be added, and which the program has never seen. */
 class ForeignProjectTest {
     private static final Path PROJECT = ForeignProject.DIRECTORY;
+    private static final List<String> OPTIONS = List.of("-Xmx512m", "-XX:+UseSerialGC");
 
     @TempDir
     private static Path built;
 
     private static Path jar;
+
+    /** Most commands are executed there: it is started once. */
+    private static CommandProcess withJar;
 
     @TempDir
     private Path directory;
@@ -47,11 +52,21 @@ class ForeignProjectTest {
     @BeforeAll
     static void buildTheJar() throws IOException {
         jar = ForeignProject.jar(built);
+        withJar = CommandProcess.start(built, List.of(jar), OPTIONS);
     }
 
+    @AfterAll
+    static void endTheProcess() {
+        withJar.close();
+    }
+
+    private String at(String name) {
+        return directory.resolve(name).toString();
+    }
+
+    /** Runs a command in a process of its own. */
     private Program.Outcome run(List<Path> jars, String... arguments) throws IOException, InterruptedException {
-        try (Program.Child child =
-                Program.startWith(directory, jars, List.of("-Xmx512m", "-XX:+UseSerialGC"), arguments)) {
+        try (Program.Child child = Program.startWith(directory, jars, OPTIONS, arguments)) {
             return child.await();
         }
     }
@@ -76,9 +91,9 @@ class ForeignProjectTest {
     }
 
     @Test
-    void aSceneOfItsKindsRunsAndIsReported() throws IOException, InterruptedException {
+    void aSceneOfItsKindsRunsAndIsReported() throws IOException {
         copyTheScene();
-        Program.Outcome outcome = run(List.of(jar), "run", "scene.yaml", "--observations", "--out", "out");
+        Program.Outcome outcome = withJar.run("run", at("scene.yaml"), "--observations", "--out", at("out"));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         Path out = directory.resolve("out");
         assertThat(Files.readString(out.resolve("report.html"))).contains("spotter", "spherical", "any-pixel");
@@ -126,7 +141,7 @@ class ForeignProjectTest {
      * looks like and what it sounds like follow from its kinds' closed forms.
      */
     @Test
-    void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException, InterruptedException {
+    void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException {
         Files.writeString(directory.resolve("kite.off"), "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 0 1.5\n3 0 1 2\n");
         Files.writeString(
                 directory.resolve("far.off"), "OFF\n3 1 0\n30000 0 30000\n30001 0 30000\n30000 0 30002\n3 0 1 2\n");
@@ -159,7 +174,7 @@ class ForeignProjectTest {
                 run: {duration: 20 s}
                 """);
 
-        Program.Outcome outcome = run(List.of(jar), "run", "kite.yaml", "--observations", "--out", "kites");
+        Program.Outcome outcome = withJar.run("run", at("kite.yaml"), "--observations", "--out", at("kites"));
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(Files.readString(directory.resolve("kites/report.html"))).contains("emission hum");
@@ -262,8 +277,7 @@ class ForeignProjectTest {
      */
     @ParameterizedTest
     @MethodSource("probabilities")
-    void aSensorOfSlopingProbabilityIsCalibratedToAProbability(double probability)
-            throws IOException, InterruptedException {
+    void aSensorOfSlopingProbabilityIsCalibratedToAProbability(double probability) throws IOException {
         Files.copy(PROJECT.resolve("wall.off"), directory.resolve("wall.off"));
         String scene =
                 """
@@ -281,11 +295,15 @@ class ForeignProjectTest {
         Files.writeString(
                 directory.resolve("listener.yaml"),
                 scene.formatted("{kind: acoustic, propagation: {kind: spherical, slope: 2.5 dB}, " + position + "}"));
-        Program.Outcome outcome = run(
-                List.of(jar),
-                ("calibrate listener.yaml --sensor ear --drone quadrotor --range 80m --out fitted.yaml --probability "
-                                + probability)
-                        .split(" "));
+        Program.Outcome outcome = withJar.run(
+                "calibrate",
+                at("listener.yaml"),
+                "--sensor=ear",
+                "--drone=quadrotor",
+                "--range=80m",
+                "--out",
+                at("fitted.yaml"),
+                "--probability=" + probability);
         assertThat(outcome.code()).as(outcome.err()).isZero();
 
         double logit = Math.log(probability / (1.0 - probability));
@@ -298,7 +316,7 @@ class ForeignProjectTest {
                 .contains("kind: hum", "soundLevel: 55 dB");
 
         Files.writeString(directory.resolve("again.yaml"), scene.formatted("{use: fitted, " + position + "}"));
-        outcome = run(List.of(jar), "run", "again.yaml", "--observations", "--out", "again");
+        outcome = withJar.run("run", at("again.yaml"), "--observations", "--out", at("again"));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         List<String> looks = Files.readAllLines(directory.resolve("again/observations.csv"));
         long detected = looks.stream().filter(row -> row.contains(",dB,true,")).count();
@@ -309,23 +327,23 @@ class ForeignProjectTest {
     }
 
     @Test
-    void aSensorIsSwappedForItsKindByOneSetting() throws IOException, InterruptedException {
+    void aSensorIsSwappedForItsKindByOneSetting() throws IOException {
         copyTheScene();
         Program.Outcome outcome =
-                run(List.of(jar), "run", "scene.yaml", "--set", "sensors.camera=spotter", "--out", "out");
+                withJar.run("run", at("scene.yaml"), "--set", "sensors.camera=spotter", "--out", at("out"));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(Files.readString(directory.resolve("out/detections.csv"))).contains(",camera,spotter,");
     }
 
     @Test
-    void aSavedSceneHasItsKindsAndTheSameDetections() throws IOException, InterruptedException {
+    void aSavedSceneHasItsKindsAndTheSameDetections() throws IOException {
         copyTheScene();
         String[] swap = {"--set", "sensors.camera=spotter", "--set", "sensors.camera.reach=70 m"};
         Program.Outcome outcome =
-                run(List.of(jar), "save", "scene.yaml", swap[0], swap[1], swap[2], swap[3], "--out", "saved.yaml");
+                withJar.run("save", at("scene.yaml"), swap[0], swap[1], swap[2], swap[3], "--out", at("saved.yaml"));
         assertThat(outcome.code()).as(outcome.err()).isZero();
-        run(List.of(jar), "run", "scene.yaml", swap[0], swap[1], swap[2], swap[3], "--out", "direct");
-        outcome = run(List.of(jar), "run", "saved.yaml", "--out", "again");
+        withJar.run("run", at("scene.yaml"), swap[0], swap[1], swap[2], swap[3], "--out", at("direct"));
+        outcome = withJar.run("run", at("saved.yaml"), "--out", at("again"));
         assertThat(outcome.code()).as(outcome.err()).isZero();
         String detections = Files.readString(directory.resolve("again/detections.csv"));
         assertThat(detections)
@@ -334,12 +352,12 @@ class ForeignProjectTest {
     }
 
     @Test
-    void anEditorKnowsItsKinds() throws IOException, InterruptedException {
+    void anEditorKnowsItsKinds() throws IOException {
         String scene = Files.readString(PROJECT.resolve("scene.yaml"));
-        Schema without = schema(run(List.of(), "schema"));
+        Schema without = schema(Program.run("schema"));
         assertThat(without.validate(scene, InputFormat.YAML)).isNotEmpty();
 
-        Schema with = schema(run(List.of(jar), "schema"));
+        Schema with = schema(withJar.run("schema"));
         assertThat(with.validate(scene, InputFormat.YAML)).isEmpty();
         for (String part :
                 List.of("kind: spotter", "propagation: spherical", "kind: zigzag", "kind: hum", "any-pixel")) {
@@ -360,10 +378,10 @@ class ForeignProjectTest {
     }
 
     @Test
-    void theSchemaSaysOfItsSettingsWhatItKnows() throws IOException, InterruptedException {
+    void theSchemaSaysOfItsSettingsWhatItKnows() throws IOException {
         JsonNode sensors = JsonMapper.builder()
                 .build()
-                .readTree(run(List.of(jar), "schema").out())
+                .readTree(withJar.run("schema").out())
                 .at("/$defs/SensorSettings/anyOf");
         JsonNode spotter = sensors.valueStream()
                 .filter(kind -> kind.at("/properties/kind/const").asString("").equals("spotter"))
@@ -449,9 +467,9 @@ class ForeignProjectTest {
     }
 
     @Test
-    void itsLimitsHoldInFiles() throws IOException, InterruptedException {
+    void itsLimitsHoldInFiles() throws IOException {
         copyTheScene();
-        Program.Outcome outcome = run(List.of(jar), "check", "scene.yaml", "--set", "sensors.eyes.reach=6 km");
+        Program.Outcome outcome = withJar.run("check", at("scene.yaml"), "--set", "sensors.eyes.reach=6 km");
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.complaints())
                 .singleElement()
@@ -460,15 +478,15 @@ class ForeignProjectTest {
     }
 
     @Test
-    void withoutItsJarTheKindIsUnknownAndNoClassIsTaken() throws IOException, InterruptedException {
+    void withoutItsJarTheKindIsUnknownAndNoClassIsTaken() throws IOException {
         copyTheScene();
         String scene = Files.readString(directory.resolve("scene.yaml"));
-        Program.Outcome outcome = run(List.of(), "check", "scene.yaml");
+        Program.Outcome outcome = Program.run("check", at("scene.yaml"));
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.err()).contains("unknown kind 'spotter'").doesNotContain("\tat ");
         Files.writeString(
                 directory.resolve("scene.yaml"), scene.replace("spotter", "org.example.watch.SpotterSettings"));
-        outcome = run(List.of(jar), "check", "scene.yaml");
+        outcome = withJar.run("check", at("scene.yaml"));
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.err()).contains("unknown kind 'org.example.watch.SpotterSettings'");
     }

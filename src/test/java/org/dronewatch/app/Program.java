@@ -54,14 +54,7 @@ final class Program {
     static Child startClass(
             Class<?> main, Path directory, List<Path> jars, List<String> javaOptions, String... arguments)
             throws IOException {
-        List<String> command = new ArrayList<>();
-        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        // Short runs end before the second compiler's code pays: half the processor time.
-        command.add("-XX:TieredStopAtLevel=1");
-        command.addAll(javaOptions);
-        List<String> classPath = new ArrayList<>(List.of(absoluteClassPath()));
-        jars.forEach(jar -> classPath.add(jar.toString()));
-        command.addAll(List.of("-cp", String.join(File.pathSeparator, classPath), main.getName()));
+        List<String> command = java(main, jars, javaOptions);
         command.addAll(List.of(arguments));
         File out = directory.resolve("out.txt").toFile();
         File err = directory.resolve("err.txt").toFile();
@@ -71,6 +64,19 @@ final class Program {
                 .redirectError(err)
                 .start();
         return new Child(process, out.toPath(), err.toPath());
+    }
+
+    /** The command that starts a class with a main method, but for its arguments. */
+    static List<String> java(Class<?> main, List<Path> jars, List<String> javaOptions) {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        // Short runs end before the second compiler's code pays: half the processor time.
+        command.add("-XX:TieredStopAtLevel=1");
+        command.addAll(javaOptions);
+        List<String> classPath = new ArrayList<>(List.of(absoluteClassPath()));
+        jars.forEach(jar -> classPath.add(jar.toString()));
+        command.addAll(List.of("-cp", String.join(File.pathSeparator, classPath), main.getName()));
+        return command;
     }
 
     private static String absoluteClassPath() {

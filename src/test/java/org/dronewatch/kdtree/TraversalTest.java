@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Hit;
 import org.dronewatch.geometry.IntersectionHandler;
@@ -28,10 +29,8 @@ class TraversalTest {
     void noTriangleOnTheWayIsLeftOut(Way way) {
         for (int seed = 20; seed < 60; seed++) {
             TriangleMesh mesh = Meshes.soup(10 * (seed - 19), 0.02 * (seed - 15), seed);
-            KDTree tree = KDTree.of(mesh);
-            for (double[] ray : new Rays(mesh, seed).any(400)) {
-                way.assertSameAsExhaustive(tree, ray, "soup and rays of seed " + seed);
-            }
+            double[][] rays = new Rays(mesh, seed).any(400);
+            way.assertSameAsExhaustive(KDTree.of(mesh), "soup and rays of seed " + seed, rays);
         }
     }
 
@@ -48,8 +47,8 @@ class TraversalTest {
         int count = 0;
         for (int triangles : new int[] {1, 3, 40, 400}) {
             TriangleMesh mesh = Meshes.soup(triangles, 0.4, triangles);
-            KDTree tree = KDTree.of(mesh);
-            RayTracer used = way.on(tree);
+            Supplier<RayTracer> tracers = way.newOn(KDTree.of(mesh));
+            RayTracer used = tracers.get();
             Rays rays = new Rays(mesh, seed + triangles);
             for (int line = 0; line < 40; line++) {
                 double[] eye = rays.inBox(2.0);
@@ -63,7 +62,7 @@ class TraversalTest {
                     }
                     double end = i % 2 == 0 ? 1.0 : near;
                     double start = i % 5 == 0 ? 0.5 * end : 0.0;
-                    boolean isHidden = way.on(tree).isOccluded(eye[0], eye[1], eye[2], d[0], d[1], d[2], start, end);
+                    boolean isHidden = tracers.get().isOccluded(eye[0], eye[1], eye[2], d[0], d[1], d[2], start, end);
                     assertThat(used.isOccluded(eye[0], eye[1], eye[2], d[0], d[1], d[2], start, end))
                             .as("%d triangles, line %d, segment %d, seed %d", triangles, line, i, seed)
                             .isEqualTo(isHidden);
@@ -127,7 +126,7 @@ class TraversalTest {
                 }
                 double[] ray = Rays.towards(rays.inBox(0.5), target);
 
-                String what = Arrays.toString(ray) + " of seeds 65 and 66";
+                Supplier<String> what = () -> Arrays.toString(ray) + " of seeds 65 and 66";
                 assertThat(Rays.closestHit(traversal, ray)).as(what).isTrue();
                 if (convex) {
                     assertThat(traversal.distance()).as(what).isCloseTo(1.0, within(1e-9));
@@ -148,7 +147,7 @@ class TraversalTest {
             double[] ray = Rays.towards(rays.outside(1e6), rays.inBox(1.0));
             BruteForce.Answer expected = bruteForce.closest(ray);
 
-            String what = Arrays.toString(ray) + " of seed 67, " + expected;
+            Supplier<String> what = () -> Arrays.toString(ray) + " of seed 67, " + expected;
             assertThat(Rays.closestHit(traversal, ray)).as(what).isEqualTo(expected.found());
             if (expected.found()) {
                 assertThat(traversal.distance()).as(what).isCloseTo(expected.distance(), withinPercentage(1e-12));
@@ -172,7 +171,7 @@ class TraversalTest {
                     longer[k] = factor * ray[k];
                 }
 
-                String what = Arrays.toString(longer) + " of seeds 68 and 69";
+                Supplier<String> what = () -> Arrays.toString(longer) + " of seeds 68 and 69";
                 assertThat(Rays.closestHit(traversal, longer)).as(what).isEqualTo(found);
                 if (found) {
                     assertThat(traversal.distance()).as(what).isCloseTo(distance / factor, withinPercentage(1e-10));
@@ -196,7 +195,7 @@ class TraversalTest {
             hits++;
             double t = traversal.distance();
             double next = exhaustive.closest(ray, Math.nextUp(t), END);
-            String what = Arrays.toString(ray) + " of seeds 70 and 71";
+            Supplier<String> what = () -> Arrays.toString(ray) + " of seeds 70 and 71";
 
             assertThat(Rays.closestHit(traversal, ray, 0.0, t)).as(what).isTrue();
             assertThat(Rays.closestHit(traversal, ray, 0.0, Math.nextDown(t)))
@@ -233,7 +232,7 @@ class TraversalTest {
                 continue;
             }
             hits++;
-            String what = ray + " of seeds 72 and 73";
+            Supplier<String> what = () -> ray + " of seeds 72 and 73";
             Optional<Hit> reference =
                     IntersectionHandler.rayTriangle(ray, mesh.triangle(hit.get().triangle()));
             assertThat(reference).as(what).isPresent();

@@ -4,22 +4,28 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.dronewatch.bvh.TracingIndex;
 
 /** The ways through a tree. */
 enum Way {
-    STACK(StackTraversal::new),
-    SEQUENTIAL(SequentialTraversal::new),
+    STACK(tree -> () -> new StackTraversal(tree)),
+    SEQUENTIAL(tree -> () -> new SequentialTraversal(tree)),
     /** By vectors where the machine has them, as in the build's own tests. */
-    SCATTERED(tree -> new TracingIndex(tree).newIncoherentRayTracer());
+    SCATTERED(tree -> new TracingIndex(tree)::newIncoherentRayTracer);
 
-    private final Function<KDTree, RayTracer> maker;
+    private final Function<KDTree, Supplier<RayTracer>> maker;
 
-    Way(Function<KDTree, RayTracer> maker) {
+    Way(Function<KDTree, Supplier<RayTracer>> maker) {
         this.maker = maker;
     }
 
     RayTracer on(KDTree tree) {
+        return newOn(tree).get();
+    }
+
+    /** Gives a new one each time, and prepares the tree only once. */
+    Supplier<RayTracer> newOn(KDTree tree) {
         return maker.apply(tree);
     }
 
@@ -28,14 +34,18 @@ enum Way {
         return Rays.closestHit(traversal, ray) ? traversal.distance() : Double.POSITIVE_INFINITY;
     }
 
-    /** Asserts that a ray hits, and is occluded, as if every triangle were tested. */
-    void assertSameAsExhaustive(KDTree tree, double[] ray, String seed) {
+    /** Asserts that each ray hits, and is occluded, as if every triangle were tested, by a tracer of its own. */
+    void assertSameAsExhaustive(KDTree tree, String seed, double[]... rays) {
         double end = Double.POSITIVE_INFINITY;
-        double expected = new Exhaustive(tree).closest(ray, 0.0, end);
-        RayTracer traversal = on(tree);
-        String what = Arrays.toString(ray) + " of " + seed;
+        Exhaustive exhaustive = new Exhaustive(tree);
+        Supplier<RayTracer> tracers = newOn(tree);
+        for (double[] ray : rays) {
+            double expected = exhaustive.closest(ray, 0.0, end);
+            RayTracer traversal = tracers.get();
+            Supplier<String> what = () -> Arrays.toString(ray) + " of " + seed;
 
-        assertThat(closest(traversal, ray)).as(what).isEqualTo(expected);
-        assertThat(Rays.isOccluded(traversal, ray, 0.0, end)).as(what).isEqualTo(expected < end);
+            assertThat(closest(traversal, ray)).as(what).isEqualTo(expected);
+            assertThat(Rays.isOccluded(traversal, ray, 0.0, end)).as(what).isEqualTo(expected < end);
+        }
     }
 }

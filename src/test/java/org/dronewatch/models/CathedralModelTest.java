@@ -18,14 +18,14 @@ import org.dronewatch.sound.surface.SurfaceMaterials;
 import org.junit.jupiter.api.Test;
 
 class CathedralModelTest {
-    private final KDTree tree = KDTree.of(new ModelLoader(Path.of("models"))
+    private static final KDTree TREE = KDTree.of(new ModelLoader(Path.of("models"))
             .load(ModelSettings.of("cathedral.obj"))
             .mesh());
-    private final Mesh model = CathedralModel.mesh();
+    private static final Mesh MODEL = CathedralModel.mesh();
 
     @Test
     void itHasTheSizeOfARealModel() {
-        assertThat(tree.mesh().triangleCount()).isBetween(120_000, 140_000);
+        assertThat(TREE.mesh().triangleCount()).isBetween(120_000, 140_000);
     }
 
     /** From places in nave, aisles, clerestory and apse, in all directions. */
@@ -33,7 +33,7 @@ class CathedralModelTest {
     void noRayGetsOut() {
         long seed = 1163;
         SplittableRandom random = new SplittableRandom(seed);
-        RayTracer traversal = new StackTraversal(tree);
+        RayTracer traversal = new StackTraversal(TREE);
         for (int i = 0; i < 200_000; i++) {
             double x = -29 + 64 * random.nextDouble();
             double z = 0.2 + 13.5 * random.nextDouble();
@@ -59,7 +59,7 @@ class CathedralModelTest {
 
     @Test
     void aDroneHasRoomAlongTheNave() {
-        RayTracer traversal = new StackTraversal(tree);
+        RayTracer traversal = new StackTraversal(TREE);
         for (double x = -20; x <= 30; x += 5) {
             for (int way = 0; way < 64; way++) {
                 double angle = 2 * Math.PI * way / 64;
@@ -74,7 +74,7 @@ class CathedralModelTest {
     @Test
     void theFreePlaceIsFree() {
         Point place = CathedralModel.FREE_PLACE;
-        RayTracer traversal = new StackTraversal(tree);
+        RayTracer traversal = new StackTraversal(TREE);
         int directions = 5000;
         for (int i = 0; i < directions; i++) {
             double up = 1 - (2 * i + 1.0) / directions;
@@ -118,18 +118,18 @@ class CathedralModelTest {
         String readme = Files.readString(Path.of("models", "README.md"));
         assertThat(readme).contains(String.format(Locale.ROOT, "%,d m³", 100 * Math.round(volume / 100)));
         assertThat(readme)
-                .contains("faces inwards, and " + (model.parts().size() - 1) + " closed parts |")
+                .contains("faces inwards, and " + (MODEL.parts().size() - 1) + " closed parts |")
                 .contains("within %.0f m of the point %.0f m above the origin"
                         .formatted(CathedralModel.FREE_RADIUS_METRES, CathedralModel.FREE_PLACE.y()));
     }
 
     @Test
     void itsMaterialsAreInTheTableOfSurfaces() {
-        assertThat(model.materials()).extracting(Material::name).isSubsetOf(SurfaceMaterials.names());
+        assertThat(MODEL.materials()).extracting(Material::name).isSubsetOf(SurfaceMaterials.names());
     }
 
     private Mesh.Part shell() {
-        Mesh.Part first = model.parts().get(0);
+        Mesh.Part first = MODEL.parts().get(0);
         assertThat(first.name()).isEqualTo("shell");
         return first;
     }
@@ -137,12 +137,12 @@ class CathedralModelTest {
     private List<Point> corners(Mesh.Part part) {
         return part.faces().stream()
                 .flatMap(face -> face.corners().stream())
-                .map(model.vertices()::get)
+                .map(MODEL.vertices()::get)
                 .toList();
     }
 
     private Point corner(Mesh.Face face, int index) {
-        return model.vertices().get(face.corners().get(index));
+        return MODEL.vertices().get(face.corners().get(index));
     }
 
     @Test

@@ -27,7 +27,8 @@ import org.dronewatch.terrain.io.ElevationFiles;
 /**
  * Prepares the parts of a site, or takes them from the store if an earlier run of the program kept them there, with the
  * same result. Parts that took at least {@value SiteStore#WORTH} s to prepare are kept. The tree over a mesh is looked
- * up by the mesh itself, so it does not matter from which files the mesh came. Not thread-safe.
+ * up by the mesh itself, so it does not matter from which files the mesh came; this process remembers the last trees,
+ * even without a store. Not thread-safe.
  */
 public final class PreparedSites {
     private static final double NANO = 1e-9;
@@ -40,6 +41,7 @@ public final class PreparedSites {
 
     private final Path directory;
     private final SiteStore store;
+    private final TreeMemory memory;
     private final int small;
     private final Consumer<String> progress;
 
@@ -50,17 +52,18 @@ public final class PreparedSites {
      * @param progress receives a line before each step that takes seconds, and one if the store cannot be written
      */
     public PreparedSites(Path directory, Consumer<String> progress) {
-        this(directory, SiteStore.standard(progress), SMALL, progress);
+        this(directory, SiteStore.standard(progress), TreeMemory.SHARED, SMALL, progress);
     }
 
     /**
      * Sites prepared with another store.
      *
-     * @param small number of triangles below which the tree over a mesh is not looked up in the store
+     * @param small number of triangles below which the tree over a mesh is not looked up
      */
-    PreparedSites(Path directory, SiteStore store, int small, Consumer<String> progress) {
+    PreparedSites(Path directory, SiteStore store, TreeMemory memory, int small, Consumer<String> progress) {
         this.directory = directory;
         this.store = store;
+        this.memory = memory;
         this.small = small;
         this.progress = progress;
     }
@@ -153,17 +156,19 @@ public final class PreparedSites {
 
     /** Prepares the tree over a mesh. */
     public KDTree tree(TriangleMesh mesh, SahCost costs) {
-        if (mesh.triangleCount() < small || !store.isOn()) {
+        if (mesh.triangleCount() < small) {
             return grown(mesh, costs);
         }
         StoreKey key = StoreKey.of("tree", mesh, costs);
-        Optional<KDTree> kept = store.find(key, StoredForms.TREE).flatMap(parts -> over(parts, mesh, costs));
-        if (kept.isPresent()) {
-            return kept.get();
-        }
+        Optional<KDTree> kept =
+                memory.find(key).or(() -> store.find(key, StoredForms.TREE)).flatMap(parts -> over(parts, mesh, costs));
         long start = System.nanoTime();
-        KDTree tree = grown(mesh, costs);
-        store.keep(() -> key, StoredForms.TREE, TreeParts.of(tree), since(start));
+        KDTree tree = kept.orElseGet(() -> grown(mesh, costs));
+        TreeParts parts = TreeParts.of(tree);
+        memory.keep(key, parts);
+        if (kept.isEmpty()) {
+            store.keep(() -> key, StoredForms.TREE, parts, since(start));
+        }
         return tree;
     }
 

@@ -74,8 +74,7 @@ class PreparedSitesTest {
     static void prepareWithoutStore() throws IOException {
         Files.writeString(site.resolve("dem.asc"), grid(site, 230.0));
         Files.writeString(site.resolve("town.osm"), MAP);
-        PreparedSites without =
-                new PreparedSites(site, new SiteStore(Optional.empty(), 1 << 30, 0.0, line -> {}), 1, line -> {});
+        PreparedSites without = new PreparedSites(site, noStore(), new TreeMemory(), 1, line -> {});
         terrain = without.terrain(TERRAIN, ORIGIN);
         buildings = without.buildings(BUILDINGS, ORIGIN, Optional.of(TERRAIN), Optional.of(terrain));
         tree = without.tree(terrain.terrain().mesh(), SahCost.DEFAULT);
@@ -98,12 +97,16 @@ class PreparedSitesTest {
         return text.toString();
     }
 
+    private static SiteStore noStore() {
+        return new SiteStore(Optional.empty(), 1 << 30, 0.0, line -> {});
+    }
+
     private SiteStore store(long mostBytes) {
         return new SiteStore(Optional.of(place), mostBytes, 0.0, notes::add);
     }
 
     private PreparedSites sites() {
-        return new PreparedSites(site, store(1 << 30), 1, notes::add);
+        return new PreparedSites(site, store(1 << 30), new TreeMemory(), 1, notes::add);
     }
 
     /** Prepares everything, and compares it with what was prepared without a store. */
@@ -144,6 +147,20 @@ class PreparedSitesTest {
         assertThat(notes).isEmpty();
     }
 
+    @Test
+    void aProcessBuildsATreeOnceEvenWithoutAStore() {
+        TreeMemory memory = new TreeMemory();
+        PreparedSites first = new PreparedSites(site, noStore(), memory, 1, notes::add);
+        PreparedSites second = new PreparedSites(site, noStore(), memory, 1, notes::add);
+        KDTree grown = first.tree(terrain.terrain().mesh(), SahCost.DEFAULT);
+        KDTree again = second.tree(terrain.terrain().mesh(), SahCost.DEFAULT);
+        KDTree other = second.tree(buildings.mesh(), SahCost.DEFAULT);
+
+        assertThat(TreeParts.of(again).nodes()).isSameAs(TreeParts.of(grown).nodes());
+        assertThat(again).usingRecursiveComparison().isEqualTo(tree);
+        assertThat(other).usingRecursiveComparison().isEqualTo(KDTree.of(buildings.mesh()));
+    }
+
     private static List<FileTime> times(List<Path> files) throws IOException {
         List<FileTime> times = new ArrayList<>();
         for (Path file : files) {
@@ -173,7 +190,8 @@ class PreparedSitesTest {
 
         Path copy = Files.createDirectory(place.resolve("copy"));
         Files.writeString(copy.resolve("dem.asc"), grid(copy, 231.0));
-        PreparedTerrain changed = new PreparedSites(copy, store(1 << 30), 1, notes::add).terrain(TERRAIN, ORIGIN);
+        PreparedTerrain changed =
+                new PreparedSites(copy, store(1 << 30), new TreeMemory(), 1, notes::add).terrain(TERRAIN, ORIGIN);
         assertThat(changed.terrain().mesh().bounds().maxZ())
                 .isGreaterThan(first.terrain().mesh().bounds().maxZ() + 0.9f);
         sites().buildings(BUILDINGS, ORIGIN, Optional.of(TERRAIN), Optional.of(first));
@@ -295,7 +313,7 @@ class PreparedSitesTest {
         Path file = Files.writeString(place.resolve("file"), "no directory");
         SiteStore store = new SiteStore(Optional.of(file.resolve("cache")), 1 << 30, 0.0, notes::add);
 
-        isAsWithoutStore(new PreparedSites(site, store, 1, notes::add));
+        isAsWithoutStore(new PreparedSites(site, store, new TreeMemory(), 1, notes::add));
 
         assertThat(notes).hasSize(1);
         assertThat(notes.get(0))
@@ -303,7 +321,7 @@ class PreparedSitesTest {
                 .doesNotContain("Exception");
 
         SiteStore inTheWay = new SiteStore(Optional.of(file), 1 << 30, 0.0, notes::add);
-        isAsWithoutStore(new PreparedSites(site, inTheWay, 1, notes::add));
+        isAsWithoutStore(new PreparedSites(site, inTheWay, new TreeMemory(), 1, notes::add));
         assertThat(notes.get(1)).contains("next start: " + file + " is a file (--no-cache avoids the attempt)");
     }
 
@@ -361,7 +379,7 @@ class PreparedSitesTest {
     void whatTakesNoTimeIsNotKept() throws IOException {
         SiteStore store = new SiteStore(Optional.of(place), 1 << 30, 1e9, notes::add);
 
-        new PreparedSites(site, store, 1, notes::add).terrain(TERRAIN, ORIGIN);
+        new PreparedSites(site, store, new TreeMemory(), 1, notes::add).terrain(TERRAIN, ORIGIN);
 
         assertThat(files()).isEmpty();
     }

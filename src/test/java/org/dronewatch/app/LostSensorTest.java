@@ -9,15 +9,14 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.dronewatch.analysis.field.FieldSite;
-import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What is lost without a sensor, against the coverage of a scene without it, in another process. */
-class LostSensorProcessTest {
+/** What is lost without a sensor, against the coverage of a scene without it, for which nothing is kept. */
+class LostSensorTest {
     /** Two radars one above the other, so that the middle of the area stays where it is. */
     private static final String SENSORS = FieldSite.ROUND
             + FieldSite.ROUND
@@ -30,7 +29,7 @@ class LostSensorProcessTest {
     private Path directory;
 
     @Test
-    void whatIsLostIsTheDifferenceToASceneWithoutTheSensor() throws IOException, InterruptedException {
+    void whatIsLostIsTheDifferenceToASceneWithoutTheSensor() throws IOException {
         FieldSite.in(directory, SENSORS);
         JsonNode all = coverage("all");
         JsonNode rest = coverage("rest", "--set", "sensors.round.enabled=false");
@@ -48,16 +47,17 @@ class LostSensorProcessTest {
                 .isNotZero();
     }
 
-    private JsonNode coverage(String out, String... more) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of("coverage", "site.yaml", "--heights=12,60", "--side=400"));
-        Collections.addAll(command, "--cell=20", "--heading=best", "--no-cache", "--out", out);
+    private JsonNode coverage(String out, String... more) throws IOException {
+        Path results = directory.resolve(out);
+        List<String> command = new ArrayList<>(
+                List.of("coverage", directory.resolve("site.yaml").toString()));
+        Collections.addAll(command, "--heights=12,60", "--side=400", "--cell=20", "--heading=best", "--no-cache");
+        Collections.addAll(command, "--out", results.toString());
         Collections.addAll(command, more);
-        try (Child child = Program.start(directory, List.of("-Xmx256m"), command.toArray(String[]::new))) {
-            Outcome outcome = child.await();
-            assertThat(outcome.code()).as(outcome.err()).isZero();
-        }
+        Outcome outcome = Program.run(command.toArray(String[]::new));
+        assertThat(outcome.code()).as(outcome.err()).isZero();
         return JsonMapper.builder()
                 .build()
-                .readTree(directory.resolve(out).resolve("coverage.json").toFile());
+                .readTree(results.resolve("coverage.json").toFile());
     }
 }
