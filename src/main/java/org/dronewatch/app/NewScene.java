@@ -151,7 +151,7 @@ record NewScene(
                             100.0 * way.hidden());
                     line(
                             text,
-                            "    # Points are east and north of the origin; {latitude: ..., longitude: ...} is also"
+                            "    # Points are [east, north] of the origin, in metres; {latitude: ..., longitude: ...} is also"
                                     + " possible.");
                     line(
                             text,

@@ -33,7 +33,7 @@ final class RouteWords {
                                 + (inputs.launch().isPresent() ? ", or a --launch farther away." : "."));
     }
 
-    /** {@code from the north-west, 12 m above the ground, mostly hidden by terrain}. */
+    /** {@code from the north-west, 12 m above the ground, hidden by terrain most of the time}. */
     private static String from(SectorRoute route, RouteSurvey survey) {
         String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
         OptionalDouble glide = gliding(route, survey);
@@ -57,15 +57,15 @@ final class RouteWords {
                 .findFirst();
     }
 
-    /** Why it is not detected for most of the time, {@code mostly hidden by terrain}; empty if it always is. */
+    /** What keeps sensors from detecting it, {@code hidden by terrain most of the time}; empty if nothing does. */
     static Optional<String> reason(SectorRoute route) {
         return route.dominantCause().map(cause -> {
-            String often = route.share(cause) > 0.5 ? "mostly" : "partly";
+            String often = route.share(cause) > 0.5 ? " most of the time" : " part of the time";
             return switch (cause) {
-                case TOO_WEAK -> often + " too small, faint or quiet for the sensors";
-                case TOO_SLOW -> often + " across the line of sight, or too slow";
-                case UNKNOWN -> often + " where the line of sight leaves the known ground";
-                default -> often + " " + CoverageTable.name(cause);
+                case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
+                case TOO_SLOW -> "across the line of sight or too slow" + often;
+                case UNKNOWN -> "where the line of sight leaves the known ground" + often;
+                default -> CoverageTable.name(cause) + often;
             };
         });
     }
