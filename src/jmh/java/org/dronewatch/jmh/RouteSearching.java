@@ -39,7 +39,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(value = 1, jvmArgsAppend = "-Xmx2g")
 @Warmup(iterations = 1)
 @Measurement(iterations = 3)
-public class WeakestRouteSearch {
+public class RouteSearching {
     private static final int SENSORS = 13;
     private static final double CELL = 10.0;
     private static final double ZONE = 60.0;
