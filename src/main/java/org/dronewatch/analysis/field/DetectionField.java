@@ -235,9 +235,11 @@ public final class DetectionField {
      * Whether a sensor covers a cell on a course: its probability is at least a given value. Parameters as above.
      *
      * @param covered that value, 0.008 to 0.996, or 1
+     * @throws IllegalArgumentException as for {@link FieldCoverage#checkedProbability}
      */
     public boolean covers(int sensor, int height, int column, int row, int course, double covered) {
-        return steps(sensor, height, column, row, course) >= CellCode.stepsToCover(covered);
+        int needed = CellCode.stepsToCover(FieldCoverage.checkedProbability(covered));
+        return steps(sensor, height, column, row, course) >= needed;
     }
 
     /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */

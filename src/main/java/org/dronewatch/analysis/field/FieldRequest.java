@@ -29,8 +29,13 @@ public record FieldRequest(
         FieldCoverage.Choice choice,
         FieldTerms terms,
         double covered) {
-    /** Copies the list: later changes by the caller have no effect. */
+    /**
+     * Copies the list: later changes by the caller have no effect.
+     *
+     * @throws IllegalArgumentException as for {@link FieldCoverage#checkedProbability}
+     */
     public FieldRequest {
+        FieldCoverage.checkedProbability(covered);
         courses = List.copyOf(courses);
     }
 

@@ -57,14 +57,14 @@ public record GapSpan(int lowest, int highest, int height, int number, Gap gap) 
     }
 
     private static boolean overlap(GapMap below, Part lower, GapMap above, Part upper) {
-        int columns = above.coverage().field().grid().columns();
+        FieldGrid grid = above.coverage().field().grid();
         boolean isUpperSmaller = upper.gap.cells() <= lower.gap.cells();
         int[] cells = isUpperSmaller ? above.cells(upper.number) : below.cells(lower.number);
         int shared = 0;
         for (int cell : cells) {
             boolean both = isUpperSmaller
-                    ? below.contains(lower.number, cell % columns, cell / columns)
-                    : above.contains(upper.number, cell % columns, cell / columns);
+                    ? below.contains(lower.number, grid.column(cell), grid.row(cell))
+                    : above.contains(upper.number, grid.column(cell), grid.row(cell));
             shared += both ? 1 : 0;
         }
         return shared >= SHARED * cells.length;

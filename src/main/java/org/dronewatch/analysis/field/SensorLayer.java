@@ -120,12 +120,12 @@ final class SensorLayer {
     /** The assessments at one height. */
     LayerSlice slice(int height, FieldColumns columns) {
         double[] z = new double[rows * columns.columns()];
-        for (int cell = 0; cell < z.length; cell++) {
-            int column = cell % columns.columns();
-            int row = cell / columns.columns();
-            z[cell] = columns.isOpen(height, column, row)
-                    ? columns.middle(height, column, row).z()
-                    : Double.NaN;
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns.columns(); column++) {
+                z[row * columns.columns() + column] = columns.isOpen(height, column, row)
+                        ? columns.middle(height, column, row).z()
+                        : Double.NaN;
+            }
         }
         int from = height * rows;
         return new LayerSlice(

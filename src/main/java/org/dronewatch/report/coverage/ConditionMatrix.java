@@ -23,6 +23,7 @@ import org.dronewatch.report.Numbers;
 final class ConditionMatrix {
     private static final Color NOTHING = new Color(0x2c4a86);
     private static final Color EVERYTHING = new Color(0xfff3c4);
+    private static final Color UNKNOWN = new Color(0xe4e4e4);
     private static final int MARGIN = 24;
     private static final int LABELS = 90;
     private static final int CELL_WIDTH = 190;
@@ -88,10 +89,14 @@ final class ConditionMatrix {
     }
 
     private void drawCell(ConditionCoverage.Height height, int left, int top) {
-        Color fill = ColourMix.of(NOTHING, EVERYTHING, height.share());
-        Color ink = height.share() < DARK ? Color.WHITE : Color.BLACK;
-        g.setColor(fill);
+        boolean isKnown = height.summary().known() > 0;
+        Color ink = isKnown && height.share() < DARK ? Color.WHITE : Color.BLACK;
+        g.setColor(isKnown ? ColourMix.of(NOTHING, EVERYTHING, height.share()) : UNKNOWN);
         g.fillRect(left, top, CELL_WIDTH - 2, CELL_HEIGHT - 2);
+        if (!isKnown) {
+            centre(SMALL, ink, "no known cells", left, top + 35);
+            return;
+        }
         String lost = height.lost() == 0 ? "" : "   lost " + ConditionTable.lost(height);
         String covered = ConditionTable.percent(height, height.summary().covered());
         centre(NUMBER, ink, (covered.equals("-") ? "0" : covered) + lost, left, top + 26);

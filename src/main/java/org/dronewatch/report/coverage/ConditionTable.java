@@ -16,12 +16,12 @@ public final class ConditionTable {
     /**
      * The fractions that are covered and lost, and the sensor that covers most.
      *
-     * @param probability with which a sensor must detect the drone, as in {@code  with a probability of 0.9 or more};
-     *     empty for the default
+     * @param covered the probability with which a sensor must detect the drone, 0.008 to 0.996, or 1
      */
-    static List<String> lines(List<ConditionCoverage> conditions, String probability) {
+    static List<String> lines(List<ConditionCoverage> conditions, double covered) {
         List<String> lines = new ArrayList<>();
-        lines.add("covered" + probability + " under each condition, in % of the known cells:");
+        lines.add("covered" + CoverageInputs.withProbability(covered)
+                + " under each condition, in % of the known cells:");
         addRows(lines, conditions, height -> percent(height, height.summary().covered()));
         lines.add("");
         lines.add("covered in the scene as it is, but not under the condition, in % of the cells known without it:");

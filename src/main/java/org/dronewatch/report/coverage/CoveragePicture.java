@@ -8,8 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.math.BigDecimal;
-import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -23,6 +22,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.Credits;
 import org.dronewatch.render.KindColours;
+import org.dronewatch.report.Numbers;
 import org.dronewatch.world.World;
 
 /** A plan view of a site, north up: shaded ground, the area covered by the sensors of each kind, and the sensors. */
@@ -32,6 +32,7 @@ public final class CoveragePicture {
     private static final int MARGIN = 24;
     private static final int LINE = 26;
     private static final int SMALL_LINE = 15;
+    private static final int DECIMALS = 3;
     /** Stripes mark what is not known: they differ from every colour, also in print. */
     private static final int STRIPE = 5;
 
@@ -166,7 +167,7 @@ public final class CoveragePicture {
         int y = MARGIN + 16;
         g.setColor(Color.BLACK);
         g.setFont(TITLE);
-        g.drawString(title, x, y);
+        y = LegendText.draw(g, title, x, y, SIDE - 2 * MARGIN);
         g.setFont(TEXT);
         for (String line : List.of(
                 "detection of a drone flying " + plain(grid.height()) + " m",
@@ -174,8 +175,7 @@ public final class CoveragePicture {
                 "sensor, with a probability of 0.5 or more;",
                 drone,
                 "cells of " + plain(grid.step()) + " m")) {
-            y += LINE;
-            g.drawString(line, x, y);
+            y = LegendText.draw(g, line, x, y + LINE, SIDE - 2 * MARGIN);
         }
         y += LINE;
         for (String kind : colours.kinds()) {
@@ -202,7 +202,7 @@ public final class CoveragePicture {
         y += LINE;
         List<String> ids = new ArrayList<>(coverage.sensors().keySet());
         ids.removeIf(id -> idsOf(coverage.sensors().get(id).kind()).size() == 1);
-        int room = (MAP - y - MARGIN - below) / LINE - 1;
+        int room = Math.max(0, (MAP - y - MARGIN - below) / LINE - 1);
         for (String id : ids.subList(0, Math.min(room, ids.size()))) {
             y += LINE;
             g.setColor(colours.of(coverage.sensors().get(id).kind()));
@@ -232,10 +232,10 @@ public final class CoveragePicture {
         return id.length() <= 24 ? id : id.substring(0, 23) + "\u2026";
     }
 
-    /** Three digits at most, no zeros at the end. */
+    /** To a thousandth, no zeros at the end. */
     private static String plain(double number) {
-        return new BigDecimal(number)
-                .round(new MathContext(3))
+        return Numbers.rounded(number)
+                .setScale(DECIMALS, RoundingMode.HALF_EVEN)
                 .stripTrailingZeros()
                 .toPlainString();
     }

@@ -101,15 +101,20 @@ final class CoverageReport {
     }
 
     private String covered() {
-        HeightSummary least = summary.heights().get(0);
+        List<HeightSummary> known =
+                summary.heights().stream().filter(height -> height.known() > 0).toList();
+        if (known.isEmpty()) {
+            return "Nothing is known of the area.";
+        }
+        HeightSummary least = known.get(0);
         HeightSummary most = least;
-        for (HeightSummary height : summary.heights()) {
+        for (HeightSummary height : known) {
             least = share(height) < share(least) ? height : least;
             most = share(height) > share(most) ? height : most;
         }
         String subject = "The drone '" + inputs.drone() + "', " + heading() + ", is detected " + time() + "in ";
         String from = percent(least.covered(), least) + " % ";
-        if (share(least) == share(most) && summary.heights().size() > 1) {
+        if (share(least) == share(most) && known.size() > 1) {
             return subject + from + "of the area at each of the heights.";
         }
         return least == most
@@ -137,11 +142,15 @@ final class CoverageReport {
     }
 
     private static double share(HeightSummary height) {
-        return height.known() == 0 ? 0.0 : (double) height.covered() / height.known();
+        return (double) height.covered() / height.known();
     }
 
+    /** A dash where no cell is known. */
     private static String percent(int cells, HeightSummary height) {
-        return height.known() == 0 || cells == 0 ? "0" : CoverageTable.percent(cells, height.known());
+        if (height.known() == 0) {
+            return "-";
+        }
+        return cells == 0 ? "0" : CoverageTable.percent(cells, height.known());
     }
 
     private String heights() {

@@ -58,8 +58,9 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
     }
 
     /**
-     * The bearings, such as {@code 350 to 20 deg}, {@code all bearings} or {@code 7 of 36 bearings}, of flights that
-     * are all those at a height, from north; {@code any bearing} if a drone arrives undetected from each.
+     * The bearings, clockwise, such as {@code 350 to 20 deg}, {@code all but 160 deg}, {@code all bearings} or
+     * {@code 7 of 36 bearings}, of flights that are all those at a height, from north; {@code any bearing} if a drone
+     * arrives undetected from each.
      *
      * @param all the flights
      */
@@ -77,8 +78,13 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
             return count + " of " + of + " bearings";
         }
         int first = starts.isEmpty() ? 0 : starts.get(0);
-        String from = degrees(all.get(first));
-        return count == 1 ? from + " deg" : from + " to " + degrees(all.get((first + count - 1) % of)) + " deg";
+        // Of an arc of more than half a turn, the two ends would suggest the other arc between them.
+        return 2 * count > of && count < of ? "all but " + arc(all, first + count, of - count) : arc(all, first, count);
+    }
+
+    private static String arc(List<Warning> all, int first, int count) {
+        String from = degrees(all.get(first % all.size()));
+        return count == 1 ? from + " deg" : from + " to " + degrees(all.get((first + count - 1) % all.size())) + " deg";
     }
 
     private static String degrees(Warning one) {

@@ -43,7 +43,7 @@ public final class SurveyTables {
                 .map(warnings -> WarningTable.lines(warnings, inputs.covered()))
                 .ifPresent(tables::add);
         if (!survey.conditions().isEmpty()) {
-            tables.add(ConditionTable.lines(survey.conditions(), inputs.withProbability()));
+            tables.add(ConditionTable.lines(survey.conditions(), inputs.covered()));
         }
         tables.add(FieldTable.interpolated(survey.summary()));
         tables.removeIf(List::isEmpty);

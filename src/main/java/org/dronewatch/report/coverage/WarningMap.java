@@ -76,6 +76,7 @@ public final class WarningMap {
         }
         sheet.explainSensors();
         sheet.space();
+        sheet.line("straight lines between " + InboundWarnings.BEARINGS + " bearings;");
         sheet.line("where a line meets the zone, or the middle:");
         sheet.line("no detection before the drone arrives");
         sheet.caption("Where a drone that flies in straight is first detected, by height.");

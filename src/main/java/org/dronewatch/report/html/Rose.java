@@ -22,6 +22,10 @@ public final class Rose {
     private final double most;
     private final String unit;
     private final StringBuilder svg = new StringBuilder();
+
+    /** The labels of the rings, which are drawn last, so that no line crosses them. */
+    private final StringBuilder labels = new StringBuilder();
+
     private double entry = 60.0;
 
     /**
@@ -73,7 +77,9 @@ public final class Rose {
         double step = wanted <= 2 * power ? 2 * power : wanted <= 5 * power ? 5 * power : 10 * power;
         for (int i = 1; i * step <= most * (1.0 + 1e-9); i++) {
             circle(i * step, "fill=\"none\" stroke=\"#b8bec5\"");
-            text(X + 4, Y - radius(i * step) - 3, "start", number(i * step) + " " + unit);
+            labels.append(format(
+                    "<text x=\"%.1f\" y=\"%.1f\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\">%s</text>%n",
+                    X + 4, Y - radius(i * step) - 3, Html.text(number(i * step) + " " + unit)));
         }
         circle(most, "fill=\"none\" stroke=\"#667\"");
         for (int i = 0; i < NAMES.length; i++) {
@@ -134,6 +140,6 @@ public final class Rose {
 
     /** The drawing. */
     public String svg() {
-        return svg + "</svg></div>\n";
+        return svg.toString() + labels + "</svg></div>\n";
     }
 }

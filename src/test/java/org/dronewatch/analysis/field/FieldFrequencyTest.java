@@ -15,6 +15,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Encounters;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.junit.jupiter.api.BeforeAll;
@@ -60,6 +61,13 @@ class FieldFrequencyTest {
                 width: 640, height: 480, rate: 1, byChance: true}
             """;
 
+    /** A microphone that hears what the boxes hide by some of its random rays alone. */
+    private static final String EAR =
+            """
+              ear: {kind: acoustic, position: [0, 0, 4], rate: 2,
+                propagation: {kind: level-model, initialRays: 3, reflectionsPerHit: 4, maxOrder: 2, attenuation: 0.01}}
+            """;
+
     /** The first look: a program has then examined some frames. */
     private static final int FIRST_LOOK = 10;
 
@@ -68,10 +76,12 @@ class FieldFrequencyTest {
 
     private static FieldSite site;
     private static FieldSite thermal;
+    private static FieldSite ear;
 
     @BeforeAll
     static void read() throws IOException {
         site = FieldSite.in(Files.createDirectory(directory.resolve("radars")), SENSORS);
+        ear = FieldSite.in(Files.createDirectory(directory.resolve("ear")), EAR);
         thermal = FieldSite.in(Files.createDirectory(directory.resolve("thermal")), THERMAL);
     }
 
@@ -88,8 +98,12 @@ class FieldFrequencyTest {
      * @param seconds in which the drone has to be detected; 0 for a single look
      */
     private static void assertFrequencies(FieldSite of, int[] sensors, double seconds, int cells) {
+        assertFrequencies(of, GRID, sensors, seconds, cells);
+    }
+
+    private static void assertFrequencies(FieldSite of, FieldGrid grid, int[] sensors, double seconds, int cells) {
         FieldTerms terms = seconds == 0.0 ? FieldTerms.ONE_LOOK : FieldTerms.ONE_LOOK.withWithin(seconds);
-        DetectionField field = of.field(GRID, terms, 2);
+        DetectionField field = of.field(grid, terms, 2);
         Drone sample = DetectionField.droneOf(of.stage(), FieldSite.DRONE);
         // The short form has a fixed seed: by chance, one cell in a hundred lies outside.
         long seed = LongForm.seed(27);
@@ -99,9 +113,9 @@ class FieldFrequencyTest {
         int outside = 0;
         for (int i = 0; i < MOST_TRIES && compared < cells; i++) {
             int sensor = sensors[random.nextInt(sensors.length)];
-            int height = random.nextInt(GRID.heights().size());
-            int column = random.nextInt(GRID.columns());
-            int row = random.nextInt(GRID.columns());
+            int height = random.nextInt(grid.heights().size());
+            int column = random.nextInt(grid.columns());
+            int row = random.nextInt(grid.columns());
             int course = random.nextInt(field.courses().size());
             double expected = field.probability(sensor, height, column, row, course);
             if (!field.isOpen(height, column, row) || expected == 0.0 || expected == 1.0) {
@@ -124,6 +138,11 @@ class FieldFrequencyTest {
         int looks = seconds == 0.0 ? 1 : (int) Math.floor(seconds * settings.rate() + 1e-9);
         int hits = 0;
         for (int run = 0; run < SEEDS; run++) {
+            if (sensor instanceof RaySensor rays) {
+                Look look = Look.of(seed + run, id, FIRST_LOOK, FIRST_LOOK / settings.rate());
+                hits += rays.detects(of.stage().world(), there, look) ? 1 : 0;
+                continue;
+            }
             boolean isDetected = false;
             Encounters encounters = Encounters.NONE;
             for (int number = FIRST_LOOK; number < FIRST_LOOK + looks && !isDetected; number++) {
@@ -144,17 +163,25 @@ class FieldFrequencyTest {
      */
     @ParameterizedTest
     @CsvSource({
-        "scenes/meadow.yaml, intruder, 3000, 100, camera, 2, 15",
-        "scenes/meadow.yaml, intruder, 3000, 100, radar, 0, 40",
-        "scenes/birds.yaml, intruder, 900, 30, radar, 0, 0",
-        "scenes/false-alarms.yaml, intruder, 2400, 80, radar, 0, 0",
+        "scenes/meadow.yaml, intruder, 3000, 100,, camera, 2, 15",
+        "scenes/meadow.yaml, intruder, 3000, 100,, radar, 0, 40",
+        "scenes/birds.yaml, intruder, 900, 30,, radar, 0, 0",
+        "scenes/false-alarms.yaml, intruder, 2400, 80,, radar, 0, 0",
+        "multi-sensor, quadrotor, 200, 2, 6 8 10 12, microphone, 0, 0",
     })
     void realScenesDetectAsOftenAsTheFieldSays(
-            String scene, String drone, double side, double cell, String sensor, double seconds, int inTheBuild) {
+            String scene,
+            String drone,
+            double side,
+            double cell,
+            String heights,
+            String sensor,
+            double seconds,
+            int inTheBuild) {
         int cells = LongForm.count(inTheBuild, 500);
         assumeTrue(cells > 0);
         FieldTerms terms = seconds == 0.0 ? FieldTerms.ONE_LOOK : FieldTerms.ONE_LOOK.withWithin(seconds);
-        PackagedSite real = PackagedSite.of(scene, drone, side, cell, null, terms, sensor, null);
+        PackagedSite real = PackagedSite.of(scene, drone, side, cell, heights, terms, sensor, null);
         long seed = LongForm.seed(27);
         System.out.println("FieldFrequencyTest: seed " + seed);
         Random random = new Random(seed);
@@ -190,6 +217,13 @@ class FieldFrequencyTest {
     @Test
     void looksWithinATimeDetectAsOftenAsTheFieldSays() {
         assertFrequencies(site, new int[] {0, 1}, 2.2, LongForm.count(50, 1000));
+    }
+
+    /** Random rays decide. */
+    @Test
+    void aMicrophoneBehindAnObstacleDetectsAsOftenAsTheFieldSays() {
+        FieldGrid grid = new FieldGrid(0.7, 0.3, 380, LongForm.IS_ON ? 10 : 38, GRID.heights());
+        assertFrequencies(ear, grid, new int[] {0}, 0.0, LongForm.count(20, 500));
     }
 
     /** The noise of frames decides. */

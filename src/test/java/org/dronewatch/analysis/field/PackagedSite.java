@@ -22,6 +22,7 @@ import org.dronewatch.sensor.Encounters;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
 
@@ -40,6 +41,9 @@ record PackagedSite(
 
     /** Sets cells aside from the edges of beams that begin in the middle, where rounding decides, m. */
     private static final double ASIDE = 0.37;
+
+    /** Draws for each cell, before hardly any can be left. */
+    private static final int MOST_DRAWS = 100;
 
     /** A cell in which a drone can be, and a course. */
     record Cell(int height, int column, int row, int course) {}
@@ -98,10 +102,10 @@ record PackagedSite(
                 : Arrays.stream(text.split(" ")).map(Double::valueOf).toList();
     }
 
-    /** Cells at random, each on a course at random; those in which no drone can be are left out. */
+    /** Cells at random in which a drone can be, each on a course at random. */
     List<Cell> cells(int count, Random random) {
         List<Cell> cells = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < MOST_DRAWS * count && cells.size() < count; i++) {
             Cell one = new Cell(
                     random.nextInt(field.grid().heights().size()),
                     random.nextInt(field.grid().columns()),
@@ -153,6 +157,12 @@ record PackagedSite(
             Look look = Look.of(seed, id, number, number / rate)
                     .withPointing(pointing(id, there))
                     .withEncounters(encounters);
+            if (eyes.get(id) instanceof RaySensor rays) {
+                if (rays.detects(stage.world(), there, look)) {
+                    return true;
+                }
+                continue;
+            }
             List<Observation> seen = eyes.get(id).observe(stage.world(), List.of(there), look);
             if (seen.stream().anyMatch(one -> one.drone().equals(there.id()) && one.isDetected())) {
                 return true;

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.dronewatch.analysis.field.ConditionCoverage;
@@ -22,6 +23,7 @@ import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.FieldSurvey;
 import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -77,6 +79,10 @@ class ConditionMatrixTest {
                             () -> {}))
                     .conditions();
         }
+        picture = picture(conditions);
+    }
+
+    private static BufferedImage picture(List<ConditionCoverage> shown) throws IOException {
         CoverageInputs inputs = new CoverageInputs(
                 "a scene with a very long name, ".repeat(9),
                 FieldSite.DRONE,
@@ -86,8 +92,8 @@ class ConditionMatrixTest {
                 Optional.empty(),
                 Optional.empty());
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        new ConditionMatrix(conditions, inputs).writePng(bytes);
-        picture = ImageIO.read(new ByteArrayInputStream(bytes.toByteArray()));
+        new ConditionMatrix(shown, inputs).writePng(bytes);
+        return ImageIO.read(new ByteArrayInputStream(bytes.toByteArray()));
     }
 
     /** From dark to light by the fraction that is covered: columns are conditions, the highest height is on top. */
@@ -121,6 +127,30 @@ class ConditionMatrixTest {
         assertThat(shares.subList(0, 3)).allMatch(share -> share > 0.5);
         assertThat(shares.subList(3, 6)).allMatch(share -> share > 0.05 && share < 0.5);
         assertThat(shares.subList(6, 9)).containsOnly(0.0);
+    }
+
+    /** Where nothing is known, nothing is said about the coverage. */
+    @Test
+    void whatIsUnknownIsNotZero() throws IOException {
+        ConditionCoverage.Height none = conditions.get(0).heights().get(0);
+        HeightSummary summary = none.summary();
+        HeightSummary unknown = new HeightSummary(
+                summary.height(),
+                summary.cells(),
+                0,
+                0,
+                0,
+                0.0,
+                Map.of(),
+                new int[] {0, 0},
+                Map.of(),
+                Map.of(),
+                Optional.empty());
+        ConditionCoverage nothing =
+                new ConditionCoverage("", List.of(new ConditionCoverage.Height(unknown, 0, 0, Map.of())));
+        BufferedImage grey = picture(List.of(nothing));
+        assertThat(new Color(grey.getRGB(LEFT + 2, TOP + 2))).isEqualTo(new Color(0xe4e4e4));
+        assertThat(ConditionTable.lines(List.of(nothing, nothing), 0.5).get(2)).endsWith("  -");
     }
 
     /** Names that are too long stay in their column, and the title in the picture. */

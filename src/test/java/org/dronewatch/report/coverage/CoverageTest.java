@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -316,6 +317,17 @@ class CoverageTest {
         assertThat(one).isGreaterThan(100);
         assertThat(inkAtTheBottom(List.of("© OpenStreetMap contributors", "heights of the survey ".repeat(9))))
                 .isGreaterThan(3 * one);
+    }
+
+    /** Titles and names of any length stay in the panel, and credits may leave no room for sensors. */
+    @Test
+    void longTextsStayInThePicture() {
+        List<String> credits = Collections.nCopies(60, "heights of the survey");
+        String words = "a scene with a very long name ".repeat(4);
+        CoveragePicture picture = CoveragePicture.of(words, coverage, stage.world(), "drone '" + words + "'", credits);
+        for (int y = 0; y < 1000; y++) {
+            assertThat(picture.colour(1379, y)).as("row %d", y).isEqualTo(Color.WHITE);
+        }
     }
 
     private static int inkAtTheBottom(List<String> credits) {

@@ -94,6 +94,10 @@ class WarningWordsTest {
         assertThat(table(flights(0, bearing -> -1, bearing -> false))).contains("none from any bearing");
         assertThat(table(flights(0, bearing -> bearing >= 34 || bearing < 2 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 340 to 10 deg  ");
+        assertThat(table(flights(0, bearing -> bearing == 16 ? 8 : 3, bearing -> false)))
+                .contains("  3.0 s from all but 160 deg  ");
+        assertThat(table(flights(0, bearing -> bearing < 35 && bearing > 1 ? -1 : 3, bearing -> false)))
+                .contains("  none from all but 350 to 10 deg  ");
         assertThat(table(flights(0, bearing -> bearing % 2, bearing -> false)))
                 .contains("  0.0 s from 18 of 36 bearings  ");
         assertThat(LeastWarning.ofOthers(

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.level;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.Signal;
 
@@ -8,6 +9,8 @@ import org.dronewatch.sensor.Signal;
 final class LevelAssessment {
     /** How many times a look is repeated where it depends on its rays. */
     private static final int TRACES = 32;
+
+    private static final double EVEN_CHANCE = 0.5;
 
     private static final String UNIT = "dB";
 
@@ -19,16 +22,31 @@ final class LevelAssessment {
         LevelReading listen(RandomGenerator rays);
     }
 
+    /** A better estimate of the probability, from the same random numbers as all further looks. */
+    interface Refinement {
+        /** Estimates the probability that a look detects the drone. */
+        LookProbability.Estimate estimate(RandomGenerator rays);
+    }
+
     /**
      * The signal in the level model. It is certain where the straight ray, which is traced first, is loud enough, and
      * where even that ray would be too quiet; otherwise it is estimated from several looks. The first of these is the
      * look of a run with the same random numbers. The quantity of an estimate is the median of the best levels, the
-     * upper of the two in the middle, so that it reaches the threshold when half of the looks do.
+     * upper of the two in the middle, or the next one that reaches the threshold when the probability is at least one
+     * half, and only then.
      *
      * @param others the looks after the first, unless the ray budget ended a ray of the first: then they
      *     are like the first
+     * @param refinement the probability where some of these looks detect the drone and some do not, unless the ray
+     *     budget ended a ray of the first; empty if the fraction of the looks is enough
      */
-    static Signal signal(double straightLevel, double threshold, RandomGenerator rays, Look look, Look others) {
+    static Signal signal(
+            double straightLevel,
+            double threshold,
+            RandomGenerator rays,
+            Look look,
+            Look others,
+            Optional<Refinement> refinement) {
         if (straightLevel < threshold) {
             return Signal.certain(straightLevel, UNIT, threshold);
         }
@@ -46,8 +64,15 @@ final class LevelAssessment {
             hits += next.detected() ? 1 : 0;
         }
         Arrays.sort(levels);
-        double probability = (double) hits / TRACES;
-        return new Signal(probability, levels[TRACES / 2], UNIT, threshold, 0.0, error(hits));
+        boolean isRefined = hits > 0 && hits < TRACES && first.cutByBudget() == 0;
+        LookProbability.Estimate estimate = refinement
+                .filter(any -> isRefined)
+                .map(its -> its.estimate(rays))
+                .orElse(new LookProbability.Estimate((double) hits / TRACES, error(hits)));
+        // The median of the levels, unless the better estimate is on the other side of one half.
+        int misses = TRACES - hits;
+        int middle = estimate.value() >= EVEN_CHANCE ? Math.max(TRACES / 2, misses) : Math.min(TRACES / 2, misses - 1);
+        return new Signal(estimate.value(), levels[middle], UNIT, threshold, 0.0, estimate.error());
     }
 
     /**

@@ -2,6 +2,7 @@ package org.dronewatch.sensor.acoustic.level;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.SteadyEmission;
@@ -28,12 +29,14 @@ public final class LevelHearing implements SoundTracer {
     private final Position microphone;
     private final double threshold;
     private final LevelTracer tracer;
+    private final LookProbability probability;
 
     LevelHearing(LevelModel model, Microphone microphone, World world) {
         this.model = model;
         this.microphone = microphone.position();
         this.threshold = microphone.detectionLevel(SiteNoiseLevel.of(model, microphone, world));
         this.tracer = new LevelTracer(model, microphone.position(), microphone.radius(), threshold, world);
+        this.probability = new LookProbability(model, microphone.position(), microphone.radius(), threshold, world);
     }
 
     /**
@@ -75,10 +78,13 @@ public final class LevelHearing implements SoundTracer {
     @Override
     public Signal signal(Drone drone, RandomGenerator random) {
         LevelAssessment.Look look = rays -> listen(drone, rays);
-        return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look);
+        return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look, Optional.empty());
     }
 
-    /** {@inheritDoc} It does not trace rays that cannot lead to a ray that is loud enough. */
+    /**
+     * {@inheritDoc} It does not trace rays that cannot lead to a ray that is loud enough; where some looks detect the
+     * drone and some do not, it traces more of the others, so that the probability is more accurate.
+     */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random) {
         return LevelAssessment.signal(
@@ -86,7 +92,8 @@ public final class LevelHearing implements SoundTracer {
                 threshold,
                 random,
                 rays -> decide(drone, rays),
-                rays -> tracer.trace(drone.origin(), drone.soundLevel(), rays, TracedRays.DECISIVE, RayRecorder.NONE));
+                rays -> tracer.trace(drone.origin(), drone.soundLevel(), rays, TracedRays.DECISIVE, RayRecorder.NONE),
+                Optional.of(rays -> probability.of(drone.origin(), drone.soundLevel(), rays)));
     }
 
     @Override

@@ -106,6 +106,19 @@ public final class LevelTracer {
         return isWithin;
     }
 
+    /**
+     * Whether one ray from a drone, or a ray that comes of it, is loud enough; the ray budget must not end any ray.
+     *
+     * @param seed of the directions of scattered rays
+     */
+    boolean detects(AcousticRay initial, long seed) {
+        reset();
+        queue.clear();
+        queue.add(initial);
+        trace(seed, TracedRays.DECISIVE, RayRecorder.NONE);
+        return bestLevel >= detectionLevel;
+    }
+
     private void trace(long seed, TracedRays extent, RayRecorder recorder) {
         // A recorder takes one segment at a time; of looks at many places, each thread takes whole ones.
         boolean isShared =
@@ -133,6 +146,11 @@ public final class LevelTracer {
                 enough = extent != TracedRays.ALL && bestLevel >= detectionLevel;
             }
         }
+    }
+
+    /** How many segments the last look has traced. */
+    long traced() {
+        return traced;
     }
 
     private void reset() {

@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Test;
 
 /** Looks without the rays that cannot be detected against looks with all rays. */
 class DecisiveRaysTest {
-    private static final Position SENSOR = new Position(0, 0, 0);
+    static final Position SENSOR = new Position(0, 0, 0);
     private static final int LOOKS = 400;
 
     /** A room of four materials, of which one transmits sound, with a wall that hides half of it from the sensor. */
-    private static World room() {
+    static World room() {
         return World.of(World.merge(List.of(
                 wall("concrete_rough", 0, -6, 6),
                 wall("metal_sheet", 0, 6, 6),

@@ -1,0 +1,82 @@
+package org.dronewatch.sensor.acoustic.level;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.SplittableRandom;
+import org.dronewatch.LongForm;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
+
+/** The probability of a look, from single rays, against whole looks in a room with walls that transmit sound. */
+class LookProbabilityTest {
+    private static final double RADIUS = 0.4;
+    private static final int LOOKS = 1000;
+
+    /** The differences are less than 4.5 standard deviations, and so is their sum over all places. */
+    @Test
+    void wholeLooksDetectAsOftenAsSingleRaysSay() {
+        long seed = LongForm.seed(System.nanoTime());
+        System.out.println("LookProbabilityTest: seed " + seed);
+        SplittableRandom random = new SplittableRandom(seed);
+        World room = DecisiveRaysTest.room();
+        double sum = 0.0;
+        double variances = 0.0;
+        int undecided = 0;
+        int wanted = LongForm.count(4, 100);
+        for (int i = 0; i < 40 * wanted && undecided < wanted; i++) {
+            LevelModel model = LevelModel.DEFAULT
+                    .withRays(1 + random.nextInt(3), 1 + random.nextInt(6))
+                    .withTransmittedRays(1 + random.nextInt(3))
+                    .withAttenuation(0.05 + 0.4 * random.nextDouble())
+                    .withLimits(1 + random.nextInt(2), 200_000);
+            Position drone = new Position(8 * random.nextDouble() - 4, 2.5 + 3 * random.nextDouble(), -3);
+            double length = drone.distance(DecisiveRaysTest.SENSOR);
+            double level = 0.2 + model.attenuation() * length + 2 * random.nextDouble();
+            LevelTracer tracer = new LevelTracer(model, DecisiveRaysTest.SENSOR, RADIUS, 0.0, room);
+            int hits = 0;
+            for (int look = 0; look < LOOKS; look++) {
+                hits += tracer.trace(drone, level, random, TracedRays.UNTIL_DETECTED, RayRecorder.NONE)
+                                .detected()
+                        ? 1
+                        : 0;
+            }
+            LookProbability.Estimate estimate =
+                    new LookProbability(model, DecisiveRaysTest.SENSOR, RADIUS, 0.0, room).of(drone, level, random);
+            double value = estimate.value();
+            double difference = (double) hits / LOOKS - value;
+            double variance =
+                    value * (1.0 - value) / LOOKS + estimate.error() * estimate.error() + 1.0 / (LOOKS * LOOKS);
+            assertThat(difference * difference)
+                    .as("seed %d, case %d: %s of %d, but %s", seed, i, hits, LOOKS, estimate)
+                    .isLessThan(4.5 * 4.5 * variance);
+            sum += difference;
+            variances += variance;
+            undecided += value > 0.05 && value < 0.95 ? 1 : 0;
+        }
+        assertThat(sum * sum).as("seed %d", seed).isLessThan(4.5 * 4.5 * variances);
+        assertThat(undecided).as("seed %d", seed).isEqualTo(wanted);
+    }
+
+    /** Of a square, the part that 4,096 pairs find differs from its area by a few pairs, not by a few dozen. */
+    @Test
+    void evenPairsFindAnAreaMoreAccuratelyThanIndependentOnes() {
+        SplittableRandom random = new SplittableRandom(3);
+        double squares = 0.0;
+        for (int i = 0; i < 100; i++) {
+            EvenPairs pairs = new EvenPairs(random);
+            int inside = 0;
+            for (int pair = 0; pair < 4096; pair++) {
+                double first = pairs.nextDouble() - 0.5;
+                double second = pairs.nextDouble() - 0.5;
+                inside += first * first + second * second < 0.04 ? 1 : 0;
+            }
+            double error = inside - 4096 * Math.PI * 0.04;
+            squares += error * error;
+        }
+        double independent = Math.sqrt(4096 * Math.PI * 0.04 * (1.0 - Math.PI * 0.04));
+        assertThat(independent).isBetween(21.0, 22.0);
+        assertThat(Math.sqrt(squares / 100)).isLessThan(independent / 4.0);
+    }
+}
