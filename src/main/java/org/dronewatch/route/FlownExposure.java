@@ -30,8 +30,10 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
             return time <= until ? exposure : 0.0;
         }
 
-        private double spreadBy(double until) {
-            return time <= until ? exposure : Math.max(0.0, (until - before) / (time - before)) * exposure;
+        private double chanceBy(double until, int flights) {
+            double chance = -Math.expm1(-exposure);
+            double part = (time - before) / flights;
+            return time <= until ? chance : Math.max(0.0, 1.0 - (time - until) / part) * chance;
         }
     }
 
@@ -60,13 +62,15 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     }
 
     /**
-     * The mean exposure if what a look adds were spread evenly over the time since the look before, for pictures of
-     * where a drone is exposed.
+     * The mean number of looks up to a time that detect the drone, for pictures of where they do. A look of one flight
+     * stands for those at any moment since that of the flight before: it is spread evenly over this part of the time
+     * since the sensor's previous look.
      */
-    double spreadUntil(double time) {
+    double hitsUntil(double time) {
         return flights.stream()
-                .mapToDouble(looks ->
-                        looks.stream().mapToDouble(look -> look.spreadBy(time)).sum())
+                .mapToDouble(looks -> looks.stream()
+                        .mapToDouble(look -> look.chanceBy(time, flights.size()))
+                        .sum())
                 .average()
                 .orElseThrow();
     }

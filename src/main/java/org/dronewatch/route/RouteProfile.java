@@ -67,11 +67,11 @@ public record RouteProfile(List<RoutePoint> points) {
         return new RouteProfile(points);
     }
 
-    /** The same route with the exposure as it is flown. */
+    /** The same route as it is flown, for pictures: the exposure is the mean number of looks that detect the drone. */
     RouteProfile with(FlownExposure flown) {
         return new RouteProfile(points.stream()
                 .map(point -> point.withExposure(
-                        point == end() ? flown.spreadUntil(Double.POSITIVE_INFINITY) : flown.spreadUntil(point.time())))
+                        point == end() ? flown.hitsUntil(Double.POSITIVE_INFINITY) : flown.hitsUntil(point.time())))
                 .toList());
     }
 

@@ -43,7 +43,10 @@ public record SectorRoute(
         return new SectorRoute(sector, route, searched, bySensor, causes, Optional.of(exposure));
     }
 
-    /** The profile of the whole route, with the exposure as flown if that is known. */
+    /**
+     * The profile of the whole route for pictures: if it is known what looks along it detect, the exposure is the mean
+     * number of those that detect the drone.
+     */
     public RouteProfile profile() {
         return flown.map(searched::with).orElse(searched);
     }

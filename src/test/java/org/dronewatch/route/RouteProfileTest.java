@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.ExposureField;
 import org.dronewatch.route.search.LegMotion;
@@ -61,6 +63,23 @@ class RouteProfileTest {
             assertThat(after.distance() - before.distance()).isBetween(1.0, 10.0);
             assertThat(after.time()).isGreaterThan(before.time());
             assertThat(after.exposure()).isGreaterThanOrEqualTo(before.exposure());
+        }
+    }
+
+    /** A radar that is certain to detect the drone from 30 s on, every 5 s: no look before, then one in 5 s. */
+    @Test
+    void looksOfSlowSensorsAreShownWhereTheyAre() {
+        List<List<FlownExposure.Step>> flights = IntStream.range(0, 8)
+                .mapToObj(flight -> IntStream.range(6, 14)
+                        .mapToDouble(look -> 5.0 * look + 0.625 * flight)
+                        .mapToObj(time -> new FlownExposure.Step(time - 5.0, time, 13.8))
+                        .toList())
+                .toList();
+        RouteProfile flown = profile(RATE).with(new FlownExposure(flights, Map.of()));
+        for (RoutePoint point : flown.points()) {
+            double expected = 0.2 * Math.max(0.0, point.time() - 30.0);
+            assertThat(point.exposure()).isCloseTo(expected, within(0.2 * 0.625 + 1e-5));
+            assertThat(point.time() < 29.3 && point.exposure() > 0.0).isFalse();
         }
     }
 

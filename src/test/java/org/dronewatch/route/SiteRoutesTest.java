@@ -86,7 +86,8 @@ class SiteRoutesTest {
             assertThat(route.detection()).isCloseTo(detected, within(1e-12));
             assertThat(route.inTime(5.0)).isEqualTo(route.detection());
             assertThat(route.inTime(route.route().seconds() - 0.5)).isEqualTo(0.0);
-            assertThat(route.profile().exposure()).isCloseTo(route.sector() == 3 ? 0.0 : 3.0, within(1e-12));
+            assertThat(route.profile().exposure())
+                    .isCloseTo(route.sector() == 3 ? 0.0 : -Math.expm1(-3.0), within(1e-12));
             assertThat(route.mostExposedTo().isPresent()).isEqualTo(route.sector() != 3);
             assertThat(route.isMisjudged(5.0))
                     .isEqualTo(Math.abs(detected - route.searched().detection()) > 0.2
