@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -43,6 +44,16 @@ class RouteOptionsTest {
         assertThat(refused.code()).isEqualTo(2);
         assertThat(refused.complaints()).hasSize(1);
         assertThat(refused.err()).startsWith(message);
+    }
+
+    @Test
+    void theFaultOfAnotherOverrideIsNotThatOfTheResponse() {
+        Outcome refused = Program.run(
+                "route", directory.resolve("site.yaml").toString(), "--response=5", "--set=drones.one.speed=fast");
+
+        assertThat(refused.code()).isEqualTo(2);
+        assertThat(refused.complaints()).hasSize(1);
+        assertThat(refused.err()).startsWith("--set drones.one.speed=fast: ");
     }
 
     @ParameterizedTest

@@ -101,7 +101,7 @@ final class RouteNotes {
         Map<String, SensorSettings<?>> these =
                 new LinkedHashMap<>(inputs.settings().enabledSensors());
         these.keySet().retainAll(sensors);
-        return number(RouteBegins.period(these.values())) + " s";
+        return Numbers.text(Math.rint(100.0 * RouteBegins.period(these.values())) / 100.0) + " s";
     }
 
     /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */

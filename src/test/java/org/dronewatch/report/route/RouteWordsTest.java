@@ -136,7 +136,12 @@ class RouteWordsTest {
         assertThat(RouteTable.lines(with, inputs))
                 .anyMatch(line -> line.endsWith("agrees     with cues"))
                 .anyMatch(line -> line.contains("31 of 50") && line.endsWith("33 of 50"))
-                .anyMatch(line -> line.contains("9 of 50") && line.endsWith("no"));
+                .anyMatch(line -> line.contains("9 of 50") && line.endsWith("no"))
+                .noneMatch(line -> line.startsWith("With cues"));
+        RouteResults more = new RouteResults(
+                results.survey(), results.times(), Map.of(0, proof.with(new Proportion(50, 50))), Map.of(), true);
+        assertThat(RouteTable.lines(more, inputs))
+                .contains("With cues, the drone is detected from the north in 50 of 50 flights instead of 60 %.");
     }
 
     /** Half of the flights are surely detected in time, and half of them surely not. */

@@ -14,6 +14,7 @@ import org.dronewatch.flight.RouteLeg;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -118,6 +119,22 @@ class RouteBeginsTest {
 
             assertThat(RouteBegins.slowest(scene.enabledSensors())).contains("round");
             assertThat(flown(scene).detection()).as("%d scans", scans).isCloseTo(0.4, within(2.0 / RouteBegins.MOST));
+        }
+    }
+
+    /** Sound takes a second over 340 m: what is heard in the first second of the route left the drone before. */
+    @Test
+    void soundOfTheDroneWhileItWaitsDoesNotCount() throws IOException {
+        FieldSite site = FieldSite.in(
+                directory,
+                "  ear: {kind: acoustic, position: [0, 0, 100], rate: 4, propagation: {kind: energy-model, rays: 1}}\n");
+        RouteLeg leg = new RouteLeg(new Position(0, 380, 100), Optional.of(SPEED), true);
+        SceneSettings scene = RouteScene.of(
+                site.settings(), FieldSite.DRONE, RouteFlight.of(new Position(0, 340, 100), List.of(leg)));
+        for (double begin : new double[] {0.0, 2.5}) {
+            SceneSettings later = RouteScene.later(scene, begin);
+            Stage stage = new Stage(later, models(later), 1);
+            assertThat(LookSchedule.of(later, stage, 1).looks().get(0).time()).isBetween(begin + 0.95, begin + 1.25);
         }
     }
 
