@@ -93,8 +93,8 @@ final class RouteNotes {
                         + RouteBegins.of(inputs.settings().enabledSensors().values())
                                 .size()
                         + " flights of each route, which begin at moments spread over the " + period(Set.of(sensor))
-                        + " in which '"
-                        + PlainText.value(sensor) + "' scans once.");
+                        + " between two looks of '"
+                        + PlainText.value(sensor) + "' in the same direction.");
     }
 
     private String period(Set<String> sensors) {
