@@ -19,6 +19,8 @@ import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.RouteLeg;
 import org.dronewatch.fusion.AlertRule;
+import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.FlownExposure;
@@ -100,7 +102,10 @@ class RouteProofTest {
         }
     }
 
-    /** On every flight, one of the sensors is alone, in turn, or none. */
+    /**
+     * On every flight, one of the sensors is alone, in turn, or none. For an alert, a sensor must detect the drone once,
+     * or in two of three looks.
+     */
     @Test
     void runsDetectAsOftenAsPredicted() {
         // The short form has a fixed seed: by chance, one in a hundred lies outside.
@@ -110,18 +115,29 @@ class RouteProofTest {
         List<String> sensors = List.copyOf(site.settings().sensors().keySet());
         int outside = 0;
         int undecided = 0;
+        int alerts = 0;
         for (int flight = 0; flight < FLIGHTS; flight++) {
             SceneSettings scene = withSeed(randomFlight(random), Draws.derivedSeed(seed, "flight", flight));
             int alone = flight % (sensors.size() + 1);
             for (int other = 0; alone < sensors.size() && other < sensors.size(); other++) {
                 scene = scene.withEnabled(sensors.get(other), other == alone);
             }
-            RouteProof proof = proof(scene, RUNS);
+            AlertSettings alert = scene.alert()
+                    .withProtectedZone(ProtectedZone.at(new Position(0, 0, 0)), 6.0)
+                    .withConfirmation(1 + flight % 2, 1 + 2 * (flight % 2));
+            RouteProof proof = proof(SettingsForm.with(scene, "alert", alert), RUNS);
             outside += proof.agrees() ? 0 : 1;
             undecided += proof.predicted() > 0.02 && proof.predicted() < 0.98 ? 1 : 0;
+            alerts += proof.alertInTime()
+                            .filter(one -> one.predicted() > 0.02 && one.predicted() < 0.98)
+                            .isPresent()
+                    ? 1
+                    : 0;
         }
         System.out.printf(
-                "RouteProofTest: %d flights, %d of them left to chance, %d outside%n", FLIGHTS, undecided, outside);
+                "RouteProofTest: %d flights, %d of them left to chance, and %d alerts, %d outside%n",
+                FLIGHTS, undecided, alerts, outside);
+        assertThat(alerts).isPositive();
         assertThat(undecided).isGreaterThanOrEqualTo(FLIGHTS / 7);
         assertThat(outside).as("outside, seed %d", seed).isLessThanOrEqualTo(FLIGHTS * 3 / 100);
     }
