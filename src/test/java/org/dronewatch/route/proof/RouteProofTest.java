@@ -103,8 +103,8 @@ class RouteProofTest {
     }
 
     /**
-     * On every flight, one of the sensors is alone, in turn, or none. For an alert, a sensor must detect the drone once,
-     * or in two of three looks.
+     * On every flight, one of the sensors is alone, in turn, or none. For an alert, a sensor must detect the drone
+     * once, or in two of three looks.
      */
     @Test
     void runsDetectAsOftenAsPredicted() {
