@@ -22,7 +22,7 @@ public final class RayGenerator {
 
     private static final int DIFFUSE_RAYS = 1_000_000;
     private static final int MAX_BOUNCES = 10;
-    private static final int MAX_PATHS = 50 * DIFFUSE_RAYS;
+    private static final int MAX_PATHS_PER_RAY = 50;
     /** How far a reflected ray starts above its surface, as a fraction of the box's diagonal. */
     private static final double OFFSET = 1e-5;
 
@@ -84,14 +84,18 @@ public final class RayGenerator {
      * direction drawn by Lambert's cosine law. None when the camera sees nothing.
      */
     public RaySet diffuse(RaySet camera) {
+        return diffuse(camera, DIFFUSE_RAYS);
+    }
+
+    RaySet diffuse(RaySet camera, int count) {
         SplittableRandom random = new SplittableRandom(seed);
-        float[] rays = new float[DIFFUSE_RAYS * RaySet.FLOATS];
+        float[] rays = new float[count * RaySet.FLOATS];
         RayTracer traversal = new StackTraversal(tree);
         int made = 0;
-        for (int path = 0; path < MAX_PATHS && made < DIFFUSE_RAYS; path++) {
+        for (int path = 0; path < MAX_PATHS_PER_RAY * count && made < count; path++) {
             int start = random.nextInt(camera.count()) * RaySet.FLOATS;
             float[] current = Arrays.copyOfRange(camera.rays(), start, start + RaySet.FLOATS);
-            for (int bounce = 0; bounce < MAX_BOUNCES && made < DIFFUSE_RAYS && hits(traversal, current); bounce++) {
+            for (int bounce = 0; bounce < MAX_BOUNCES && made < count && hits(traversal, current); bounce++) {
                 bounce(traversal, current, random);
                 System.arraycopy(current, 0, rays, made * RaySet.FLOATS, RaySet.FLOATS);
                 made++;

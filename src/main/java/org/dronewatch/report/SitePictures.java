@@ -1,6 +1,5 @@
 package org.dronewatch.report;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +8,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.Backdrop;
+import org.dronewatch.render.Cut;
 import org.dronewatch.render.Fineness;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.RecordedRays;
@@ -36,6 +37,7 @@ final class SitePictures {
     private final SitePicture picture;
     private final int width;
     private final int height;
+    private Optional<Backdrop> painted = Optional.empty();
 
     /**
      * The pictures of a run.
@@ -147,10 +149,17 @@ final class SitePictures {
     }
 
     private Figure figure(Orbit orbit, SiteState state, String caption) throws IOException {
-        BufferedImage image = picture.draw(
-                picture.backdrop(orbit, width, height, picture.openRoof(state.time()), Fineness.FINE, () -> false),
-                state,
-                SiteStyle.DEFAULT);
-        return Figure.of(caption, image);
+        return Figure.of(
+                caption, picture.draw(backdrop(orbit, picture.openRoof(state.time())), state, SiteStyle.DEFAULT));
+    }
+
+    /** The site from a viewpoint; the first one is painted once for all pictures from there. */
+    private Backdrop backdrop(Orbit orbit, Optional<Cut> cut) {
+        Optional<Backdrop> known =
+                painted.filter(one -> one.orbit().equals(orbit) && one.cut().equals(cut));
+        Backdrop backdrop =
+                known.orElseGet(() -> picture.backdrop(orbit, width, height, cut, Fineness.FINE, () -> false));
+        painted = Optional.of(painted.orElse(backdrop));
+        return backdrop;
     }
 }

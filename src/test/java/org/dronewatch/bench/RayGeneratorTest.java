@@ -60,9 +60,10 @@ class RayGeneratorTest {
     @Test
     void theSameSeedGivesTheSameRays() {
         RaySet picture = RAYS.camera(20, 10);
-        float[] rays = RAYS.diffuse(picture).rays();
-        assertThat(new RayGenerator(GROUND, 1).diffuse(picture).rays()).isEqualTo(rays);
-        assertThat(new RayGenerator(GROUND, 2).diffuse(picture).rays()).isNotEqualTo(rays);
+        float[] rays = RAYS.diffuse(picture, 10_000).rays();
+        assertThat(rays).hasSize(10_000 * RaySet.FLOATS);
+        assertThat(new RayGenerator(GROUND, 1).diffuse(picture, 10_000).rays()).isEqualTo(rays);
+        assertThat(new RayGenerator(GROUND, 2).diffuse(picture, 10_000).rays()).isNotEqualTo(rays);
     }
 
     private static Vector3d origin(RaySet set, int ray) {

@@ -42,7 +42,7 @@ final class DocPictures {
             file("site-multi-sensor", "render multi-sensor --view orbit --time 12 --out OUT"),
             file("site-acoustic-range", "render acoustic-range --view top --time 60 --out OUT"),
             file("site-camera-range", "render camera-range --view side --time 25 --out OUT"),
-            file("terrain-monaco", "render scenes/monaco.yaml --view orbit --bearing 150deg --time 30 --out OUT"),
+            slow(file("terrain-monaco", "render scenes/monaco.yaml --view orbit --bearing 150deg --time 30 --out OUT")),
             file(
                     "coverage-unknown",
                     "coverage scenes/monaco.yaml --side 5000 --height 40 --cells 100 --drone from-the-sea"
@@ -82,10 +82,10 @@ final class DocPictures {
             file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             slow(file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT")),
-            file(
+            slow(file(
                     "colour-noon",
                     "render scenes/daylight.yaml --camera garden --colour --samples 4 --time 11"
-                            + " --set sensors.garden.width=800 --set sensors.garden.height=450 --out OUT"),
+                            + " --set sensors.garden.width=800 --set sensors.garden.height=450 --out OUT")),
             file(
                     "colour-dusk",
                     "render scenes/daylight.yaml --camera west --colour --samples 4 --time 3"
@@ -156,7 +156,7 @@ final class DocPictures {
      * A picture.
      *
      * @param name of its file, without {@code .png}
-     * @param isSlow whether drawing it takes half a minute
+     * @param isSlow whether drawing it takes seconds
      */
     record DocPicture(String name, Drawing drawing, boolean isSlow) {
         Path file() {

@@ -26,8 +26,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 /**
  * The pictures in the pages show what the program draws today. When the program draws otherwise, write them again:
  * {@code mvn test -Dtest=DocPicturesTest -Ddronewatch.docs=write}. Plots of speeds are measured again with
- * {@code -Dcosts} beside it. Those that take half a minute are compared only with {@code -Ddronewatch.docs=all}, which
- * the CI does.
+ * {@code -Dcosts} beside it. Those that take long are compared only with {@code -Ddronewatch.docs=all}, which the CI
+ * does.
  */
 class DocPicturesTest {
     @TempDir

@@ -2,21 +2,18 @@ package org.dronewatch.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaModifier;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.File;
 import java.io.IOException;
+import java.lang.reflect.Modifier;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronewatch.LibraryClasses;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -38,18 +35,15 @@ class LargePackagesTest {
 
     /** Of types, those in others among them, but for what is private to a file. */
     @Test
-    void exactlyTheLargePackagesHaveAReason() {
-        Set<String> large = new ClassFileImporter()
-                        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-                        .importPackages("org.dronewatch")
-                        .stream()
-                        .filter(LargePackagesTest::isVisible)
-                        .collect(Collectors.groupingBy(JavaClass::getPackageName, Collectors.counting()))
-                        .entrySet()
-                        .stream()
-                        .filter(entry -> entry.getValue() > MOST_TYPES)
-                        .map(entry -> entry.getKey().replaceFirst("^org\\.dronewatch\\.?", ""))
-                        .collect(Collectors.toCollection(TreeSet::new));
+    void exactlyTheLargePackagesHaveAReason() throws IOException {
+        Set<String> large = LibraryClasses.all().stream()
+                .filter(LargePackagesTest::isVisible)
+                .collect(Collectors.groupingBy(Class::getPackageName, Collectors.counting()))
+                .entrySet()
+                .stream()
+                .filter(entry -> entry.getValue() > MOST_TYPES)
+                .map(entry -> entry.getKey().replaceFirst("^org\\.dronewatch\\.?", ""))
+                .collect(Collectors.toCollection(TreeSet::new));
 
         assertThat(named("| package | reason |"))
                 .as("packages of more than %d types", MOST_TYPES)
@@ -57,15 +51,13 @@ class LargePackagesTest {
     }
 
     /** Whether others can use it, and it has not been moved since the build last began from nothing. */
-    private static boolean isVisible(JavaClass type) {
-        Optional<JavaClass> outer = Optional.of(type);
-        JavaClass file = type;
-        while (outer.isPresent()) {
-            file = outer.get();
-            if (file.getModifiers().contains(JavaModifier.PRIVATE) || file.isAnonymousClass() || file.isLocalClass()) {
+    private static boolean isVisible(Class<?> type) {
+        Class<?> file = type;
+        for (Class<?> outer = type; outer != null; outer = outer.getEnclosingClass()) {
+            file = outer;
+            if (Modifier.isPrivate(file.getModifiers()) || file.isAnonymousClass() || file.isLocalClass()) {
                 return false;
             }
-            outer = file.getEnclosingClass();
         }
         return !file.getSimpleName().equals("package-info")
                 && Files.exists(Path.of("src", "main", "java", file.getName().replace('.', '/') + ".java"));

@@ -8,6 +8,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,7 +29,7 @@ class TraversalBordersTest {
             List<double[]> cells = cells(tree, 0, box(tree));
             Rays rays = new Rays(mesh, 62);
             SplittableRandom random = new SplittableRandom(63);
-            for (int i = 0; i < 6000; i++) {
+            for (int i = 0; i < LongForm.count(3000, 6000); i++) {
                 double[] origin = onBorder(cells.get(random.nextInt(cells.size())), random);
                 double[] target = onBorder(cells.get(random.nextInt(cells.size())), random);
                 double[] ray =

@@ -54,7 +54,7 @@ class Pursuit extends Scene {
                 CameraSettings.at(new Position(-40, -40, 160))
                         .withLookAt(new Position(-60, 40, 172))
                         .withRate(7.0));
-        add("ear", AcousticSettings.at(EAR).withRate(10.0).withPropagation(EnergyModel.DEFAULT.withRays(100)));
+        add("ear", AcousticSettings.at(EAR).withRate(5.0).withPropagation(EnergyModel.DEFAULT.withRays(100)));
         add(
                 "far-ear",
                 AcousticSettings.at(new Position(-300, 200, 160))

@@ -3,9 +3,7 @@ package org.dronewatch.setting;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
@@ -18,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.dronewatch.LibraryClasses;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -62,12 +61,11 @@ class ChangedSettingsTest {
     private record Wither(Record settings, Method method) {}
 
     /** Those of all records of the library that can be made with little. */
-    private static List<Wither> withers() {
+    private static List<Wither> withers() throws IOException {
         List<Wither> found = new ArrayList<>();
-        for (JavaClass one :
-                new ClassFileImporter(List.of(new ImportOption.DoNotIncludeTests())).importPackages("org.dronewatch")) {
-            if (one.isRecord() && Modifier.isPublic(one.reflect().getModifiers())) {
-                byDefault(one.reflect())
+        for (Class<?> one : LibraryClasses.all()) {
+            if (one.isRecord() && Modifier.isPublic(one.getModifiers())) {
+                byDefault(one)
                         .ifPresent(settings -> Stream.of(settings.getClass().getMethods())
                                 .filter(method -> method.getName().matches("with[A-Z].*")
                                         && method.getParameterCount() == 1
@@ -130,7 +128,8 @@ class ChangedSettingsTest {
     }
 
     @Test
-    void everyWitherOfTheLibraryChangesWhatItIsNamedAfterAndNothingElse() throws ReflectiveOperationException {
+    void everyWitherOfTheLibraryChangesWhatItIsNamedAfterAndNothingElse()
+            throws ReflectiveOperationException, IOException {
         int changed = 0;
         List<Wither> withers = withers();
         for (Wither one : withers) {
@@ -163,7 +162,8 @@ class ChangedSettingsTest {
         assertThat(changed).isGreaterThan(30);
     }
 
-    private static Object call(Method wither, Record settings, Object value) throws ReflectiveOperationException {
+    private static Object call(Method wither, Record settings, Object value)
+            throws ReflectiveOperationException, IOException {
         try {
             return wither.invoke(settings, value);
         } catch (InvocationTargetException e) {

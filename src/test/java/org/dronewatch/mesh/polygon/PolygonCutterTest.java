@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
@@ -27,7 +28,7 @@ public class PolygonCutterTest {
     /** Linear time needs seconds for the largest polygons together; 10,000,000,000 steps for each take far longer. */
     private static final Duration TIME_LIMIT = Duration.ofMinutes(2);
 
-    private static final int LARGE_POLYGONS = 4;
+    private static final int LARGE_POLYGONS = LongForm.count(2, 4);
     private static final Path FORMER_FAILURES = Path.of("src/test/resources/fuzz");
     private static final double[][] ARROWHEAD = {{0, 0}, {4, 0}, {4, 4}, {3, 1}};
 

@@ -107,7 +107,7 @@ class CoherentGroundTest {
     void smallBumpsHardlyMatter() {
         double[] level = gains(COHERENT, Sites.world(Sites.square(1000, 0), GRASS), SOURCE, SENSOR);
         SplittableRandom random = new SplittableRandom(7);
-        World bumpy = Sites.world(Sites.terrain(160, 2, (x, y) -> random.nextDouble(-0.02, 0.02)), GRASS);
+        World bumpy = Sites.world(Sites.terrain(100, 2, (x, y) -> random.nextDouble(-0.02, 0.02)), GRASS);
         double[] over =
                 gains(COHERENT, bumpy, SOURCE.plus(new Position(-50, 1, 0)), SENSOR.plus(new Position(-50, 1, 0)));
         for (int band = 0; band < 6; band++) {

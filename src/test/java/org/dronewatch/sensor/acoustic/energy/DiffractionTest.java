@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.edge.EdgePath;
@@ -242,25 +243,26 @@ class DiffractionTest {
     void nothingJumpsWhereASecondEdgeIsTouched(Diffraction method) {
         World block = world(Sites.box(-FAR, 0, -FAR, FAR, 8, 10));
         Position sensor = new Position(0, -12, 7);
-        for (int band : new int[] {0, BAND_250, BAND_1000, 7}) {
-            double first = Double.NaN;
-            double before = Double.NaN;
-            for (int i = 300; i >= -300; i--) {
-                Position source = new Position(0, 20, 10 + 0.001 * i);
-                double level = level(method, block, source, sensor, band);
-                first = i == 300 ? level : first;
-                assertThat(Math.abs(level - (i == 300 ? level : before)))
+        double[] before = null;
+        double[] start = null;
+        for (int i = 300; i >= -300; i--) {
+            double[] here = levels(method, block, new Position(0, 20, 10 + 0.001 * i), sensor);
+            for (int band : new int[] {0, BAND_250, BAND_1000, 7}) {
+                assertThat(Math.abs(here[band] - (before == null ? here : before)[band]))
                         .as("band %d, step %d", band, i)
                         .isLessThan(0.1);
-                before = level;
             }
-            // One edge and two, by the formulas.
-            double one = Math.hypot(12, 3) + Math.hypot(20, 0.3) - Math.hypot(32, 3.3);
-            double two = Math.hypot(12, 3) + 8 + Math.hypot(12, 0.3) - Math.hypot(32, 2.7);
+            start = start == null ? here : start;
+            before = here;
+        }
+        // One edge and two, by the formulas.
+        double one = Math.hypot(12, 3) + Math.hypot(20, 0.3) - Math.hypot(32, 3.3);
+        double two = Math.hypot(12, 3) + 8 + Math.hypot(12, 0.3) - Math.hypot(32, 2.7);
+        for (int band : new int[] {0, BAND_250, BAND_1000, 7}) {
             double open = inTheOpen(Math.hypot(32, 3), band);
-            assertThat(first)
+            assertThat(start[band])
                     .isCloseTo(open - air(one, band) - method.attenuation(one, 0, wavelength(band)), within(0.06));
-            assertThat(before)
+            assertThat(before[band])
                     .isCloseTo(open - air(two, band) - method.attenuation(two, 8, wavelength(band)), within(0.06));
         }
     }
@@ -279,9 +281,8 @@ class DiffractionTest {
         double[] first = null;
         for (double top = 12; top < 18; top += 0.05) {
             World site = world(World.merge(List.of(block, Sites.wall(1, 0, 8, top, -20, 12))));
-            double[] here = new double[OctaveBands.COUNT];
+            double[] here = levels(method, site, source, sensor);
             for (int band = 0; band < here.length; band++) {
-                here[band] = level(method, site, source, sensor, band);
                 double step = Math.abs(here[band] - (before == null ? here : before)[band]);
                 assertThat(step).as("band %d, top %.2f m", band, top).isLessThan(0.4);
             }
@@ -438,6 +439,14 @@ class DiffractionTest {
     private static double level(Diffraction method, World world, Position source, Position sensor, int band) {
         EnergyReading reading = Sites.read(FEW.withDiffraction(method), world, Sites.sound(source, band), sensor, 1);
         return directOrRound(reading, band);
+    }
+
+    /** The levels of a sound that is as loud in all bands. */
+    private static double[] levels(Diffraction method, World world, Position source, Position sensor) {
+        EnergyReading reading = Sites.read(FEW.withDiffraction(method), world, Sites.broadband(source), sensor, 1);
+        return IntStream.range(0, OctaveBands.COUNT)
+                .mapToDouble(band -> directOrRound(reading, band))
+                .toArray();
     }
 
     private static double directOrRound(EnergyReading reading, int band) {

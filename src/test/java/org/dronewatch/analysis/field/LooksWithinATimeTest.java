@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What a sensor that searches detects within a time, look by look. */
-class LookWindowTest {
+class LooksWithinATimeTest {
     private static final String SENSORS =
             """
               eye: {kind: camera, position: [0, 0, 4], fov: 40 deg, width: 800, height: 600, rate: 5}
@@ -61,7 +61,7 @@ class LookWindowTest {
     @Test
     void theMeanOverAllPhasesOfTheLooksFromThereOn() {
         long seed = System.nanoTime();
-        System.out.println("LookWindowTest: seed " + seed);
+        System.out.println("LooksWithinATimeTest: seed " + seed);
         Random random = new Random(seed);
         for (int looks = 1; looks <= 100; looks++) {
             double[] all = new double[PHASES];
