@@ -114,14 +114,13 @@ final class LookProbability {
 
     /** The probability that all rays in random directions are missed. */
     private double ofEmitted(AcousticRay ray) {
-        int traced = 0;
-        int heard = 0;
-        while (traced < (heard < HEARD ? EMITTED : EMITTED_IF_HEARD) && isLeft(traced)) {
+        RayShare share = new RayShare(model.initialRays());
+        while (share.traced() < (share.heard() < HEARD ? EMITTED : EMITTED_IF_HEARD) && isLeft(share.traced())) {
             Directions.draw(even, ray);
-            heard += isHeard(ray) ? 1 : 0;
-            traced++;
+            share.add(isHeard(ray));
         }
-        return missed(heard, traced, model.initialRays());
+        variance += share.variance();
+        return share.missed();
     }
 
     private boolean isLeft(int traced) {
@@ -134,16 +133,8 @@ final class LookProbability {
         return isHeard;
     }
 
-    /** The probability that a number of rays are missed, by how many of others have been heard. */
-    private double missed(int heard, int traced, int number) {
-        variance += variance(heard, traced, number);
-        return Math.pow(1.0 - (double) heard / traced, number);
-    }
-
-    /** The variance of the logarithm of that probability; with a uniform prior, so that it is never 0. */
-    private static double variance(int heard, int traced, int number) {
-        double likely = (heard + 1.0) / (traced + 2.0);
-        return (double) number * number * likely / (traced * (1.0 - likely));
+    private boolean isHeardIfDecisive(AcousticRay branch) {
+        return branch.level >= detectionLevel && decisive.include(branch) && isHeard(branch);
     }
 
     /**
@@ -162,98 +153,24 @@ final class LookProbability {
         if (!isHit || arriving < detectionLevel || ray.order >= model.maxOrder()) {
             return 1.0;
         }
-        Hit hit = new Hit(ray, distance, traversal.triangle(), arriving);
-        while (hit.scattered() > 0
-                && hit.traced() < number
-                && isLeft(hit.traced())
-                && (hit.traced() < FEWEST || !hit.isAccurate())) {
-            hit.scatter();
+        ScatteringHit hit = new ScatteringHit(
+                reflections, model.reflectionsPerHit(), even, ray, distance, traversal.triangle(), arriving);
+        while (hit.scattered() > 0 && isWorthwhile(hit, number)) {
+            hit.scatter(this::isHeardIfDecisive);
         }
+        variance += hit.variance();
         double missed = hit.missed();
         AcousticRay next = new AcousticRay();
-        for (int i = 0; i < hit.certain.added() && missed > 0.0; i++) {
-            hit.certain.get(i, next);
+        for (int i = 0; i < hit.certain().added() && missed > 0.0; i++) {
+            hit.certain().get(i, next);
             missed *= decisive.include(next) ? miss(next, Math.max(FEWEST, number / PART)) : 1.0;
         }
         return missed;
     }
 
-    /** A hit of a surface, and the rays from there. */
-    private final class Hit {
-        private final AcousticRay ray;
-        private final double distance;
-        private final int triangle;
-        private final double arriving;
-
-        /** The rays whose directions are not random. */
-        private final RayQueue certain = new RayQueue();
-
-        /** Scattered rays of a look on either side of the surface. */
-        private final int ahead;
-
-        private final int behind;
-
-        /** The number of rays that have come from the surface in a look. */
-        private int made;
-
-        private int tracedAhead;
-        private int heardAhead;
-        private int tracedBehind;
-        private int heardBehind;
-
-        Hit(AcousticRay ray, double distance, int triangle, double arriving) {
-            this.ray = ray;
-            this.distance = distance;
-            this.triangle = triangle;
-            this.arriving = arriving;
-            distribute(branch -> ScatteredRays.Wanted.NONE, certain::add);
-            distribute(branch -> ScatteredRays.Wanted.ALL, branch -> made++);
-            boolean isTransmitted = made > model.reflectionsPerHit();
-            this.behind = isTransmitted ? made - model.reflectionsPerHit() - 1 : 0;
-            this.ahead = made - behind - certain.added();
-        }
-
-        private void distribute(ScatteredRays.Choice wanted, ReflectionGenerator.Branches target) {
-            reflections.acousticDistribution(
-                    ray, distance, triangle, arriving, new ReflectionGenerator.Draw(even, target, wanted));
-        }
-
-        int scattered() {
-            return ahead + behind;
-        }
-
-        int traced() {
-            return tracedAhead + tracedBehind;
-        }
-
-        /** Traces the scattered rays of one more look. */
-        void scatter() {
-            made = 0;
-            int aimed = model.reflectionsPerHit() - ahead;
-            distribute(branch -> ScatteredRays.Wanted.ALL, branch -> {
-                if (made >= aimed && made < model.reflectionsPerHit()) {
-                    tracedAhead++;
-                    heardAhead += isHeardIfDecisive(branch) ? 1 : 0;
-                } else if (made > model.reflectionsPerHit()) {
-                    tracedBehind++;
-                    heardBehind += isHeardIfDecisive(branch) ? 1 : 0;
-                }
-                made++;
-            });
-        }
-
-        private boolean isHeardIfDecisive(AcousticRay branch) {
-            return branch.level >= detectionLevel && decisive.include(branch) && isHeard(branch);
-        }
-
-        boolean isAccurate() {
-            double missed = Math.pow(1.0 - (double) (heardAhead + heardBehind) / traced(), scattered());
-            return missed * variance(heardAhead + heardBehind, traced(), scattered()) <= VARIANCE * (1.0 - missed);
-        }
-
-        double missed() {
-            return (ahead > 0 ? LookProbability.this.missed(heardAhead, tracedAhead, ahead) : 1.0)
-                    * (behind > 0 ? LookProbability.this.missed(heardBehind, tracedBehind, behind) : 1.0);
-        }
+    private boolean isWorthwhile(ScatteringHit hit, int number) {
+        double missed = hit.missed();
+        return hit.traced() < FEWEST
+                || hit.traced() < number && isLeft(hit.traced()) && missed * hit.variance() > VARIANCE * (1.0 - missed);
     }
 }

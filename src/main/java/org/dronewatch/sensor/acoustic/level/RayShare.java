@@ -1,0 +1,50 @@
+package org.dronewatch.sensor.acoustic.level;
+
+/**
+ * Single rays that were traced, and how many of them were heard: what that says about a number of such rays in a look.
+ * One thread at a time.
+ */
+final class RayShare {
+    private final int number;
+    private int traced;
+    private int heard;
+
+    /** The share of rays of which a look has a number. */
+    RayShare(int number) {
+        this.number = number;
+    }
+
+    void add(boolean isHeard) {
+        traced++;
+        heard += isHeard ? 1 : 0;
+    }
+
+    int number() {
+        return number;
+    }
+
+    int traced() {
+        return traced;
+    }
+
+    int heard() {
+        return heard;
+    }
+
+    /** The probability that all these rays of a look are missed, 0 to 1. */
+    double missed() {
+        return number == 0 || traced == 0 ? 1.0 : Math.pow(1.0 - (double) heard / traced, number);
+    }
+
+    /**
+     * The variance of the logarithm of that probability, if the directions of rays were independent; with a uniform
+     * prior, so that it is never 0 if there are any.
+     */
+    double variance() {
+        if (number == 0) {
+            return 0.0;
+        }
+        double likely = (heard + 1.0) / (traced + 2.0);
+        return (double) number * number * likely / (traced * (1.0 - likely));
+    }
+}
