@@ -231,7 +231,7 @@ class CommandLineTest extends CommandLines {
 
     @Test
     void runWarnsThatThereAreNoRaysToWrite() throws IOException {
-        String run = "run multi-sensor --set run.duration=1 --out DIR/out --rays DIR/rays.obj";
+        String run = "run multi-sensor --set run.duration=0.1 --out DIR/out --rays DIR/rays.obj";
         assertThat(commandIn(run).err()).containsPattern("[1-9][0-9,]* ray segments written");
 
         Program.Outcome outcome = commandIn(run + " --set sensors.microphone.enabled=false");

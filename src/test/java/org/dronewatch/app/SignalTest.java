@@ -135,8 +135,8 @@ class SignalTest {
                 "sensors.microphone.propagation.accuracy=0",
                 "--out",
                 "results")) {
-            Path partial = directory.resolve(".partial-results");
-            for (int i = 0; i < 600 && !Files.exists(partial); i++) {
+            // The last model that is read.
+            for (int i = 0; i < 600 && !Files.readString(child.err()).contains("quadrotor"); i++) {
                 Thread.sleep(100);
             }
             Thread.sleep(LongForm.count(1500, 3000));
