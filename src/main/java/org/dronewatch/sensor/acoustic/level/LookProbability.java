@@ -43,6 +43,9 @@ final class LookProbability {
      */
     private static final double VARIANCE = 0.25 / 1000;
 
+    /** Probabilities need not be more accurate than this one. */
+    private static final double LEAST = 0.004;
+
     private final LevelModel model;
     private final Position sensor;
     private final double radius;
@@ -100,7 +103,7 @@ final class LookProbability {
         ray.medium = AcousticRay.AIR;
         double missed = ofEmitted(ray);
         aim(ray);
-        missed *= miss(ray, SCATTERED);
+        missed *= miss(ray, SCATTERED, missed);
         return new Estimate(1.0 - missed, missed * Math.sqrt(variance));
     }
 
@@ -140,9 +143,10 @@ final class LookProbability {
     /**
      * The probability that a ray, with all that comes of it, is missed.
      *
-     * @param number of scattered rays that are traced if it hits a surface
+     * @param number of scattered rays that are traced at most if it hits a surface
+     * @param others the probability that all other rays so far are missed
      */
-    private double miss(AcousticRay ray, int number) {
+    private double miss(AcousticRay ray, int number, double others) {
         boolean isHit = ray.meets(traversal);
         double distance = isHit ? traversal.distance() : Double.POSITIVE_INFINITY;
         if (ray.entry(sensor, radius) < distance) {
@@ -155,7 +159,7 @@ final class LookProbability {
         }
         ScatteringHit hit = new ScatteringHit(
                 reflections, model.reflectionsPerHit(), even, ray, distance, traversal.triangle(), arriving);
-        while (hit.scattered() > 0 && isWorthwhile(hit, number)) {
+        while (hit.scattered() > 0 && isWorthwhile(hit, number, others)) {
             hit.scatter(this::isHeardIfDecisive);
         }
         variance += hit.variance();
@@ -163,14 +167,16 @@ final class LookProbability {
         AcousticRay next = new AcousticRay();
         for (int i = 0; i < hit.certain().added() && missed > 0.0; i++) {
             hit.certain().get(i, next);
-            missed *= decisive.include(next) ? miss(next, Math.max(FEWEST, number / PART)) : 1.0;
+            missed *= decisive.include(next) ? miss(next, Math.max(FEWEST, number / PART), others * missed) : 1.0;
         }
         return missed;
     }
 
-    private boolean isWorthwhile(ScatteringHit hit, int number) {
-        double missed = hit.missed();
+    private boolean isWorthwhile(ScatteringHit hit, int number, double others) {
+        double missed = others * hit.missed();
         return hit.traced() < FEWEST
-                || hit.traced() < number && isLeft(hit.traced()) && missed * hit.variance() > VARIANCE * (1.0 - missed);
+                || hit.traced() < number
+                        && isLeft(hit.traced())
+                        && missed * hit.variance() > VARIANCE * Math.max(LEAST, 1.0 - missed);
     }
 }
