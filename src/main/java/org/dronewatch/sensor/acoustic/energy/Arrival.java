@@ -24,6 +24,9 @@ final class Arrival {
     /** Whether rays from the target are not connected at these legs but may pass the start. */
     private final boolean[] isPassing = new boolean[LEGS];
 
+    /** Whether rays from the target are not connected at these legs but may merge with this one where they end. */
+    private final boolean[] isMerging = new boolean[LEGS];
+
     /** How many surfaces the ray had hit where each of these legs ends, including the one there. */
     private final int[] orders = new int[LEGS];
 
@@ -60,6 +63,7 @@ final class Arrival {
             throughWalls[leg] = throughWalls[leg - 1];
             orders[leg] = orders[leg - 1];
             isPassing[leg] = isPassing[leg - 1];
+            isMerging[leg] = isMerging[leg - 1];
         }
         leg.begin(ray);
     }
@@ -80,11 +84,14 @@ final class Arrival {
 
     private double inverseDensity(double arriving) {
         boolean isOfImage = isFromStart ? leg.matchesFromStart(ends.ofStart()) : leg.matchesFromEnd(ends.ofTarget());
-        isPassing[0] = leg.order() > 0 && !isOfImage;
-        if (isPassing[0]) {
-            return isFromStart && ends.isOpen() && !leg.isThroughWalls()
-                    ? receiver.inverseDensity(leg.length())
-                    : Connections.NEVER;
+        boolean isUnknown = leg.order() > 0 && !isOfImage;
+        isPassing[0] = isUnknown && isFromStart && ends.isOpen() && !leg.isThroughWalls();
+        isMerging[0] = isUnknown && !isPassing[0] && !leg.isThroughWalls();
+        if (isMerging[0]) {
+            return receiver.inverseDensityOfMerging();
+        }
+        if (isUnknown) {
+            return isPassing[0] ? receiver.inverseDensity(leg.length()) : Connections.NEVER;
         }
         double inAir = isFromStart
                 ? Connections.fromPoint(arriving, leg.length())
@@ -129,6 +136,11 @@ final class Arrival {
                         || leg.matchesFromEnd(ends.exactly()));
     }
 
+    /** Whether this ray comes from a specular reflection that is known of no image source, so that it may merge. */
+    boolean isMerging() {
+        return isMerging[0];
+    }
+
     /**
      * The sum of the inverse densities of those legs so far at which the same path could also be connected, if rays
      * from the target reached them.
@@ -137,7 +149,9 @@ final class Arrival {
      * @param surfaces how many surfaces the rest of the path hits
      */
     double inverseDensity(int scatterings, int surfaces) {
-        return sum(0, ends.scatterings() - scatterings, surfaces);
+        // Rays merge where one from the target is scattered first.
+        boolean mayMerge = isMerging[0] && scatterings == 0 && surfaces < ScatteredSound.MOST;
+        return (mayMerge ? inverseDensities[0] : 0.0) + sum(0, ends.scatterings() - scatterings, surfaces);
     }
 
     /**
@@ -155,7 +169,8 @@ final class Arrival {
                 return sum;
             }
             // To pass the start a ray from the target must go on from the last surface.
-            if (!isPassing[leg] || leg < end - 1 && surfaces + orders[0] < ScatteredSound.MOST) {
+            boolean goesOn = leg < end - 1 && surfaces + orders[0] < ScatteredSound.MOST;
+            if (!isMerging[leg] && (!isPassing[leg] || goesOn)) {
                 sum += inverseDensities[leg];
             }
             if (throughWalls[leg]) {

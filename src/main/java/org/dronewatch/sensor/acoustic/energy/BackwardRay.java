@@ -218,6 +218,9 @@ final class BackwardRay {
     }
 
     private void reflect(int triangle, int material) {
+        if (arrival.isMerging() && surfaces.scatters(material)) {
+            connection.merge(ray, normal, material, energy.scatteredBy(material), arrival, scattered);
+        }
         boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);
         if (always) {
             join(triangle, material, energy.scatteredBy(material));

@@ -21,6 +21,7 @@ final class DiffuseConnection {
     private final Air air;
     private final ConnectingLeg leg;
     private final EnergyTally tally;
+    private final MergedRays merged;
     private final double[] brought = new double[BANDS];
     private Ends ends;
     private double[] images = new double[3];
@@ -28,12 +29,19 @@ final class DiffuseConnection {
     private int wallOfRay;
 
     DiffuseConnection(
-            EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
+            EnergyModel model,
+            double radius,
+            World world,
+            WallPlanes planes,
+            BandSurfaces surfaces,
+            Air air,
+            EnergyTally tally) {
         this.maxOrder = model.maxOrder();
         this.surfaces = surfaces;
         this.air = air;
         this.leg = new ConnectingLeg(world, planes, surfaces);
         this.tally = tally;
+        this.merged = new MergedRays(model, radius, world, surfaces, tally);
     }
 
     /** Prepares for one look. */
@@ -85,6 +93,17 @@ final class DiffuseConnection {
             }
         }
         return leg.takeTraced();
+    }
+
+    /** Adds what it scatters on the paths of rays from the target that hit it near the same point; as above. */
+    void merge(
+            AcousticRay ray,
+            double[] normal,
+            int material,
+            double[] leaving,
+            Arrival arrival,
+            ScatteredSound scattered) {
+        merged.add(ray, normal, material, leaving, arrival, scattered);
     }
 
     private void addFromTarget(

@@ -22,7 +22,7 @@ final class JoinedImages {
      * Image sources are left to the rays that happen to pass the end if they increase the relative variance of a
      * reading by less than this.
      */
-    private static final double NEGLIGIBLE = 3e-3;
+    private static final double NEGLIGIBLE = 3e-4;
 
     private final WallPlanes planes;
     private final SpecularPath path;

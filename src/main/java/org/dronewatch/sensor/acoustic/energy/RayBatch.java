@@ -32,7 +32,7 @@ final class RayBatch {
         this.tally = new EnergyTally(air);
         this.ofTarget = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
         this.ofStart = new ReceiverSphere(radius, world, planes, surfaces, air, tally);
-        this.connection = new DiffuseConnection(model, world, planes, surfaces, air, tally);
+        this.connection = new DiffuseConnection(model, radius, world, planes, surfaces, air, tally);
         this.ray = new BackwardRay(
                 model,
                 world,

@@ -243,6 +243,11 @@ final class ReceiverSphere {
         return Math.PI * reach(length) * reach(length);
     }
 
+    /** The inverse density of a leg that is found because rays merge where it ends, m2. */
+    double inverseDensityOfMerging() {
+        return MergedRays.inverseDensity(radius);
+    }
+
     /** Whether nothing is in the way between the centre and a point of a ray. */
     private boolean isSeen(AcousticRay ray, double at) {
         return visibility.isFree(

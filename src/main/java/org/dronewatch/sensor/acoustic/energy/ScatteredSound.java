@@ -71,6 +71,12 @@ final class ScatteredSound {
         /** The images of this point in the walls of the image sources of the target. */
         double[] images = new double[3];
 
+        /** Whether rays from the start may merge here: where the sound is scattered first, on a connected path. */
+        boolean isConnected;
+
+        /** What would arrive at the target of one watt that is scattered here, by band, over that of a free field. */
+        final double[] toTarget = new double[BANDS];
+
         /** Number of the surface's material. */
         int material;
 
@@ -127,6 +133,7 @@ final class ScatteredSound {
         int scatterings = 0;
         double leaving = 0.0;
         double before = 0.0;
+        boolean isFirstConnected = false;
         for (int order = 1; order <= Math.min(MOST, maxOrder + 1); order++) {
             boolean hit = ray.meets(tracer);
             if (ends.isOpen() && scatterings > 0 && leg.order() > 0 && !leg.matchesFromEnd(ends.ofStart())) {
@@ -156,6 +163,9 @@ final class ScatteredSound {
             } else if (scatterings == 0) {
                 // Indoors, enough of them do.
                 return order;
+            } else if (isFirstConnected && scatterings == 1) {
+                // Rays from the start may merge with this one where it was scattered first.
+                inverseDensity += ofTarget.inverseDensityOfMerging();
             }
             if (surfaces.anyScatters()) {
                 for (int band = 0; band < BANDS; band++) {
@@ -165,6 +175,7 @@ final class ScatteredSound {
             boolean isScattered = false;
             if (surfaces.scatters(material)) {
                 add(triangle, material, order, scatterings + 1, inverseDensity);
+                points[count - 1].isConnected = isOfImage && scatterings == 0;
                 double chance = surfaces.chanceOfScattering(material, energy);
                 isScattered = random.nextDouble() < chance;
                 for (int band = 0; band < BANDS; band++) {
@@ -173,6 +184,7 @@ final class ScatteredSound {
                 }
             }
             if (isScattered) {
+                isFirstConnected = isOfImage && scatterings == 0;
                 scatterings++;
                 if (scatterings == ends.scatterings()) {
                     return order;
@@ -224,6 +236,8 @@ final class ScatteredSound {
         point.wall = planes.wallOf(triangle);
         for (int band = 0; band < BANDS; band++) {
             point.energy[band] = energy[band] * surfaces.scattered(material, band);
+            double reflected = surfaces.reflected(material, band);
+            point.toTarget[band] = reflected > 0.0 ? energy[band] / reflected : 0.0;
         }
         ImageSources imageSources = ends.ofTarget();
         if (point.images.length < 3 * imageSources.count()) {

@@ -1,20 +1,32 @@
 package org.dronewatch.sensor.acoustic.imagesource;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
  * Candidates for image sources, each with its worth: a measure of the energy that it contributes, in arbitrary units.
  */
 public final class ImageSourceCandidates {
-    private final List<Integer> parents = new ArrayList<>(List.of(ImageSources.ORIGINAL));
-    private final List<Integer> walls = new ArrayList<>(List.of(WallPlanes.NONE));
-    private final List<Double> worths = new ArrayList<>(List.of(Double.POSITIVE_INFINITY));
-    private final Map<Long, Integer> children = new HashMap<>();
+    private static final int FIRST_SIZE = 64;
+    private static final long FREE = -1L;
+
+    private int[] parents = new int[FIRST_SIZE];
+    private int[] walls = new int[FIRST_SIZE];
+    private double[] worths = new double[FIRST_SIZE];
+    private int count = 1;
+
+    /** The images by parent and wall, in a hash table with open addressing. */
+    private long[] keys = new long[2 * FIRST_SIZE];
+
+    private int[] children = new int[2 * FIRST_SIZE];
+
+    public ImageSourceCandidates() {
+        parents[ImageSources.ORIGINAL] = ImageSources.ORIGINAL;
+        walls[ImageSources.ORIGINAL] = WallPlanes.NONE;
+        worths[ImageSources.ORIGINAL] = Double.POSITIVE_INFINITY;
+        Arrays.fill(keys, FREE);
+    }
 
     /**
      * Adds an image source unless it is already known, and adds to its worth.
@@ -22,14 +34,51 @@ public final class ImageSourceCandidates {
      * @return its index
      */
     public int add(int parent, int wall, double worth) {
-        int image = children.computeIfAbsent(((long) parent << Integer.SIZE) + wall, key -> {
-            parents.add(parent);
-            walls.add(wall);
-            worths.add(0.0);
-            return parents.size() - 1;
-        });
-        worths.set(image, worths.get(image) + worth);
+        long key = key(parent, wall);
+        int slot = slot(key);
+        if (keys[slot] == FREE) {
+            if (count == parents.length) {
+                grow();
+                slot = slot(key);
+            }
+            parents[count] = parent;
+            walls[count] = wall;
+            keys[slot] = key;
+            children[slot] = count;
+            count++;
+        }
+        int image = children[slot];
+        worths[image] += worth;
         return image;
+    }
+
+    private static long key(int parent, int wall) {
+        return ((long) parent << Integer.SIZE) + wall;
+    }
+
+    /** Where a key is, or the free slot where it would be. */
+    private int slot(long key) {
+        int mask = keys.length - 1;
+        long mixed = key * 0x9E3779B97F4A7C15L;
+        int slot = (int) (mixed >>> Integer.SIZE) & mask;
+        while (keys[slot] != key && keys[slot] != FREE) {
+            slot = slot + 1 & mask;
+        }
+        return slot;
+    }
+
+    private void grow() {
+        parents = Arrays.copyOf(parents, 2 * count);
+        walls = Arrays.copyOf(walls, 2 * count);
+        worths = Arrays.copyOf(worths, 2 * count);
+        keys = new long[4 * count];
+        children = new int[4 * count];
+        Arrays.fill(keys, FREE);
+        for (int image = 1; image < count; image++) {
+            int slot = slot(key(parents[image], walls[image]));
+            keys[slot] = key(parents[image], walls[image]);
+            children[slot] = image;
+        }
     }
 
     /** Adds the image source of a sequence of walls, in order from the first, and all its parents. */
@@ -44,30 +93,30 @@ public final class ImageSourceCandidates {
     public double worth(int[] sequence) {
         int image = ImageSources.ORIGINAL;
         for (int wall : sequence) {
-            Integer next = children.get(((long) image << Integer.SIZE) + wall);
-            if (next == null) {
+            int slot = slot(key(image, wall));
+            if (keys[slot] == FREE) {
                 return 0.0;
             }
-            image = next;
+            image = children[slot];
         }
-        return worths.get(image);
+        return worths[image];
     }
 
     /** The walls of the first-order image sources with the greatest worth. */
     public int[] firstWalls(int most) {
-        return IntStream.range(1, parents.size())
-                .filter(image -> parents.get(image) == ImageSources.ORIGINAL)
+        return IntStream.range(1, count)
+                .filter(image -> parents[image] == ImageSources.ORIGINAL)
                 .boxed()
-                .sorted(Comparator.comparingDouble((Integer image) -> -worths.get(image))
+                .sorted(Comparator.comparingDouble((Integer image) -> -worths[image])
                         .thenComparingInt(image -> image))
                 .limit(most)
-                .mapToInt(walls::get)
+                .mapToInt(image -> walls[image])
                 .toArray();
     }
 
     /** The worth of an image source. */
     public double worth(int image) {
-        return worths.get(image);
+        return worths[image];
     }
 
     /**
@@ -77,23 +126,41 @@ public final class ImageSourceCandidates {
      * @param least image sources of less worth are left out
      */
     public ImageSources best(int most, double least) {
-        int[] kept = IntStream.range(0, parents.size())
-                .filter(image -> worths.get(image) >= least)
-                .boxed()
-                .sorted(Comparator.comparingDouble((Integer image) -> -worths.get(image))
-                        .thenComparingInt(image -> image))
-                .limit(most)
-                .mapToInt(Integer::intValue)
-                .sorted()
+        int[] kept = IntStream.range(0, count)
+                .filter(image -> worths[image] >= least)
                 .toArray();
-        int[] numbers = new int[parents.size()];
+        if (kept.length > most) {
+            kept = mostWorthy(kept, most);
+        }
+        int[] numbers = new int[count];
         int[] itsParents = new int[kept.length];
         int[] itsWalls = new int[kept.length];
         for (int i = 0; i < kept.length; i++) {
             numbers[kept[i]] = i;
-            itsParents[i] = numbers[parents.get(kept[i])];
-            itsWalls[i] = walls.get(kept[i]);
+            itsParents[i] = numbers[parents[kept[i]]];
+            itsWalls[i] = walls[kept[i]];
         }
         return new ImageSources(itsParents, itsWalls);
+    }
+
+    /** Those of most worth of more images than that; of equal ones those that were added first. */
+    private int[] mostWorthy(int[] images, int most) {
+        double[] sorted = Arrays.stream(images)
+                .mapToDouble(image -> worths[image])
+                .sorted()
+                .toArray();
+        double last = sorted[sorted.length - most];
+        int asGood = most;
+        for (int place = sorted.length - 1; place >= 0 && sorted[place] > last; place--) {
+            asGood--;
+        }
+        int[] kept = new int[most];
+        int next = 0;
+        for (int image : images) {
+            if (worths[image] > last || worths[image] == last && asGood-- > 0) {
+                kept[next++] = image;
+            }
+        }
+        return kept;
     }
 }

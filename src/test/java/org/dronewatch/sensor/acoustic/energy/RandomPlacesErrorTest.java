@@ -22,10 +22,10 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Readings scatter by no more than they state, wherever drone and microphone are: at random places of six sites, and at
- * places where an independent check found stated errors that were too small. The standard deviation is not above 1.25
- * times the stated error, and at most one reading in fifty is off by more than three stated errors or has not
- * converged. It is not below 0.8 times the stated error either where that is above {@value ReadingSpread#ALLOWANCE} dB;
- * below, the stated error may be an allowance for rays that were not drawn.
+ * places where an independent check found stated errors that were too small. The deviations from the mean are not above 1.25
+ * times the stated errors (root mean square), and at most one reading in fifty is off by more than three stated errors or has not
+ * converged. They are not below 0.8 times the stated errors either where those are above {@value ReadingSpread#ALLOWANCE} dB;
+ * below, a stated error may be an allowance for rays that were not drawn.
  */
 class RandomPlacesErrorTest {
     private static final long SEED = 20261127;
@@ -86,7 +86,7 @@ class RandomPlacesErrorTest {
         assertThat(onFewRays).as("places with too many readings on few rays").isEmpty();
         assertThat(beyond).as("readings beyond three stated errors").isLessThanOrEqualTo(readings / 50);
         if (LongForm.IS_ON) {
-            assertThat(outside).as("standard deviation over stated error").isEmpty();
+            assertThat(outside).as("deviations over stated errors").isEmpty();
             assertThat(tooMany).as("more than one in fifty beyond").isEmpty();
         }
     }

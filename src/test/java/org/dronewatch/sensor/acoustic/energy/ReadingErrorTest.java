@@ -15,9 +15,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Readings by the default settings scatter as much as they say, wherever the microphone is. 100 seeds tell a standard
- * deviation to 7 %, so what is true of all seeds may fall out of these limits by chance; the seeds are fixed. A stated
- * error below {@value ReadingSpread#ALLOWANCE} dB may be too large: it allows for rays that were not drawn (on
- * the hill, where rays contribute little).
+ * deviation to 7 %, so what is true of all seeds may fall out of these limits by chance; the seeds are fixed. Each
+ * reading is judged by the error that it states itself: on the hill, about one in a hundred is 0.1 to 0.2 dB too high
+ * and says so, and the others are a few hundredths of a decibel off at most.
  */
 class ReadingErrorTest {
     private static final int SEEDS = 100;
@@ -25,6 +25,7 @@ class ReadingErrorTest {
     /** Where drone and microphone are. */
     enum Place {
         ROOM(SoundSites::room, new Position(2, 3, 1.5), new Position(7, 5, 1.7)),
+        ON_THE_WALL_OF_A_ROOM(SoundSites::room, new Position(8.763, 0.474, 1.368), new Position(4.551, 7.986, 2.864)),
         NEAR_A_WALL(SoundSites::hill, new Position(50, 20, 140), new Position(12.7, 0, 134)),
         BEHIND_A_HOUSE(SoundSites::hill, new Position(-60, 3, 140), new Position(16, 0, 133.5)),
         CANYON(SoundSites::canyon, new Position(-60, 5, 15), new Position(10, -3, 1.5)),
@@ -63,11 +64,11 @@ class ReadingErrorTest {
 
     private static ReadingSpread check(SoundSites site, Criterion criterion, Position from, Position to, String where) {
         ReadingSpread spread = ReadingSpread.of(site, criterion, from, to, SEEDS, 1000);
-        System.out.printf("%s: standard deviation over stated error %.3f%n", where, spread.ratio());
+        System.out.printf("%s: deviations over stated errors %.3f, %s%n", where, spread.ratio(), spread);
         assertThat(spread.unconverged()).as("%s: readings on few rays", where).isLessThanOrEqualTo(2);
         assertThat(spread.ratio())
-                .as("%s: standard deviation over stated error %.3f dB", where, spread.stated())
-                .isBetween(spread.leastRatio(), 1.25);
+                .as("%s: deviations over stated errors of %.3f dB", where, spread.stated())
+                .isBetween(0.8, 1.25);
         assertThat(spread.beyond())
                 .as("%s: readings beyond three stated errors", where)
                 .isLessThanOrEqualTo(2);

@@ -13,18 +13,29 @@ import org.dronewatch.sound.Levels;
  * @param mean level of the mean energy of those that converged, dB
  * @param deviation their standard deviation, dB
  * @param stated mean of their stated errors, dB
+ * @param ratio root of the mean square of what they are off their mean over what they state themselves
  * @param beyond how many of them are off the mean by more than three of their stated errors
  * @param converged how many readings converged
  * @param unconverged how many did not
  * @param isSilent whether none heard anything
  */
 record ReadingSpread(
-        double mean, double deviation, double stated, int beyond, int converged, int unconverged, boolean isSilent) {
+        double mean,
+        double deviation,
+        double stated,
+        double ratio,
+        int beyond,
+        int converged,
+        int unconverged,
+        boolean isSilent) {
     /**
      * Stated errors up to this may be mostly an allowance for rays that were not drawn ({@link Convergence}), which is
      * too large wherever there are no such rays, dB.
      */
     static final double ALLOWANCE = 0.055;
+
+    /** Of means of exact readings, dB. */
+    private static final double ROUNDING = 1e-9;
 
     /**
      * Takes readings.
@@ -60,17 +71,16 @@ record ReadingSpread(
         }
         double mean = Levels.ofRatio(energy / count);
         double squares = 0;
+        double ratios = 0;
         int beyond = 0;
         for (int i = 0; i < count; i++) {
             squares += (levels[i] - sum / count) * (levels[i] - sum / count) / (count - 1);
-            beyond += Math.abs(levels[i] - mean) > 3 * errors[i] ? 1 : 0;
+            double off = Math.max(0, Math.abs(levels[i] - mean) - ROUNDING);
+            ratios += off > 0 ? Math.pow(off / errors[i], 2) / count : 0;
+            beyond += off > 3 * errors[i] ? 1 : 0;
         }
-        return new ReadingSpread(mean, Math.sqrt(squares), stated / count, beyond, count, readings - count, isSilent);
-    }
-
-    /** Standard deviation over stated error. */
-    double ratio() {
-        return deviation / stated;
+        return new ReadingSpread(
+                mean, Math.sqrt(squares), stated / count, Math.sqrt(ratios), beyond, count, readings - count, isSilent);
     }
 
     /** The least that the ratio may be: nothing where the stated error may be no more than an allowance. */

@@ -1,0 +1,130 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import org.dronewatch.kdtree.RayTracer;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Visibility;
+import org.dronewatch.world.World;
+
+/**
+ * Joins a ray from the start to one from the target where both hit a surface near the same point, which is scattered
+ * there from one to the other (vertex merging: Georgiev, Krivanek, Davidovic and Slusallek, SIGGRAPH Asia 2012). A
+ * surface very near the target, such as the wall on which a microphone is mounted, is so loud to it that a ray which
+ * hits just that point would otherwise stand out from thousands. Only rays are merged that come from a specular
+ * reflection of which no image source is known: others are connected from either side. One per thread.
+ */
+final class MergedRays {
+    private static final int BANDS = OctaveBands.COUNT;
+
+    /** Rays meet within this fraction of the radius of the receiver. */
+    private static final double NEAR = 0.5;
+
+    /** Surfaces whose normals differ more than this cosine, or by this fraction of the distance, are not the same. */
+    private static final double ALIKE = 0.99;
+
+    private static final double OFF = 0.1;
+
+    /** In this many directions along a surface is looked for walls that limit it. */
+    private static final int LOOKS = 8;
+
+    private final int maxOrder;
+    private final double within;
+    private final BandSurfaces surfaces;
+    private final EnergyTally tally;
+    private final RayTracer tracer;
+    private final Visibility visibility;
+    private final double[] brought = new double[BANDS];
+
+    /**
+     * Merges rays.
+     *
+     * @param radius of the receiver, m
+     */
+    MergedRays(EnergyModel model, double radius, World world, BandSurfaces surfaces, EnergyTally tally) {
+        this.maxOrder = model.maxOrder();
+        this.within = NEAR * radius;
+        this.surfaces = surfaces;
+        this.tally = tally;
+        this.tracer = world.newIncoherentRayTracer();
+        this.visibility = Visibility.ofClearPoints(world);
+    }
+
+    /**
+     * The inverse density of a leg whose end is found because rays merge there (see {@link Connections}), m2.
+     *
+     * @param radius of the receiver, m
+     */
+    static double inverseDensity(double radius) {
+        return Math.PI * NEAR * NEAR * radius * radius;
+    }
+
+    /**
+     * Adds the sound that a surface scatters towards the target.
+     *
+     * @param ray at the point where it hits the surface
+     * @param normal of the surface, on the ray's side
+     * @param material of the surface
+     * @param leaving the energy that leaves by Lambert's law, in each band
+     * @param arrival how the ray reached that point
+     * @param scattered where a ray from the target was scattered
+     */
+    void add(
+            AcousticRay ray,
+            double[] normal,
+            int material,
+            double[] leaving,
+            Arrival arrival,
+            ScatteredSound scattered) {
+        for (int i = 0; i < scattered.count(); i++) {
+            ScatteredSound.Point point = scattered.point(i);
+            if (point.isConnected && ray.order + point.order - 1 <= maxOrder && isNear(ray, normal, material, point)) {
+                add(ray, leaving, arrival, point);
+            }
+        }
+    }
+
+    private boolean isNear(AcousticRay ray, double[] normal, int material, ScatteredSound.Point point) {
+        double x = ray.originX - point.x;
+        double y = ray.originY - point.y;
+        double z = ray.originZ - point.z;
+        double square = x * x + y * y + z * z;
+        if (square >= within * within || material != point.material) {
+            return false;
+        }
+        double[] other = point.normal;
+        double off = x * other[0] + y * other[1] + z * other[2];
+        return normal[0] * other[0] + normal[1] * other[1] + normal[2] * other[2] > ALIKE
+                && off * off <= OFF * OFF * square
+                && visibility.isFree(ray.originX, ray.originY, ray.originZ, point.x, point.y, point.z);
+    }
+
+    private void add(AcousticRay ray, double[] leaving, Arrival arrival, ScatteredSound.Point point) {
+        double mine = Math.PI * within * within;
+        double others = point.inverseDensity + arrival.inverseDensity(0, point.order - 1) - mine;
+        double shared = 4.0 * Connections.weight(mine, others) / area(point);
+        for (int band = 0; band < BANDS; band++) {
+            brought[band] = leaving[band] * point.toTarget[band] * shared;
+        }
+        tally.add(ray, brought, point.distance);
+    }
+
+    /** The area around a point, as far as walls do not limit it, m2. */
+    private double area(ScatteredSound.Point point) {
+        double[] up = point.normal;
+        double[] aside = Math.abs(up[2]) < 0.9 ? new double[] {up[1], -up[0], 0.0} : new double[] {0.0, up[2], -up[1]};
+        double length = Math.sqrt(aside[0] * aside[0] + aside[1] * aside[1] + aside[2] * aside[2]);
+        double squares = 0.0;
+        for (int look = 0; look < LOOKS; look++) {
+            double u = Math.cos(2.0 * Math.PI * look / LOOKS) / length;
+            double v = Math.sin(2.0 * Math.PI * look / LOOKS) / length;
+            double x = u * aside[0] + v * (up[1] * aside[2] - up[2] * aside[1]);
+            double y = u * aside[1] + v * (up[2] * aside[0] - up[0] * aside[2]);
+            double z = u * aside[2] + v * (up[0] * aside[1] - up[1] * aside[0]);
+            boolean isCut = tracer.closestHit(point.x, point.y, point.z, x, y, z, 0.0, within);
+            double free = isCut ? tracer.distance() : within;
+            squares += free * free;
+        }
+        return Math.PI * squares / LOOKS;
+    }
+}
