@@ -31,10 +31,10 @@ final class Convergence {
     /** ... and make this many effective contributions, ... */
     private static final double MORE_THAN_ENOUGH = 40.0;
 
-    /** ... or else this many: many small contributions, from all around ... */
+    /** ... or else this many: many small contributions, from all around. */
     private static final double PLENTY = 200.0;
 
-    /** ... that are at least this fraction of what is heard, so that some were strong. */
+    /** Twice as many where rays contribute less than this fraction: a few strong ones would change it more. */
     private static final double APPRECIABLE = 0.05;
 
     /** A ray that may have been missed is not taken to contribute more than this fraction of what is heard. */
@@ -93,8 +93,8 @@ final class Convergence {
             return Levels.ofRatio(1.0 + drawn / heard);
         }
         double most = MOST_OFF * heard * Math.min(1.0, Math.sqrt(HUNDREDS / tally.effectiveRays(quantity)));
-        double systematic = Math.min(tally.received(quantity) * RELATIVE_ERROR, most)
-                * Math.sqrt(SEVERAL_THOUSAND / Math.max(SEVERAL_THOUSAND, tally.rays()));
+        double systematic = Math.min(
+                tally.received(quantity) * RELATIVE_ERROR * Math.sqrt(SEVERAL_THOUSAND / tally.rays()), most);
         double ofRays = Math.hypot(Math.hypot(drawn, systematic), notDrawn(quantity, heard) * ROOT_MEAN_SQUARE);
         boolean isMissing = areFew(quantity) && missed.contribution(quantity) > 0.0;
         return Math.hypot(Levels.ofRatio(1.0 + ofRays / heard), isMissing ? LEAST_ERROR : 0.0);
@@ -139,7 +139,7 @@ final class Convergence {
         }
         double effective = tally.effectiveRays(quantity);
         return effective > 0.0 && tally.received(quantity) <= HARDLY_ANYTHING * heard
-                || effective >= PLENTY && tally.received(quantity) >= APPRECIABLE * heard
+                || effective >= (tally.received(quantity) < APPRECIABLE * heard ? 2.0 * PLENTY : PLENTY)
                 || effective >= MORE_THAN_ENOUGH && tally.rays() >= SEVERAL_THOUSAND;
     }
 }

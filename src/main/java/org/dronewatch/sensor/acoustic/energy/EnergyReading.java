@@ -110,14 +110,16 @@ public record EnergyReading(
 
     /**
      * The figures for reports, by names that include their units: levels, signal-to-noise ratios, rays and standard
-     * error.
+     * error. Where nothing was heard, no error is stated.
      */
     public Map<String, Double> figures(BandLevels background) {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("direct_db", directLevel());
         figures.put("reverberant_db", reverberantLevel());
         figures.put("rays_traced", (double) traced);
-        figures.put("standard_error_db", standardError);
+        if (totalLevel() > Double.NEGATIVE_INFINITY) {
+            figures.put("standard_error_db", standardError);
+        }
         figures.put("converged", isConverged ? 1.0 : 0.0);
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             figures.put("level_" + OctaveBands.nominal(band) + "hz_db", level(band));

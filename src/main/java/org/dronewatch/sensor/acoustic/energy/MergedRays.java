@@ -20,12 +20,13 @@ final class MergedRays {
     /** Rays meet within this fraction of the radius of the receiver. */
     private static final double NEAR = 0.5;
 
-    /** Surfaces whose normals differ more than this cosine, or by this fraction of the distance, are not the same. */
+    /** Least cosine of the angle between the normals of two points that count as of the same surface. */
     private static final double ALIKE = 0.99;
 
+    /** How far one of them may be off the plane of the other one, as a fraction of their distance. */
     private static final double OFF = 0.1;
 
-    /** In this many directions along a surface is looked for walls that limit it. */
+    /** Number of directions along a surface in which walls are looked for that limit it. */
     private static final int LOOKS = 8;
 
     private final int maxOrder;
@@ -35,6 +36,7 @@ final class MergedRays {
     private final RayTracer tracer;
     private final Visibility visibility;
     private final double[] brought = new double[BANDS];
+    private final double[] aside = new double[3];
 
     /**
      * Merges rays.
@@ -112,7 +114,10 @@ final class MergedRays {
     /** The area around a point, as far as walls do not limit it, m2. */
     private double area(ScatteredSound.Point point) {
         double[] up = point.normal;
-        double[] aside = Math.abs(up[2]) < 0.9 ? new double[] {up[1], -up[0], 0.0} : new double[] {0.0, up[2], -up[1]};
+        boolean isUpright = Math.abs(up[2]) < 0.9;
+        aside[0] = isUpright ? up[1] : 0.0;
+        aside[1] = isUpright ? -up[0] : up[2];
+        aside[2] = isUpright ? 0.0 : -up[1];
         double length = Math.sqrt(aside[0] * aside[0] + aside[1] * aside[1] + aside[2] * aside[2]);
         double squares = 0.0;
         for (int look = 0; look < LOOKS; look++) {
