@@ -1,6 +1,5 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
@@ -33,7 +32,6 @@ final class MergedRays {
     private final double within;
     private final BandSurfaces surfaces;
     private final EnergyTally tally;
-    private final RayTracer tracer;
     private final Visibility visibility;
     private final double[] brought = new double[BANDS];
     private final double[] aside = new double[3];
@@ -48,7 +46,6 @@ final class MergedRays {
         this.within = NEAR * radius;
         this.surfaces = surfaces;
         this.tally = tally;
-        this.tracer = world.newIncoherentRayTracer();
         this.visibility = Visibility.ofClearPoints(world);
     }
 
@@ -126,8 +123,8 @@ final class MergedRays {
             double x = u * aside[0] + v * (up[1] * aside[2] - up[2] * aside[1]);
             double y = u * aside[1] + v * (up[2] * aside[0] - up[0] * aside[2]);
             double z = u * aside[2] + v * (up[0] * aside[1] - up[1] * aside[0]);
-            boolean isCut = tracer.closestHit(point.x, point.y, point.z, x, y, z, 0.0, within);
-            double free = isCut ? tracer.distance() : within;
+            boolean isCut = visibility.findFirstAlong(point.x, point.y, point.z, x, y, z, within);
+            double free = isCut ? visibility.distance() : within;
             squares += free * free;
         }
         return Math.PI * squares / LOOKS;
