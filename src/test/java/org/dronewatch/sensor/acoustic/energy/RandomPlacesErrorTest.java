@@ -22,10 +22,10 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Readings scatter by no more than they state, wherever drone and microphone are: at random places of six sites, and at
- * places where an independent check found stated errors that were too small. The deviations from the mean are not above 1.25
- * times the stated errors (root mean square), and at most one reading in fifty is off by more than three stated errors or has not
- * converged. They are not below 0.8 times the stated errors either where those are above {@value ReadingSpread#ALLOWANCE} dB;
- * below, a stated error may be an allowance for rays that were not drawn.
+ * places where an independent check found stated errors that were too small. The deviations from the mean are not above
+ * 1.25 times the stated errors (root mean square), and at most one reading in fifty is off by more than three stated
+ * errors or has not converged. They are not below 0.8 times the stated errors either where those are above
+ * {@value ReadingSpread#ALLOWANCE} dB; below, a stated error may be an allowance for rays that were not drawn.
  */
 class RandomPlacesErrorTest {
     private static final long SEED = 20261127;
