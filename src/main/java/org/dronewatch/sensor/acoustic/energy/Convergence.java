@@ -93,8 +93,8 @@ final class Convergence {
             return Levels.ofRatio(1.0 + drawn / heard);
         }
         double most = MOST_OFF * heard * Math.min(1.0, Math.sqrt(HUNDREDS / tally.effectiveRays(quantity)));
-        double systematic = Math.min(
-                tally.received(quantity) * RELATIVE_ERROR * Math.sqrt(SEVERAL_THOUSAND / tally.rays()), most);
+        double systematic =
+                Math.min(tally.received(quantity) * RELATIVE_ERROR * Math.sqrt(SEVERAL_THOUSAND / tally.rays()), most);
         double ofRays = Math.hypot(Math.hypot(drawn, systematic), notDrawn(quantity, heard) * ROOT_MEAN_SQUARE);
         boolean isMissing = areFew(quantity) && missed.contribution(quantity) > 0.0;
         return Math.hypot(Levels.ofRatio(1.0 + ofRays / heard), isMissing ? LEAST_ERROR : 0.0);

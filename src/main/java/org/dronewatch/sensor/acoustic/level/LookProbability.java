@@ -20,13 +20,8 @@ final class LookProbability {
     /** Scattered rays of the straight ray that are traced, at most. */
     private static final int SCATTERED = 65_536;
 
-    /** Rays in random directions that are traced. */
-    private static final int EMITTED = 4096;
-
-    /** Rays in random directions if at least two of the former detect the drone: then they matter. */
-    private static final int EMITTED_IF_HEARD = 16_384;
-
-    private static final int HEARD = 2;
+    /** Rays in random directions that are traced, at most. */
+    private static final int EMITTED = 65_536;
 
     /** Scattered rays of a specular or aimed ray, as a part of those of the ray before. */
     private static final int PART = 4;
@@ -101,9 +96,9 @@ final class LookProbability {
         ray.originZ = source.z();
         ray.level = sourceLevel;
         ray.medium = AcousticRay.AIR;
-        double missed = ofEmitted(ray);
         aim(ray);
-        missed *= miss(ray, SCATTERED, missed);
+        double missed = miss(ray, SCATTERED, 1.0);
+        missed *= ofEmitted(ray, missed);
         return new Estimate(1.0 - missed, missed * Math.sqrt(variance));
     }
 
@@ -116,18 +111,14 @@ final class LookProbability {
     }
 
     /** The probability that all rays in random directions are missed. */
-    private double ofEmitted(AcousticRay ray) {
+    private double ofEmitted(AcousticRay ray, double others) {
         RayShare share = new RayShare(model.initialRays());
-        while (share.traced() < (share.heard() < HEARD ? EMITTED : EMITTED_IF_HEARD) && isLeft(share.traced())) {
+        while (isWorthwhile(share.traced(), EMITTED, others * share.missed(), share.variance())) {
             Directions.draw(even, ray);
             share.add(isHeard(ray));
         }
         variance += share.variance();
         return share.missed();
-    }
-
-    private boolean isLeft(int traced) {
-        return segments < MOST_SEGMENTS || traced < FEWEST;
     }
 
     private boolean isHeard(AcousticRay ray) {
@@ -159,7 +150,7 @@ final class LookProbability {
         }
         ScatteringHit hit = new ScatteringHit(
                 reflections, model.reflectionsPerHit(), even, ray, distance, traversal.triangle(), arriving);
-        while (hit.scattered() > 0 && isWorthwhile(hit, number, others)) {
+        while (hit.scattered() > 0 && isWorthwhile(hit.traced(), number, others * hit.missed(), hit.variance())) {
             hit.scatter(this::isHeardIfDecisive);
         }
         variance += hit.variance();
@@ -172,11 +163,15 @@ final class LookProbability {
         return missed;
     }
 
-    private boolean isWorthwhile(ScatteringHit hit, int number, double others) {
-        double missed = others * hit.missed();
-        return hit.traced() < FEWEST
-                || hit.traced() < number
-                        && isLeft(hit.traced())
-                        && missed * hit.variance() > VARIANCE * Math.max(LEAST, 1.0 - missed);
+    /**
+     * Whether to trace more rays.
+     *
+     * @param traced those that have been traced, of a number of them at most
+     * @param missed the probability that these and all others so far are missed
+     * @param variance of the logarithm of that probability, as far as it depends on these
+     */
+    private boolean isWorthwhile(int traced, int most, double missed, double variance) {
+        boolean isLeft = traced < most && segments < MOST_SEGMENTS;
+        return traced < FEWEST || isLeft && missed * variance > VARIANCE * Math.max(LEAST, 1.0 - missed);
     }
 }

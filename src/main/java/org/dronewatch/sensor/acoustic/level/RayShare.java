@@ -27,10 +27,6 @@ final class RayShare {
         return traced;
     }
 
-    int heard() {
-        return heard;
-    }
-
     /** The probability that all these rays of a look are missed, 0 to 1. */
     double missed() {
         return number == 0 || traced == 0 ? 1.0 : Math.pow(1.0 - (double) heard / traced, number);
@@ -41,7 +37,7 @@ final class RayShare {
      * prior, so that it is never 0 if there are any.
      */
     double variance() {
-        if (number == 0) {
+        if (number == 0 || traced == 0) {
             return 0.0;
         }
         double likely = (heard + 1.0) / (traced + 2.0);
