@@ -70,13 +70,9 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
         return deviation > 0.0 ? Math.min(succession, 0.5 * Math.exp(-Math.abs(mean) / deviation)) : succession;
     }
 
-    /** The variance of one estimate. */
+    /** The variance of one estimate; that of the level model counts as 0 where no trace differs from the others. */
     double variance() {
-        if (!isRandom()) {
-            return 0.0;
-        }
-        double tried = TRACES * count;
-        double plausible = isLevel ? probability() : (TRACES * sum + 1.0) / (tried + 2.0);
-        return plausible * (1.0 - plausible) / (isLevel ? 1.0 : TRACES);
+        double probability = probability();
+        return isRandom() ? probability * (1.0 - probability) / (isLevel ? 1.0 : TRACES) : 0.0;
     }
 }

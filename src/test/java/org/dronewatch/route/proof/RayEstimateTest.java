@@ -64,6 +64,6 @@ class RayEstimateTest {
         RayEstimate two = RayEstimate.first(one).and(RayEstimate.one(one));
 
         assertThat(two.probability()).isCloseTo(0.25, within(1e-12));
-        assertThat(two.variance()).isCloseTo(17.0 / 66.0 * 49.0 / 66.0 / 32.0, within(1e-12));
+        assertThat(two.variance()).isCloseTo(0.25 * 0.75 / 32.0, within(1e-12));
     }
 }
