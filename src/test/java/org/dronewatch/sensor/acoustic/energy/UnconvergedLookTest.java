@@ -145,10 +145,14 @@ class UnconvergedLookTest {
             Look look = Look.of(seed, "sensor", 0, 10.0);
             Observation heard = sensor.observe(rooms, List.of(drone), look).get(0);
             Assessment assessed = sensor.assess(rooms, drone, Optional.empty(), look.random("drone", RaySensor.RAYS));
-            double error = heard.figures().get("standard_error_db");
+            double byRays = heard.figures().get("reverberant_db");
+            Double stated = heard.figures().get("standard_error_db");
+            assertThat(stated == null)
+                    .as("no error of nothing: %s", heard.figures())
+                    .isEqualTo(byRays == Double.NEGATIVE_INFINITY);
+            double error = stated == null ? 0 : stated;
             assertThat(assessed.quantity()).isEqualTo(heard.value());
             assertThat(assessed.standardError()).isEqualTo(error);
-            double byRays = heard.figures().get("reverberant_db");
             if (heard.figures().get("converged") == 0.0 && byRays > Double.NEGATIVE_INFINITY) {
                 assertThat(heard.isDetected()).isFalse();
                 assertThat(heard.value()).isEqualTo(Double.NEGATIVE_INFINITY);
