@@ -106,13 +106,9 @@ class OpenDoorTest {
         }
     }
 
-    /**
-     * The long form, of a hundred readings: {@code mvn -q test -Dtest=OpenDoorTest -Ddronewatch.long=true}. The closed
-     * house is left out: through its walls readings scatter by 1.14 times (microphone inside) and 1.36 times (outside)
-     * what they state, which is a limit of the estimate (microphone.md).
-     */
+    /** The long form, of a hundred readings: {@code mvn -q test -Dtest=OpenDoorTest -Ddronewatch.long=true}. */
     @ParameterizedTest
-    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "CLOSED")
+    @EnumSource
     @EnabledIfSystemProperty(named = "dronewatch.long", matches = "true")
     void aHundredReadingsScatterAsTheyState(House house) {
         assertThat(check(house, OUTSIDE, INSIDE, 100)).isBetween(0.8, 1.25);

@@ -17,7 +17,8 @@ import org.junit.jupiter.params.provider.EnumSource;
  * Readings by the default settings scatter as much as they say, wherever the microphone is. 100 seeds tell a standard
  * deviation to 7 %, so what is true of all seeds may fall out of these limits by chance; the seeds are fixed. Each
  * reading is judged by the error that it states itself: on the hill, about one in a hundred is 0.1 to 0.2 dB too high
- * and says so, and the others are a few hundredths of a decibel off at most.
+ * and says so, and the others are a few hundredths of a decibel off at most. In the best band, a stated error below
+ * {@value ReadingSpread#ALLOWANCE} dB may be too large: it allows for rays that were not drawn.
  */
 class ReadingErrorTest {
     private static final int SEEDS = 100;
@@ -68,7 +69,7 @@ class ReadingErrorTest {
         assertThat(spread.unconverged()).as("%s: readings on few rays", where).isLessThanOrEqualTo(2);
         assertThat(spread.ratio())
                 .as("%s: deviations over stated errors of %.3f dB", where, spread.stated())
-                .isBetween(0.8, 1.25);
+                .isBetween(criterion == Criterion.A_WEIGHTED ? 0.8 : spread.leastRatio(), 1.25);
         assertThat(spread.beyond())
                 .as("%s: readings beyond three stated errors", where)
                 .isLessThanOrEqualTo(2);
