@@ -218,7 +218,7 @@ final class BackwardRay {
     }
 
     private void reflect(int triangle, int material) {
-        if (arrival.isMerging() && surfaces.scatters(material)) {
+        if (arrival.isMerging() && surfaces.scatters(material) && connection.mayMerge(ray, scattered)) {
             connection.merge(ray, normal, material, energy.scatteredBy(material), arrival, scattered);
         }
         boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);

@@ -95,6 +95,11 @@ final class DiffuseConnection {
         return leg.takeTraced();
     }
 
+    /** Whether a ray from the target has hit a surface near a point of a ray from the start. */
+    boolean mayMerge(AcousticRay ray, ScatteredSound scattered) {
+        return merged.mayAdd(ray, scattered);
+    }
+
     /** Adds what it scatters on the paths of rays from the target that hit it near the same point; as above. */
     void merge(
             AcousticRay ray,

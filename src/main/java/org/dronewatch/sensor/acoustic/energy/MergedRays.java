@@ -58,6 +58,23 @@ final class MergedRays {
         return Math.PI * NEAR * NEAR * radius * radius;
     }
 
+    /** Whether any of the points where a ray from the target was scattered is near that of a ray from the start. */
+    boolean mayAdd(AcousticRay ray, ScatteredSound scattered) {
+        for (int i = 0; i < scattered.count(); i++) {
+            if (isWithin(ray, scattered.point(i))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isWithin(AcousticRay ray, ScatteredSound.Point point) {
+        double x = ray.originX - point.x;
+        double y = ray.originY - point.y;
+        double z = ray.originZ - point.z;
+        return x * x + y * y + z * z < within * within;
+    }
+
     /**
      * Adds the sound that a surface scatters towards the target.
      *
@@ -78,7 +95,7 @@ final class MergedRays {
         for (int i = 0; i < scattered.count(); i++) {
             ScatteredSound.Point point = scattered.point(i);
             if (point.isConnected && ray.order + point.order - 1 <= maxOrder && isNear(ray, normal, material, point)) {
-                add(ray, leaving, arrival, point);
+                add(ray, material, leaving, arrival, point);
             }
         }
     }
@@ -88,7 +105,7 @@ final class MergedRays {
         double y = ray.originY - point.y;
         double z = ray.originZ - point.z;
         double square = x * x + y * y + z * z;
-        if (square >= within * within || material != point.material) {
+        if (!isWithin(ray, point) || material != point.material) {
             return false;
         }
         double[] other = point.normal;
@@ -98,12 +115,15 @@ final class MergedRays {
                 && visibility.isFree(ray.originX, ray.originY, ray.originZ, point.x, point.y, point.z);
     }
 
-    private void add(AcousticRay ray, double[] leaving, Arrival arrival, ScatteredSound.Point point) {
+    private void add(
+            AcousticRay ray, int material, double[] leaving, Arrival arrival, ScatteredSound.Point point) {
         double mine = Math.PI * within * within;
         double others = point.inverseDensity + arrival.inverseDensity(0, point.order - 1) - mine;
         double shared = 4.0 * Connections.weight(mine, others) / area(point);
         for (int band = 0; band < BANDS; band++) {
-            brought[band] = leaving[band] * point.toTarget[band] * shared;
+            // The point's energy has lost what the surface absorbs, as has what leaves here: it is lost once.
+            double scattering = surfaces.reflected(material, band) * surfaces.scattered(material, band);
+            brought[band] = scattering > 0.0 ? leaving[band] * point.energy[band] / scattering * shared : 0.0;
         }
         tally.add(ray, brought, point.distance);
     }

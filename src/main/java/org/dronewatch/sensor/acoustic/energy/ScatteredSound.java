@@ -74,9 +74,6 @@ final class ScatteredSound {
         /** Whether rays from the start may merge here: where the sound is scattered first, on a connected path. */
         boolean isConnected;
 
-        /** What would arrive at the target of one watt that is scattered here, by band, over that of a free field. */
-        final double[] toTarget = new double[BANDS];
-
         /** Number of the surface's material. */
         int material;
 
@@ -236,8 +233,6 @@ final class ScatteredSound {
         point.wall = planes.wallOf(triangle);
         for (int band = 0; band < BANDS; band++) {
             point.energy[band] = energy[band] * surfaces.scattered(material, band);
-            double reflected = surfaces.reflected(material, band);
-            point.toTarget[band] = reflected > 0.0 ? energy[band] / reflected : 0.0;
         }
         ImageSources imageSources = ends.ofTarget();
         if (point.images.length < 3 * imageSources.count()) {
