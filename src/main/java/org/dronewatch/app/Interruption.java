@@ -27,6 +27,21 @@ final class Interruption implements AutoCloseable {
         }
     }
 
+    /**
+     * Whether the process ends already. Then Java knows the exit code of the signal, which a command's own must not
+     * replace.
+     */
+    static boolean isUnderWay() {
+        Thread none = new Thread(() -> {});
+        try {
+            Runtime.getRuntime().addShutdownHook(none);
+            Runtime.getRuntime().removeShutdownHook(none);
+            return false;
+        } catch (IllegalStateException e) {
+            return true;
+        }
+    }
+
     /** Whether the user has asked to stop. */
     boolean happened() {
         return happened;

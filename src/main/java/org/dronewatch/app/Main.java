@@ -125,7 +125,8 @@ public final class Main implements Runnable {
             err.println("standard output could not be written completely");
             code = code == 0 ? BAD_INPUT : code;
         }
-        if (code != 0) {
+        // As soon as the hooks have run, this would end the process at once, with this code.
+        if (code != 0 && !Interruption.isUnderWay()) {
             System.exit(code);
         }
     }
