@@ -37,12 +37,6 @@ class JavadocTest {
                             List.of(
                                     "-quiet",
                                     "-protected",
-                                    // Pages about types and packages only: the others are made of these.
-                                    "-noindex",
-                                    "-notree",
-                                    "-nonavbar",
-                                    "-nohelp",
-                                    "-nodeprecatedlist",
                                     "-Xdoclint:all,-missing",
                                     "--add-modules",
                                     "jdk.incubator.vector",
