@@ -141,8 +141,8 @@ class RouteWordsTest {
         RouteResults more = new RouteResults(
                 results.survey(), results.times(), Map.of(0, proof.with(new Proportion(50, 50))), Map.of(), true);
         assertThat(RouteTable.lines(more, inputs))
-                .contains("With cues, the drone is detected on the route from the north in 50 of 50 flights instead of the predicted"
-                        + " 60 %.");
+                .contains("With cues, the drone is detected on the route from the north in 50 of 50 flights"
+                        + " instead of the predicted 60 %.");
     }
 
     /** Half of the flights are surely detected in time, and half of them surely not. */

@@ -115,8 +115,7 @@ final class MergedRays {
                 && visibility.isFree(ray.originX, ray.originY, ray.originZ, point.x, point.y, point.z);
     }
 
-    private void add(
-            AcousticRay ray, int material, double[] leaving, Arrival arrival, ScatteredSound.Point point) {
+    private void add(AcousticRay ray, int material, double[] leaving, Arrival arrival, ScatteredSound.Point point) {
         double mine = Math.PI * within * within;
         double others = point.inverseDensity + arrival.inverseDensity(0, point.order - 1) - mine;
         double shared = 4.0 * Connections.weight(mine, others) / area(point);
