@@ -53,8 +53,8 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
      */
     double probability() {
         double mean = isRandom() ? sum / count : sum;
-        boolean isAll = mean == 1.0;
-        return isLevel && count > 1 && (isAll || mean == 0.0) ? Math.abs((isAll ? 1.0 : 0.0) - other()) : mean;
+        boolean isAll = mean >= 1.0;
+        return isLevel && count > 1 && (isAll || mean <= 0.0) ? Math.abs((isAll ? 1.0 : 0.0) - other()) : mean;
     }
 
     /**
