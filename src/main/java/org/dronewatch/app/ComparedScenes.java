@@ -71,7 +71,7 @@ final class ComparedScenes {
             throw new InputException(
                     "compare needs a second scene, or --with PATH=VALUE for each setting that differs");
         }
-        CampaignSettings settings = file().map(path -> CampaignReader.read(path).withScene(first))
+        CampaignSettings settings = file().map(path -> CampaignReader.read(path).forScene(first))
                 .orElseGet(() -> CampaignSettings.of(first).withVary(allBearings()));
         Map<String, String> both = SetOption.parsed("--set", common);
         Map<String, String> other = new LinkedHashMap<>(both);

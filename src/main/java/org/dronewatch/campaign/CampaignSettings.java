@@ -104,7 +104,7 @@ public record CampaignSettings(
      * A copy for another scene, without variants and expectations, which ends after a fixed number of cases and
      * estimates no sensitivities.
      */
-    public CampaignSettings withScene(String other) {
+    public CampaignSettings forScene(String other) {
         return new CampaignSettings(
                 other, vary, table, Map.of(), runs, Optional.empty(), Optional.empty(), List.of(), seed);
     }

@@ -8,7 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The loose contacts that were confirmed not longer ago than a rule for several sensors allows: others agree with none.
+ * The loose contacts that were confirmed recently enough for a rule for several sensors. Older ones can no longer agree
+ * with any other contact.
  */
 final class LooseContacts {
     private final AlertRule.SeveralSensors rule;

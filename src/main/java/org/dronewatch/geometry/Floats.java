@@ -7,6 +7,7 @@ public final class Floats {
     private float[] values = new float[1024];
     private int size;
 
+    /** Appends a value. */
     public void add(float value) {
         if (size == values.length) {
             values = Arrays.copyOf(values, size + (size >> 1));
@@ -14,6 +15,7 @@ public final class Floats {
         values[size++] = value;
     }
 
+    /** The value at an index, from 0. */
     public float get(int index) {
         return values[index];
     }
@@ -23,10 +25,12 @@ public final class Floats {
         size = 0;
     }
 
+    /** How many values there are. */
     public int size() {
         return size;
     }
 
+    /** A copy of the values. */
     public float[] toArray() {
         return Arrays.copyOf(values, size);
     }

@@ -7,6 +7,7 @@ public final class Ints {
     private int[] values = new int[1024];
     private int size;
 
+    /** Appends a value. */
     public void add(int value) {
         if (size == values.length) {
             values = Arrays.copyOf(values, size + (size >> 1));
@@ -14,6 +15,7 @@ public final class Ints {
         values[size++] = value;
     }
 
+    /** The value at an index, from 0. */
     public int get(int index) {
         return values[index];
     }
@@ -28,10 +30,12 @@ public final class Ints {
         return Arrays.copyOfRange(values, from, to);
     }
 
+    /** How many values there are. */
     public int size() {
         return size;
     }
 
+    /** A copy of the values. */
     public int[] toArray() {
         return Arrays.copyOf(values, size);
     }

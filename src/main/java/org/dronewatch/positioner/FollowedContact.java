@@ -114,7 +114,7 @@ final class FollowedContact {
     }
 
     /** The line on which it is, at a time, s, by the sensor that saw it last. */
-    SightLine line(double time) {
+    BearingLine line(double time) {
         OptionalDouble size = latest.size();
         double near = 0.0;
         double far = Double.POSITIVE_INFINITY;
@@ -125,6 +125,6 @@ final class FollowedContact {
             near = search.nearest(size.getAsDouble(), latest.error());
             far = search.farthest(size.getAsDouble(), latest.error());
         }
-        return new SightLine(latest.from(), latest.at(time), latest.error(), near, far);
+        return new BearingLine(latest.from(), latest.at(time), latest.error(), near, far);
     }
 }

@@ -133,7 +133,7 @@ public final class Positioner {
         }
         boolean holds = track.isPresent() && now - ownTime <= fresh;
         Optional<Direction> known = holds ? Optional.of(own) : predicted(now);
-        Optional<SightLine> line = track.filter(followed -> known.isEmpty()).map(followed -> followed.line(now));
+        Optional<BearingLine> line = track.filter(followed -> known.isEmpty()).map(followed -> followed.line(now));
         double field = wantedField(holds, line);
         Direction wanted = settings.tilted(known.or(() -> line.map(searched -> scan.at(searched, now, field)))
                 .orElseGet(() -> settings.search().at(rest, now)));
@@ -166,12 +166,12 @@ public final class Positioner {
     }
 
     /** Zoomed to a contact as its positioner's settings say, but wide enough for the error of a line. */
-    private double wantedField(boolean holds, Optional<SightLine> line) {
+    private double wantedField(boolean holds, Optional<BearingLine> line) {
         if (settings.zoom().isEmpty() || track.isEmpty()) {
             return widest;
         }
         ZoomSettings lens = settings.zoom().get();
-        double error = line.map(SightLine::error).orElse(0.0);
+        double error = line.map(BearingLine::error).orElse(0.0);
         double fitting = shape.fitting(Math.min(Math.PI / 2, 2.0 * DEVIATIONS * error));
         return holds ? lens.tracked() : Math.min(widest, Math.max(lens.cued(), fitting));
     }

@@ -67,7 +67,7 @@ final class RangeScan {
      * @param now s
      * @param fov the field of view with which it searches, rad
      */
-    Direction at(SightLine line, double now, double fov) {
+    Direction at(BearingLine line, double now, double fov) {
         if (Double.isNaN(begun)) {
             begun = now;
         }
@@ -86,7 +86,7 @@ final class RangeScan {
         arrived = Double.isNaN(arrived) ? now : arrived;
     }
 
-    private Stop next(SightLine line, double now, double fov) {
+    private Stop next(BearingLine line, double now, double fov) {
         List<double[]> parts = parts(line);
         for (int i = 0; i < parts.size(); i++) {
             if (searched < parts.get(i)[1]) {
@@ -102,7 +102,7 @@ final class RangeScan {
     }
 
     /** What is to be searched: ranges from and up to which it lies far enough from both sensors, m. */
-    private List<double[]> parts(SightLine line) {
+    private List<double[]> parts(BearingLine line) {
         double least = settings.rangeSearch().minRange();
         double near = isWhole ? least : Math.max(least, line.near());
         double far = isWhole ? Double.POSITIVE_INFINITY : Math.max(near, line.far());
@@ -124,12 +124,12 @@ final class RangeScan {
     }
 
     /** From the positioner to the nearest point of the line, m. */
-    private Position aside(SightLine line) {
+    private Position aside(BearingLine line) {
         Position offset = line.from().minus(position);
         return offset.minus(line.unit().times(offset.dot(line.unit())));
     }
 
-    private Stop stop(SightLine line, double from, double to, double after, double fov) {
+    private Stop stop(BearingLine line, double from, double to, double after, double fov) {
         Position aside = aside(line);
         double distance = aside.length();
         double nearest = position.minus(line.from()).dot(line.unit());

@@ -95,7 +95,8 @@ public final class SiteRoutes {
      * to the next one, such as from power to gliding, once and at any node.
      *
      * @param modes the modes, at least one, with fields over the same grid
-     * @throws IllegalArgumentException if there is no mode, or as above
+     * @throws IllegalArgumentException if there is no mode, or the drone cannot be anywhere in the area from
+     *     which the routes come, or anywhere in the zone
      */
     public static SiteRoutes of(
             List<ModeField> modes, SceneSettings settings, Stage stage, String drone, Optional<AreaZone> launch) {

@@ -306,10 +306,12 @@ public final class ModelCache {
         }
     }
 
+    /** How long reading files has taken so far, s. */
     public synchronized double loadSeconds() {
         return loadSeconds;
     }
 
+    /** How long building trees has taken so far, s. */
     public synchronized double buildSeconds() {
         return buildSeconds;
     }

@@ -62,6 +62,12 @@ public final class Stage {
     private List<Alert> raised = List.of();
     private final long runSeed;
 
+    /**
+     * A stage with a perfect association of measurements.
+     *
+     * @param runSeed of all random numbers of this run
+     * @throws org.dronewatch.setting.InputException when something cannot be loaded, or does not fit together
+     */
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {
         this(
                 settings,

@@ -45,6 +45,11 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
         return new InputFiles(settingsHash, scene, loaded);
     }
 
+    /**
+     * The name and the hash of a file.
+     *
+     * @throws InputException in one line when it cannot be read
+     */
     public static FileHash hash(Path file) {
         try (InputStream bytes = Files.newInputStream(file)) {
             return FileHash.of(String.valueOf(file.getFileName()), bytes);

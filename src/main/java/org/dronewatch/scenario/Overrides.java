@@ -27,6 +27,7 @@ public final class Overrides {
 
     private final Catalog catalog;
 
+    /** Overrides that find sensors and systems in a catalogue. */
     public Overrides(Catalog catalog) {
         this.catalog = catalog;
     }

@@ -109,7 +109,7 @@ public final class PlaceForms {
 
     /**
      * An area given on the command line as in a scene file, in plan view: {@code {centre: [0, 900], radius: 50 m}} or
-     * {@code {area: [...]}}. Parameters as above.
+     * {@code {area: [...]}}. Arguments as for {@link #parse}.
      *
      * @throws InputException in one line when it is not an area, or has no position
      */

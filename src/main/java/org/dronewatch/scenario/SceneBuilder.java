@@ -37,78 +37,108 @@ public final class SceneBuilder {
     private RunSettings run = RunSettings.DEFAULT;
     private Optional<SweepSettings> sweep = Optional.empty();
 
+    /** Takes over a whole description; all else is ignored then. */
     public void setAll(SceneSettings settings) {
         whole = settings;
     }
 
+    /** Adds a model to the site. */
     public void addToWorld(ModelSettings model) {
         world = world == null ? WorldSettings.of(model) : world.withModel(model);
     }
 
+    /** Sets the buildings of a map. */
     public void setBuildings(BuildingSettings buildings) {
         world = (world == null ? WorldSettings.EMPTY : world).withBuildings(buildings);
     }
 
+    /** Sets the terrain. */
     public void setTerrain(TerrainSettings terrain) {
         world = (world == null ? WorldSettings.EMPTY : world).withTerrain(terrain);
     }
 
+    /** Assigns an acoustic surface of the table to a material of the model. */
     public void nameSurface(String ofTheModel, String ofTheTable) {
         surfaces = surfaces.with(ofTheModel, ofTheTable);
     }
 
+    /** Sets the air. */
     public void setAtmosphere(Atmosphere air) {
         atmosphere = air;
     }
 
+    /** Sets the background noise. */
     public void setBackgroundNoise(BackgroundNoise noise) {
         backgroundNoise = noise;
     }
 
+    /** Sets the rain rate, mm/h. */
     public void setRain(double millimetresPerHour) {
         rain = millimetresPerHour;
     }
 
+    /** Sets the light. */
     public void setLight(Light other) {
         light = other;
     }
 
+    /** Sets where on earth the origin is. */
     public void setOrigin(Origin other) {
         origin = Optional.of(other);
     }
 
+    /**
+     * Adds a drone.
+     *
+     * @throws IllegalArgumentException if there is one with this id
+     */
     public void addDrone(String id, DroneSettings settings) {
         if (drones.putIfAbsent(id, settings) != null) {
             throw new IllegalArgumentException("drone '" + id + "' already exists: every drone needs its own id");
         }
     }
 
+    /**
+     * Adds a sensor.
+     *
+     * @throws IllegalArgumentException if there is one with this id
+     */
     public void addSensor(String id, SensorSettings<?> settings) {
         if (sensors.putIfAbsent(id, settings) != null) {
             throw new IllegalArgumentException("sensor '" + id + "' already exists: every sensor needs its own id");
         }
     }
 
+    /** Disables a sensor, which may be added later. */
     public void disableSensor(String id) {
         disabled.add(id);
     }
 
+    /** Sets the duration and what else belongs to the run. */
     public void setRun(RunSettings settings) {
         run = settings;
     }
 
+    /** Sets the alert rule and what is protected. */
     public void setAlert(AlertSettings settings) {
         alert = settings;
     }
 
+    /** Sets the prices. */
     public void setPrices(PriceSettings settings) {
         prices = settings;
     }
 
+    /** Sets the sweep. */
     public void setSweep(SweepSettings settings) {
         sweep = Optional.of(settings);
     }
 
+    /**
+     * The description.
+     *
+     * @throws IllegalArgumentException if it has no world, or parts of it do not fit together
+     */
     public SceneSettings toSettings() {
         if (whole != null) {
             return whole;

@@ -308,7 +308,8 @@ public final class SceneRunner {
     }
 
     /**
-     * An area in plan view on the site of one of the scene's runs, as in a scene file. Parameters as above.
+     * An area in plan view on the site of one of the scene's runs, as in a scene file. Arguments as for
+     * {@link #place}.
      *
      * @throws InputException in one line when it is not an area, or has no position
      */

@@ -44,14 +44,21 @@ public final class CsvTable<T> {
         this.rows = Collections.unmodifiableMap(read);
     }
 
+    /** The names of all rows, in the order of the table. */
     public Set<String> names() {
         return rows.keySet();
     }
 
+    /** The row of a name; empty if there is none. */
     public Optional<T> find(String name) {
         return Optional.ofNullable(rows.get(name));
     }
 
+    /**
+     * The row of a name.
+     *
+     * @throws InputException if there is none, with the closest names
+     */
     public T get(String name) {
         return find(name)
                 .orElseThrow(() -> new InputException(

@@ -9,7 +9,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntSupplier;
 
 /**
- * One sensor's false measurements that may be confirmed yet: those in the same cell of its field of view are one
+ * One sensor's false measurements that may still be confirmed: those in the same cell of its field of view are one
  * contact, until a number of its looks in a row have measured nothing there.
  */
 final class LiveAlarms {

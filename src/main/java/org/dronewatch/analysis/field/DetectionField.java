@@ -232,7 +232,7 @@ public final class DetectionField {
     }
 
     /**
-     * Whether a sensor covers a cell on a course: its probability is at least a given value. Parameters as above.
+     * Whether a sensor covers a cell on a course: its {@linkplain #probability probability} is at least a given value.
      *
      * @param covered that value, 0.008 to 0.996, or 1
      * @throws IllegalArgumentException as for {@link FieldCoverage#checkedProbability}
@@ -242,14 +242,17 @@ public final class DetectionField {
         return steps(sensor, height, column, row, course) >= needed;
     }
 
-    /** Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Parameters as above. */
+    /**
+     * Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Arguments as for
+     * {@link #steps}.
+     */
     public Cause cause(int sensor, int height, int column, int row, int course) {
         return all.cause(sensor, height, column, row, course);
     }
 
     /**
      * The margin by which the signal of a sensor exceeds its threshold, as far as it is kept: in most cells as a bound;
-     * {@link Margin.Known#NOTHING} where the drone cannot be. Parameters as above.
+     * {@link Margin.Known#NOTHING} where the drone cannot be. Arguments as for {@link #steps}.
      */
     public Margin margin(int sensor, int height, int column, int row, int course) {
         return all.margin(sensor, height, column, row, course);
@@ -257,7 +260,7 @@ public final class DetectionField {
 
     /**
      * The assessment with its evidence, computed again: what hides the drone, and by how much its signal is too weak;
-     * empty where the drone cannot be. Parameters as above.
+     * empty where the drone cannot be. Arguments as for {@link #steps}.
      */
     public Optional<Assessment> assess(int sensor, int height, int column, int row, int course) {
         return isOpen(height, column, row)

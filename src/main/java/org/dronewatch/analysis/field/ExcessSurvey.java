@@ -124,7 +124,7 @@ final class ExcessSurvey {
         return List.of(traced);
     }
 
-    /** So many positions, or fewer if hardly any others are left, as above a large roof, below which there are none. */
+    /** This many positions; fewer where hardly any are left, as above a large roof, below which there are none. */
     private List<Position> positions(int count) {
         List<Position> positions = new ArrayList<>();
         for (int draws = 0; positions.size() < count && draws < MOST_DRAWS * count; draws++) {

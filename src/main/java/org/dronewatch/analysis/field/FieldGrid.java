@@ -80,13 +80,13 @@ public record FieldGrid(
         }
     }
 
-    /** A grid all of whose cells count; parameters and limits as above. */
+    /** A grid all of whose cells count. */
     public FieldGrid(double east, double north, double side, double cell, List<Double> heights) {
         this(east, north, side, cell, heights, Optional.empty());
     }
 
     /**
-     * A grid around the given middle, all of whose cells count; limits as above.
+     * A grid around the given middle, all of whose cells count.
      *
      * @throws IllegalArgumentException if a value is out of range, or a cell is longer than the side
      */
@@ -99,7 +99,7 @@ public record FieldGrid(
         return grid;
     }
 
-    /** The smallest square grid that holds all cells whose centre is in an area; limits as above. */
+    /** The smallest square grid that holds all cells whose centre is in an area. */
     public static FieldGrid over(AreaZone area, double cell, List<Double> heights) {
         PlanBounds bounds = PlanBounds.of(area.outline());
         return new FieldGrid(bounds.east(), bounds.north(), bounds.side(), cell, heights, Optional.of(area));

@@ -90,7 +90,7 @@ final class FieldSensors {
         return layers.get(sensor);
     }
 
-    /** Assesses all cells of one height; parameters as above. */
+    /** Assesses all cells of one height with each sensor in turn. */
     void assess(int height, FieldColumns columns, LayerStore store, String plan, String name, IntConsumer progress) {
         for (int sensor = 0; sensor < layers.size(); sensor++) {
             store.assess(layers.get(sensor), probe(sensor), columns, plan, height, name, progress);

@@ -20,6 +20,11 @@ public final class PolygonCutter {
 
     private final Floats vertices;
 
+    /**
+     * A cutter of polygons.
+     *
+     * @param vertices x, y and z of each vertex in turn, m; may grow later
+     */
     public PolygonCutter(Floats vertices) {
         this.vertices = vertices;
     }

@@ -133,12 +133,16 @@ final class CoverageReport {
 
     /** In which time, and with which probability, the drone has to be detected. */
     private String time() {
-        return inputs.within()
-                        .map(seconds -> "within " + number(seconds) + " s ")
-                        .orElse("")
+        return within()
                 + (inputs.hasDefaultProbability()
                         ? ""
                         : "with a probability of " + number(inputs.covered()) + " or more ");
+    }
+
+    private String within() {
+        return inputs.within()
+                .map(seconds -> "within " + number(seconds) + " s ")
+                .orElse("");
     }
 
     private static double share(HeightSummary height) {
@@ -173,7 +177,7 @@ final class CoverageReport {
                         "p",
                         "The table states the part of the known area at each height, in %, in which at least one sensor"
                                 + " detects the drone "
-                                + (inputs.within().isEmpty() ? "in one look " : time())
+                                + (inputs.within().isEmpty() ? "in one look " : within())
                                 + "with a probability of " + number(inputs.covered())
                                 + " or more, and the causes of all sensors' misses "
                                 + (inputs.within().isPresent()

@@ -74,7 +74,7 @@ public final class FieldTable {
         }
         List<String> idle = summary.idleSensors();
         if (!idle.isEmpty()) {
-            lines.add("the same cells are covered " + inputs.headingInWords() + " without "
+            lines.add("the same cells are covered (" + inputs.headingInWords() + ") without "
                     + (idle.size() == 1 ? "" : "any one of: ") + String.join(", ", idle));
         }
         return lines;

@@ -64,8 +64,8 @@ final class MapFrame {
      * Where a label has to be to cover neither of them: as near as possible to where it should be.
      *
      * @param label on the map, pixels
-     * @param size as above
-     * @param side as above
+     * @param size of the map, pixels
+     * @param side of the mapped square, m
      */
     static Rectangle beside(Rectangle label, int size, double side) {
         Rectangle moved = label;

@@ -64,7 +64,7 @@ record DetectionMeasure() implements PlaceMeasure {
         String from = CompassPoint.of(gain.bearing());
         return (gain.isClosed()
                         ? "closes the gap in the " + from
-                        : "the weakest route, from the " + from + ", improves")
+                        : "detection on the weakest route, from the " + from + ", rises")
                 + " (" + FrontWords.percent(gain.before()) + " before, " + FrontWords.percent(gain.after()) + " now)";
     }
 }

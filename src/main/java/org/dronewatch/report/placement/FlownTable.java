@@ -24,7 +24,7 @@ final class FlownTable {
      *
      * @param from the direction
      * @param layout route past the layout; empty if there is none
-     * @param present route past the scene's own sensors; empty as above, or if it has no sensors
+     * @param present route past the scene's own sensors; empty if there is none, or if the scene has no sensors
      * @param response time that the response takes, 0 if none is required, s: only earlier detections count
      */
     record Pair(String from, Optional<SectorRoute> layout, Optional<SectorRoute> present, double response) {}

@@ -8,6 +8,8 @@ import org.dronewatch.report.Numbers;
 
 /** What more money buys, in a line for each step. */
 final class FrontWords {
+    private static final String ABOVE = "> ";
+
     static final double PERCENT = 100.0;
 
     /** Fractions from here on are less than all, but round to 100, %. */
@@ -60,8 +62,13 @@ final class FrontWords {
     /** A fraction or probability in percent: 100.0 for all alone. */
     static String percent(double fraction) {
         if (fraction < 1.0 && PERCENT * fraction >= MOST_ROUNDED) {
-            return "> 99.9 %";
+            return ABOVE + "99.9 %";
         }
         return PlaceTable.text("%.1f %%", PERCENT * fraction);
+    }
+
+    /** A formatted number as an upper limit that would have to be exceeded: {@code more than 99.9 %}. */
+    static String moreThan(String number) {
+        return "more than " + (number.startsWith(ABOVE) ? number.substring(ABOVE.length()) : number);
     }
 }

@@ -33,7 +33,7 @@ final class PlaceWords {
                 + " for " + amount(best.result().cost()) + " and " + measure.claim(true, best.value())
                 + measure.whole() + "; no layout for "
                 + amount(best.plan().settings().budget())
-                + " can achieve more than " + measure.text(best.bound()) + ".");
+                + " can achieve " + FrontWords.moreThan(measure.text(best.bound())) + ".");
         best.present()
                 .ifPresent(own -> sentences.add("Today's " + PlaceTable.counted(own) + " "
                         + measure.claim(own.sensors() == 1, own.value()) + "."));

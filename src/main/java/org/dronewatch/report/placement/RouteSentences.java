@@ -51,8 +51,8 @@ final class RouteSentences {
                 + " compared)";
         return result.bound() <= value
                 ? "No layout within the budget has a weakest route that is more exposed" + search + "."
-                : "No layout within the budget detects the drone on its weakest route with a probability of more than "
-                        + detected(result.bound()) + " (exposure " + exposure(result.bound())
+                : "No layout within the budget detects the drone on its weakest route with a probability of "
+                        + FrontWords.moreThan(detected(result.bound())) + " (exposure " + exposure(result.bound())
                         + (value == 0.0 ? "" : PlaceTable.text(", a gap of %.1f %%", 100.0 * best.gap())) + ")"
                         + search + ".";
     }

@@ -6,9 +6,9 @@ import java.util.stream.IntStream;
 
 /**
  * How often looks that depend on their rays must be estimated for a proof. A single look near its threshold may decide
- * a whole flight, and its estimates are hits and misses, just as the runs are. So there are so many that the variance
- * of a prediction is at most a quarter of that of the runs, shared among the looks so that they are as few as possible
- * (Neyman's allocation).
+ * a whole flight, and its estimates are hits and misses, just as the runs are. Enough of them are made for the variance
+ * of a prediction to be at most a quarter of that of the runs, and they are shared among the looks so that as few as
+ * possible are needed (Neyman's allocation).
  */
 final class ProofEstimates {
     /** The variance of the prediction as a fraction of that of the proportion of runs. */

@@ -3,7 +3,7 @@ package org.dronewatch.route.proof;
 import org.dronewatch.statistics.Proportion;
 
 /**
- * A predicted probability, and the proportion of runs in which it came true.
+ * A predicted probability, and the proportion of runs in which the event occurred.
  *
  * @param predicted mean probability of all runs, 0 to 1
  * @param flown proportion of the runs

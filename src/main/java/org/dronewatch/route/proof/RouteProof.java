@@ -80,9 +80,7 @@ public record RouteProof(
     /**
      * How many runs with the same seeds, and the same moments at which the route begins, detect the drone with all
      * cues: positioners follow what their own sensors see, and other sensors, or false alarms, cue them. Each is a
-     * plain run.
-     *
-     * @param scene the scene; this and the other parameters are as above
+     * plain run. Arguments as for {@link #of}.
      */
     public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
         List<SceneSettings> begun = RouteBegins.of(scene.enabledSensors().values()).stream()

@@ -95,7 +95,7 @@ public final class WeakestRoutes {
      * less than the response time away even at full speed. From there on, the drone takes the fastest route, whatever
      * the exposure, since a detection would come too late.
      *
-     * @param reached as above
+     * @param reached the nodes of all cubes of the grid in which a route may end, for the lower bound
      * @param response the response time, above 0, s
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
@@ -106,7 +106,8 @@ public final class WeakestRoutes {
     /**
      * The same, but time has a price.
      *
-     * @param price as above
+     * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
+     *     more, 1/s
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
         return inTime(problem, reached, response, price, RouteEnd.AT_NODE);

@@ -52,7 +52,7 @@ public final class AreaBounds {
 
     /**
      * Whether the site certainly hides a drone: a triangle lies in front of it and extends beyond its outline, or
-     * triangles do so for the parts of a square around it. Parameters as above.
+     * triangles do so for the parts of a square around it. Arguments as for {@link #most}.
      */
     public boolean isHidden(Position at, double radius) {
         Position from = camera.position();

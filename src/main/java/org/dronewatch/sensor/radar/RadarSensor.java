@@ -120,7 +120,7 @@ public final class RadarSensor implements AssessableSensor {
         return echo >= decision(drone).evenThreshold();
     }
 
-    /** How echoes of a drone are decided on; kept, as it takes long to prepare where chance decides. */
+    /** The rule by which echoes of a drone are detected; kept, since it takes long to prepare if chance decides. */
     private Decision decision(Drone drone) {
         return decisions.computeIfAbsent(drone.settings().radar(), settings.detection()::on);
     }

@@ -340,7 +340,7 @@ class CoverageSkinTest {
                         "round -2.0",
                         "short 0.0",
                         "far -",
-                        "the same cells are covered on the worst heading without far");
+                        "the same cells are covered (on the worst heading) without far");
         assertThat(new Losses(one).html())
                 .contains("12.0 (+2.0)", "10.0 (different cells)", "'far' adds nothing to this coverage");
     }

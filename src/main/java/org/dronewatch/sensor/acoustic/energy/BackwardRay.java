@@ -179,13 +179,6 @@ final class BackwardRay {
         }
     }
 
-    private void recordConnection() {
-        if (recorder != RayRecorder.NONE) {
-            Position position = ends.target();
-            record(position.x(), position.y(), position.z(), true);
-        }
-    }
-
     /** The level of a segment is that of the fraction of the source's power which it carries. */
     private void record(double toX, double toY, double toZ, boolean received) {
         double level = Levels.ofRatio(energy.all() * ends.source().emitted() / model.rays());
@@ -218,8 +211,8 @@ final class BackwardRay {
     }
 
     private void reflect(int triangle, int material) {
-        if (arrival.isMerging() && surfaces.scatters(material) && connection.mayMerge(ray, scattered)) {
-            connection.merge(ray, normal, material, energy.scatteredBy(material), arrival, scattered);
+        if (arrival.isMerging() && surfaces.scatters(material) && connection.merged().mayAdd(ray, scattered)) {
+            connection.merged().add(ray, normal, material, energy.scatteredBy(material), arrival, scattered);
         }
         boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);
         if (always) {

@@ -95,20 +95,9 @@ final class DiffuseConnection {
         return leg.takeTraced();
     }
 
-    /** Whether a ray from the target has hit a surface near a point of a ray from the start. */
-    boolean mayMerge(AcousticRay ray, ScatteredSound scattered) {
-        return merged.mayAdd(ray, scattered);
-    }
-
-    /** Adds what it scatters on the paths of rays from the target that hit it near the same point; as above. */
-    void merge(
-            AcousticRay ray,
-            double[] normal,
-            int material,
-            double[] leaving,
-            Arrival arrival,
-            ScatteredSound scattered) {
-        merged.add(ray, normal, material, leaving, arrival, scattered);
+    /** Where rays from both ends join, since they hit a surface near the same point. */
+    MergedRays merged() {
+        return merged;
     }
 
     private void addFromTarget(

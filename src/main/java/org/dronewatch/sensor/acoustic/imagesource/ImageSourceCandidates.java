@@ -21,6 +21,7 @@ public final class ImageSourceCandidates {
 
     private int[] children = new int[2 * FIRST_SIZE];
 
+    /** No candidates yet but the source itself. */
     public ImageSourceCandidates() {
         parents[ImageSources.ORIGINAL] = ImageSources.ORIGINAL;
         walls[ImageSources.ORIGINAL] = WallPlanes.NONE;

@@ -43,6 +43,7 @@ public final class ImageSourceSearch {
     private final AcousticRay ray = new AcousticRay();
     private final double[] normal = new double[3];
 
+    /** A search among the planes of a world. */
     public ImageSourceSearch(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.world = world;
         this.normals = new Normals(world.mesh());

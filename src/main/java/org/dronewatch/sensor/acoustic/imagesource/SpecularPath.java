@@ -36,6 +36,7 @@ public final class SpecularPath {
     private final double[] first = new double[3];
     private final double[] last = new double[3];
 
+    /** A path in a world, none yet. */
     public SpecularPath(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.world = world;
         this.planes = planes;

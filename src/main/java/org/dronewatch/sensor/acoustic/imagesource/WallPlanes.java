@@ -67,6 +67,7 @@ public final class WallPlanes {
                         || world.materialsOf(triangle).anyMatch(surfaces::mirrors));
     }
 
+    /** The planes of a mesh whose triangles each have one material. */
     public WallPlanes(TriangleMesh mesh, BandSurfaces surfaces) {
         this(mesh, triangle -> surfaces.mirrors(mesh.material(triangle)));
     }

@@ -25,6 +25,7 @@ public final class BandSurfaces {
     /** By material; null where absorption is the same at all angles. */
     private final AngularAbsorption[] angular;
 
+    /** The surfaces of a world by the numbers of their materials. */
     public BandSurfaces(List<SurfaceMaterial> surfaces) {
         int count = surfaces.size();
         this.reflected = new double[BANDS * count];
@@ -160,6 +161,7 @@ public final class BandSurfaces {
         return all > 0.0 ? diffuse / all : 0.0;
     }
 
+    /** Whether a material transmits sound. */
     public boolean transmits(int material) {
         return transmits[material];
     }
@@ -169,6 +171,7 @@ public final class BandSurfaces {
         return anyTransmits;
     }
 
+    /** Whether a material stands for a thin sheet, of which both sides count as one surface. */
     public boolean isSheet(int material) {
         return sheet[material];
     }

@@ -14,6 +14,7 @@ public final class Normals {
     private final double[] table;
     private final double[] computed = new double[3];
 
+    /** Normals of a mesh: in a table if it is small, computed on request otherwise. */
     public Normals(TriangleMesh mesh) {
         this.mesh = mesh;
         int tabulated = mesh.triangleCount() <= MOST_TABULATED ? mesh.triangleCount() : 0;
