@@ -153,7 +153,7 @@ class PackagedRouteTest {
         rare += proven.agrees() && !interval.contains(proven.predicted()) ? 1 : 0;
         String figures = String.format(
                 Locale.ROOT,
-                "%s: predicted %.3f %%, detected in %d of %d runs, %.3f to %.3f %%",
+                "%s: predicted %.3f %%, occurred in %d of %d runs, %.3f to %.3f %%",
                 flight,
                 100.0 * proven.predicted(),
                 proven.flown().count(),

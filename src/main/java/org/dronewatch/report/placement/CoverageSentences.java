@@ -67,7 +67,8 @@ final class CoverageSentences {
         return covered
                 + (isBest
                         ? "; no layout within the budget covers more."
-                        : "; no layout within the budget covers " + FrontWords.moreThan(FrontWords.percent(best.bound())) + ".");
+                        : "; no layout within the budget covers "
+                                + FrontWords.moreThan(FrontWords.percent(best.bound())) + ".");
     }
 
     /** Where the layout covers least; empty without a layout. */

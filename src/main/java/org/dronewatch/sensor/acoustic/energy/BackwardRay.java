@@ -2,7 +2,6 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.random.RandomGenerator;
 import org.dronewatch.bvh.RayPacket;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
@@ -211,7 +210,9 @@ final class BackwardRay {
     }
 
     private void reflect(int triangle, int material) {
-        if (arrival.isMerging() && surfaces.scatters(material) && connection.merged().mayAdd(ray, scattered)) {
+        if (arrival.isMerging()
+                && surfaces.scatters(material)
+                && connection.merged().mayAdd(ray, scattered)) {
             connection.merged().add(ray, normal, material, energy.scatteredBy(material), arrival, scattered);
         }
         boolean always = ray.order <= ALWAYS_JOINED && surfaces.scatters(material);
