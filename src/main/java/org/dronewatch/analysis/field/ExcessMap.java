@@ -79,6 +79,24 @@ final class ExcessMap {
             }
             return new Group(some, positions);
         }
+
+        /** The squared distance of a place, with height counted as {@link #VERTICAL} says, m2. */
+        double square(int place, Position at) {
+            double dx = positions[3 * place] - at.x();
+            double dy = positions[3 * place + 1] - at.y();
+            double dz = positions[3 * place + 2] - VERTICAL * at.z();
+            return dx * dx + dy * dy + dz * dz;
+        }
+
+        /** Whether a place is nearer than this squared distance, m2. */
+        boolean isWithin(double square, Position at) {
+            for (int i = 0; i < places.length; i++) {
+                if (square(i, at) < square) {
+                    return true;
+                }
+            }
+            return false;
+        }
     }
 
     /**
@@ -143,6 +161,22 @@ final class ExcessMap {
         return in(isInSight ? inSight : TracedPlace.isSilent(exact) ? silent : reached, at);
     }
 
+    /**
+     * Whether the traced positions nearest to a position are all in sight, or all hidden, as this one is. Elsewhere a shadow
+     * boundary is near: there the level changes by several dB, in sight of the sensor, too, since the boundary of what is
+     * reflected by the ground is another, and the neighbours do not show by how much.
+     */
+    boolean isFarFromShadowBoundaries(Position at, boolean isInSight) {
+        Group like = isInSight ? inSight : hidden;
+        Group unlike = isInSight ? hidden : inSight;
+        if (like.places.length < NEIGHBOURS) {
+            return false;
+        }
+        double[] squares = new double[NEIGHBOURS];
+        nearest(like, at, squares);
+        return !unlike.isWithin(squares[NEIGHBOURS - 1], at);
+    }
+
     private Optional<Estimate> in(Group group, Position at) {
         boolean isInside = at.x() >= box[0] && at.y() >= box[1] && at.x() <= box[2] && at.y() <= box[3];
         return isInside && group.places.length >= NEIGHBOURS ? Optional.of(between(group, at)) : Optional.empty();
@@ -180,12 +214,8 @@ final class ExcessMap {
     private static int[] nearest(Group group, Position at, double[] squares) {
         int[] nearest = new int[NEIGHBOURS];
         Arrays.fill(squares, Double.POSITIVE_INFINITY);
-        double z = VERTICAL * at.z();
         for (int i = 0; i < group.places.length; i++) {
-            double dx = group.positions[3 * i] - at.x();
-            double dy = group.positions[3 * i + 1] - at.y();
-            double dz = group.positions[3 * i + 2] - z;
-            double square = dx * dx + dy * dy + dz * dz;
+            double square = group.square(i, at);
             int slot = NEIGHBOURS;
             while (slot > 0 && square < squares[slot - 1]) {
                 slot--;

@@ -10,8 +10,8 @@ import org.dronewatch.sensor.NormalTail;
 import org.dronewatch.sensor.Signal;
 
 /**
- * Assesses cells by interpolation. Where the signal in the open and the excesses of the neighbours leave no doubt, they
- * decide; elsewhere the exact paths are found, and only what comes along other paths is interpolated. The probability
+ * Assesses cells by interpolation. Where the signal in the open and the excesses of the neighbours leave no doubt, and no
+ * shadow boundary is near, they decide; elsewhere the exact paths are found, and only what comes along other paths is interpolated. The probability
  * is 0 or 1 where the margin exceeds any error that is possible, otherwise that with which a normally distributed
  * error leaves the margin positive.
  */
@@ -41,8 +41,9 @@ record InterpolatedCells(FieldProbe probe, ExcessMap excess, Assessor assessor) 
         Signal open = sensor().signalInTheOpen(probe.world(), there).orElseThrow();
         double threshold = open.threshold();
         double beyond = error.bounds(isInSight).beyond();
-        if (open.quantity() + rough.least() - beyond > threshold
-                || open.quantity() + rough.greatest() + beyond < threshold) {
+        boolean isPlain = open.quantity() + rough.least() - beyond > threshold
+                || open.quantity() + rough.greatest() + beyond < threshold;
+        if (isPlain && excess.isFarFromShadowBoundaries(there.origin(), isInSight)) {
             return Optional.of(Signal.certain(open.quantity() + rough.overOpen(), open.unit(), threshold));
         }
         double exact = TracedPlace.over(open, sensor().signalOnExactPaths(probe.world(), there));
