@@ -162,9 +162,9 @@ final class ExcessMap {
     }
 
     /**
-     * Whether the traced positions nearest to a position are all in sight, or all hidden, as this one is. Elsewhere a shadow
-     * boundary is near: there the level changes by several dB, in sight of the sensor, too, since the boundary of what is
-     * reflected by the ground is another, and the neighbours do not show by how much.
+     * Whether the traced positions nearest to a position are all in sight, or all hidden, as this one is. Elsewhere
+     * a shadow boundary is near: there the level changes by several dB, in sight of the sensor, too, since the sound
+     * reflected by the ground has another boundary, and the neighbours do not show by how much.
      */
     boolean isFarFromShadowBoundaries(Position at, boolean isInSight) {
         Group like = isInSight ? inSight : hidden;
