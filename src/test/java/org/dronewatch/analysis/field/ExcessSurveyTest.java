@@ -125,8 +125,9 @@ class ExcessSurveyTest {
     }
 
     /**
-     * Just inside the shadow boundary of a box the drone is in sight, but its reflection from the ground is not, and the
-     * edge weakens its sound: 33.5 dB, where all neighbours in sight suggest 38. Such cells are not certain by them.
+     * Just inside the shadow boundary of a box the drone is in sight, but its reflection from the ground is not, and
+     * the edge weakens its sound: 33.5 dB, where all neighbours in sight suggest 38. Such cells are not certain by
+     * them.
      */
     @Test
     void besideShadowBoundariesATracedLookAgrees() {
