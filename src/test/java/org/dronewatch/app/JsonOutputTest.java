@@ -163,7 +163,7 @@ class JsonOutputTest {
 
     private static List<String> rows() throws IOException {
         try (Stream<String> lines = Files.lines(PAGE)) {
-            return lines.dropWhile(line -> !line.startsWith("| of | keys |"))
+            return lines.dropWhile(line -> !line.startsWith("| command | keys |"))
                     .skip(2)
                     .takeWhile(line -> line.startsWith("|"))
                     .toList();
