@@ -3,7 +3,6 @@ package org.dronewatch.catalog;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.lang.reflect.RecordComponent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +18,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.file.BoundedFile;
 import org.dronewatch.setting.file.Kinds;
@@ -224,31 +222,14 @@ public final class Catalog implements Kinds.NamedSettings {
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();
         int most = 0;
-        for (String name : PACKAGED) {
-            int parts = agreeing(name, sensor);
+        for (StatedSettings entry : StatedSettings.OF_LIBRARY) {
+            int parts = entry.agreeing(sensor);
             if (parts > most) {
                 most = parts;
-                best = Optional.of(name);
+                best = Optional.of(entry.name());
             }
         }
         return best;
-    }
-
-    /** The number of an entry's settings that a sensor has; 0 unless it has all of them. */
-    private static int agreeing(String name, SensorSettings<?> sensor) {
-        CatalogEntry entry = packaged().entry(name).orElseThrow();
-        if (!entry.kind().equals(sensor.kind()) || !(sensor instanceof Record settings)) {
-            return 0;
-        }
-        Record its = (Record) packaged().settings(name, Map.of("position", sensor.position()));
-        SettingsForm form = SettingsForm.of(settings.getClass());
-        List<RecordComponent> stated = form.parts().stream()
-                .filter(part -> entry.sensor().values().containsKey(part.getName()))
-                .filter(part -> !part.getName().equals("aim") && !part.getName().equals("detection"))
-                .toList();
-        boolean agrees = stated.stream()
-                .allMatch(part -> SettingsForm.get(settings, part).equals(SettingsForm.get(its, part)));
-        return agrees ? stated.size() : 0;
     }
 
     private Optional<Node.Mapping> document(String name) {
