@@ -42,8 +42,8 @@ import org.dronewatch.world.Weather;
 public record FalseAlertRate(
         double perDay, boolean isUpperBound, List<String> known, List<String> unknown, List<String> merging) {
     /**
-     * The maximum expected number of confirmed false alarms that a rule for several sensors may have to remember at a
-     * time.
+     * The maximum expected number of confirmed false alarms that a rule for several sensors may have to remember at the
+     * same time.
      */
     public static final int MOST_AT_A_TIME = 200_000;
 
@@ -89,8 +89,8 @@ public record FalseAlertRate(
                     .sum();
             if (perSecond * several.within() > MOST_AT_A_TIME) {
                 throw new IllegalArgumentException("alert.rule.within " + several.within() + " s with "
-                        + brief(perSecond) + " confirmed false alarms a second makes "
-                        + brief(perSecond * several.within()) + " that count at a time; there must be at most "
+                        + brief(perSecond) + " confirmed false alarms a second gives "
+                        + brief(perSecond * several.within()) + " that count at the same time; there must be at most "
                         + MOST_AT_A_TIME);
             }
         }

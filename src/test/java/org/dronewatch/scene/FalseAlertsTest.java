@@ -238,8 +238,8 @@ class FalseAlertsTest {
         assertThatThrownBy(() -> run(hour, two, 1))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(
-                        "alert.rule.within 3600.0 s with 388 confirmed false alarms a second makes 1.4e+06 that"
-                                + " count at a time; there must be at most 200000");
+                        "alert.rule.within 3600.0 s with 388 confirmed false alarms a second gives 1.4e+06 that"
+                                + " count at the same time; there must be at most 200000");
         run(hour.withConfirmation(3, 5), Map.of("radar", radar(1, 4), "camera", CameraSettings.at(PLACE)), 1);
         run(AlertSettings.DEFAULT.withRule(new AlertRule.SeveralSensors(2, 60)), two, 1);
     }

@@ -90,8 +90,8 @@ final class Fixes {
         }
         List<String> lines = new ArrayList<>(notes);
         if (repeated > 0) {
-            lines.add(repeated + (repeated == 1 ? " point has" : " points have") + " the time of the one before, and "
-                    + (repeated == 1 ? "is" : "are") + " left out");
+            lines.add(repeated + (repeated == 1 ? " point has" : " points have")
+                    + " the same time as the one before, and " + (repeated == 1 ? "is" : "are") + " left out");
         }
         return new Points(all, lines);
     }

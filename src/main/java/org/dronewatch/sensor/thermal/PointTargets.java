@@ -170,7 +170,7 @@ public record PointTargets(
     }
 
     /**
-     * Checks that not more false alarms are accepted than can be simulated.
+     * Checks that no more false alarms are accepted than can be simulated.
      *
      * @param looks per second, Hz
      * @throws IllegalArgumentException when more than {@link FalseAlarmRate#MOST_PER_LOOK} would be expected in a look
@@ -181,7 +181,7 @@ public record PointTargets(
             throw new IllegalArgumentException("pointTargets.falseAlarmsPerHour "
                     + Quantity.NUMBER.inWords(falseAlarmsPerHour) + " at " + Quantity.NUMBER.inWords(looks)
                     + " looks a second must be at most " + AdvisedLimit.inWords(most) + ": "
-                    + (int) FalseAlarmRate.MOST_PER_LOOK + " at a time");
+                    + (int) FalseAlarmRate.MOST_PER_LOOK + " at the same time");
         }
     }
 

@@ -96,7 +96,7 @@ class TrackTest {
         assertThat(path.at(100.0).velocity().length()).isZero();
         assertThat(read(Track.of("a.gpx"), GPX).description())
                 .isEqualTo("a.gpx: 3 points in 20.5 s; 2 segments of the track are joined by straight lines;"
-                        + " 1 point has the time of the one before, and is left out");
+                        + " 1 point has the same time as the one before, and is left out");
     }
 
     @Test

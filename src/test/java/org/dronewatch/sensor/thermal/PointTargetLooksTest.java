@@ -281,8 +281,8 @@ class PointTargetLooksTest {
         assertThat(settings.withFalseAlarms(counted).falseAlarmRate()).contains(counted.rate(25));
         assertThat(CAMERA.falseAlarmRate()).isEmpty();
         assertThatThrownBy(() -> CAMERA.withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9)))
-                .hasMessage("pointTargets.falseAlarmsPerHour 1e9 at 25 looks a second must be at most 3e7: 1000 at"
-                        + " a time");
+                .hasMessage("pointTargets.falseAlarmsPerHour 1e9 at 25 looks a second must be at most 3e7: 1000 at the"
+                        + " same time");
         assertThat(CAMERA.withFalseAlarms(counted)
                         .withPointTargets(PointTargets.DEFAULT.withFalseAlarmsPerHour(1e9))
                         .falseAlarmRate())
