@@ -58,7 +58,7 @@ record Prober(
     /** What one thread looks with. */
     private record Eye(Sensor sensor, Assessor assessor) {}
 
-    /** Looks at all cells on the threads of the {@link Workers} that call; leaves out causes that cost more. */
+    /** Looks at all cells on the {@link Workers} of the calling thread; leaves out causes that cost more. */
     Findings probe(IntConsumer progress) {
         Findings found = new Findings(grid.cells() * grid.cells());
         Workers.forEach(grid.cells(), () -> new Eye(settings.create(), assessor.sibling()), (eye, row) -> {

@@ -31,7 +31,7 @@ final class CampaignLines {
 
     private CampaignLines() {}
 
-    /** What came of all cases. */
+    /** The outcomes of all cases. */
     static void print(CampaignPlan plan, CampaignResult result, PrintWriter out) {
         CampaignSummary summary = result.summary();
         int width =
@@ -238,7 +238,7 @@ final class CampaignLines {
         }
     }
 
-    /** What came of one case. */
+    /** The outcome of one case. */
     static void print(CaseResult result, PrintWriter out) {
         if (result.isFailed()) {
             out.println(result.variant() + ": failed: " + result.error().orElseThrow());

@@ -12,7 +12,7 @@ import tools.jackson.databind.node.ObjectNode;
 final class CaseJson {
     private CaseJson() {}
 
-    /** The values of a case, and what came of it with each variant. */
+    /** The values of a case, and its outcome with each variant. */
     static ObjectNode of(CampaignPlan plan, int number, List<CaseResult> results) {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("case", number);

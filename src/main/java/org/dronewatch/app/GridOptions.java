@@ -84,7 +84,7 @@ final class GridOptions {
         }
     }
 
-    /** Says so where the side of the area is another than was asked for; empty where it is the same. */
+    /** A note if the side of the area differs from what was asked for; otherwise empty. */
     static Optional<String> wholeCells(FieldGrid grid) {
         double side = grid.columns() * grid.cell();
         if (grid.area().isPresent() || Math.abs(side - grid.side()) <= ROUNDING * side) {

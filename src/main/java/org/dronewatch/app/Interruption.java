@@ -28,8 +28,8 @@ final class Interruption implements AutoCloseable {
     }
 
     /**
-     * Whether the process ends already. Then Java knows the exit code of the signal, which a command's own must not
-     * replace.
+     * Whether the process is already ending. Then Java knows the exit code of the signal, which a command's own must
+     * not replace.
      */
     static boolean isUnderWay() {
         Thread none = new Thread(() -> {});

@@ -206,7 +206,7 @@ public final class Main implements Runnable {
         }
     }
 
-    /** What the command that runs asks whether the user wants it to stop. */
+    /** Informs the running command whether the user wants it to stop. */
     Interruption interruption() {
         return interruption;
     }

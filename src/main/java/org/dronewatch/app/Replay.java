@@ -62,7 +62,7 @@ final class Replay {
      * Reads a recorded command.
      *
      * @param file that states it, for messages
-     * @throws InputException when it is none that can be repeated
+     * @throws InputException when it is not one that can be repeated
      */
     Replay(Path file, RecordedCommand recorded) {
         this.file = file;

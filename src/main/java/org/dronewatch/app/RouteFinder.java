@@ -37,7 +37,7 @@ final class RouteFinder {
     /**
      * A search.
      *
-     * @param shown shows how far it is
+     * @param shown shows how far it has come
      */
     RouteFinder(SceneRunner runner, RouteInputs inputs, Stage stage, Interruption interruption, TaskProgress shown) {
         this.runner = runner;

@@ -13,7 +13,7 @@ final class ThreadsOption {
             description = "Threads to use, 1 to " + Workers.MAX_THREADS + "; all cores by default.")
     private int threads = Runtime.getRuntime().availableProcessors();
 
-    /** How many there are, checked. */
+    /** The number of threads, checked against its limits. */
     int number() {
         if (threads < 1 || threads > Workers.MAX_THREADS) {
             throw new InputException("--threads " + threads + ": must be 1 to " + Workers.MAX_THREADS);

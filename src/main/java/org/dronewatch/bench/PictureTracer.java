@@ -27,7 +27,7 @@ final class PictureTracer implements Tracer {
         this.traversal.setPicture(picture.origin(), picture.corner(), picture.right(), picture.down());
     }
 
-    /** Holds every ray against the picture; tiles with any that is not of it are traced ray by ray. */
+    /** Compares every ray with that of the picture; tiles in which any ray differs are traced ray by ray. */
     static boolean[][] tilesOf(Picture picture) {
         int across = (picture.width() + WIDTH - 1) / WIDTH;
         boolean[][] isTile = new boolean[(picture.height() + HEIGHT - 1) / HEIGHT][across];

@@ -26,9 +26,10 @@ final class Stopwatch {
     /**
      * A stopwatch.
      *
-     * @param warmUp for how long each work is done before it is measured, at least once, ns; a run lasts a twentieth of
-     *     it
-     * @param mostRuns how many runs are measured; of work that takes longer than the warm-up, three at most
+     * @param warmUp how long each piece of work is repeated before it is measured, at least once, ns; a run lasts a
+     *     twentieth of that
+     * @param mostRuns maximum number of runs that are measured; at most three for work that takes longer than the
+     *     warm-up
      * @param clock returns the current time, ns
      */
     Stopwatch(long warmUp, int mostRuns, LongSupplier clock) {

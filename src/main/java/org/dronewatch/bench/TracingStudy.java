@@ -64,8 +64,8 @@ final class TracingStudy {
     }
 
     /**
-     * How many triangles grounds are to have: five times as many each time, and the largest, well above the last of
-     * them.
+     * The numbers of triangles of the terrains: five times as many each time and, well above the last of these, the
+     * largest.
      */
     static List<Integer> sizes(int largest) {
         List<Integer> sizes = new ArrayList<>();

@@ -136,7 +136,7 @@ record Dimensions(
      *
      * @param tags of a building or a part
      * @param settings for what they do not state
-     * @param outer the outline, on which the rise of a roof depends whose angle is stated, m
+     * @param outer the outline, m; the rise of a roof whose angle is stated depends on it
      */
     static Dimensions of(Map<String, String> tags, BuildingSettings settings, double[] outer) {
         Reader reader = new Reader(tags);

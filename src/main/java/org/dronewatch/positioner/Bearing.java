@@ -25,7 +25,7 @@ final class Bearing {
     }
 
     /**
-     * Takes a sighting of the same sensor.
+     * Takes a sighting by the same sensor.
      *
      * @param patience after a longer silence, s, the direction starts afresh
      */

@@ -46,7 +46,7 @@ public record SiteState(
         return new SiteState(title, time, sensors, drones, selected, rays, others);
     }
 
-    /** This state with sensors elsewhere, and a title that says so. */
+    /** This state with some of its sensors moved or turned, and a title that says so. */
     public SiteState withSensors(List<SensorMark> others, String otherTitle) {
         return new SiteState(otherTitle, time, others, drones, selected, rays, stretches);
     }

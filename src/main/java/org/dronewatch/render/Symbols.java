@@ -61,7 +61,7 @@ final class Symbols {
     /**
      * Symbols in one picture.
      *
-     * @param sight knows what hides what
+     * @param sight determines what is hidden
      * @param toPicture pixels of the picture for one of the camera's
      * @param scale pixels of the picture for one of a screen of normal density
      */

@@ -23,7 +23,7 @@ final class Recent<K, V> {
         return values.get(key);
     }
 
-    /** Keeps a value, and forgets the one that was not used for longest if there are too many. */
+    /** Keeps a value, and forgets the least recently used one if there are too many. */
     void put(K key, V value) {
         values.put(key, value);
         if (values.size() > most) {

@@ -63,7 +63,7 @@ public enum Quantity {
     ILLUMINANCE("lx", Quantity::unitOfItself),
     /** Refractive-index structure constant of turbulent air. */
     REFRACTIVE_INDEX_STRUCTURE("m^-2/3", Quantity::unitOfItself),
-    /** Picture elements. */
+    /** Pixels. */
     PIXELS("px", Quantity::unitOfItself),
     /** A plain number. */
     NUMBER("", Quantity::unitOfItself);

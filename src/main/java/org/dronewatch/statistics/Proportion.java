@@ -17,7 +17,7 @@ public record Proportion(int count, int of) {
         }
     }
 
-    /** The share of the cases with the outcome; NaN without cases. */
+    /** The fraction of the cases with the outcome; NaN without cases. */
     public double share() {
         return (double) count / of;
     }

@@ -10,9 +10,9 @@ import org.dronewatch.terrain.io.Lattice;
 record Grid(Lattice lattice, int columns, int rows, float[] heights) {
 
     /**
-     * A grid turned over so that its rows go south and its columns east.
+     * A grid flipped so that its rows run from north to south and its columns from west to east.
      *
-     * @param heights row by row; turned over in place
+     * @param heights row by row; flipped in place
      */
     static Grid southward(Lattice lattice, int columns, int rows, float[] heights, MapTransform map) {
         Lattice turned = lattice;

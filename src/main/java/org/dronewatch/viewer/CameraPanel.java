@@ -38,7 +38,7 @@ final class CameraPanel extends JPanel {
      *
      * @param threads how many trace
      * @param hint receives what is under the pointer
-     * @param selection receives which camera was clicked on
+     * @param selection receives the camera that was clicked on
      * @param failed receives what went wrong
      */
     CameraPanel(int threads, Consumer<String> hint, Consumer<String> selection, Consumer<Throwable> failed) {

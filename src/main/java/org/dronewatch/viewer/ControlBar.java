@@ -32,7 +32,7 @@ final class ControlBar extends JToolBar {
     /**
      * A bar.
      *
-     * @param runChosen receives which run the user wants to see
+     * @param runChosen receives the run that the user wants to see
      */
     ControlBar(Playback playback, ViewerActions actions, IntConsumer runChosen) {
         this.playback = playback;

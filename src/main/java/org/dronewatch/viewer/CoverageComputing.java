@@ -40,7 +40,7 @@ final class CoverageComputing implements AutoCloseable {
     /**
      * Computes a coverage.
      *
-     * @param settings of the run, perhaps with its sensors elsewhere
+     * @param settings of the run, perhaps with some of its sensors moved or turned
      * @param target receives it on the event thread: after a cancellation the heights that are complete; empty without
      *     one, or after a failure
      */

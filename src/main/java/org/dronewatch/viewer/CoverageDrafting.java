@@ -36,7 +36,7 @@ final class CoverageDrafting implements AutoCloseable {
     }
 
     /**
-     * Draws a coverage with sensors elsewhere.
+     * Draws a coverage with some of its sensors moved or turned.
      *
      * @param before the coverage that was computed
      * @param height its number

@@ -22,8 +22,8 @@ record Foothold(World world) {
     }
 
     /**
-     * The surface on which something stands that is moved to a place, m: the highest there if it stands on the highest
-     * where it is, otherwise the highest below it.
+     * The surface on which something stands once it has been moved to a place, m: the highest there if it stands on the
+     * highest where it is, otherwise the highest below it.
      *
      * @param from where it is
      */

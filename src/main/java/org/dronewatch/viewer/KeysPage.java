@@ -33,7 +33,7 @@ final class KeysPage {
 
     private KeysPage() {}
 
-    /** All entries of menus that have a key, in the order of the menus. */
+    /** All menu entries that have a key, in the order of the menus. */
     static List<Entry> entries(JMenuBar bar) {
         List<Entry> entries = new ArrayList<>();
         for (int i = 0; i < bar.getMenuCount(); i++) {

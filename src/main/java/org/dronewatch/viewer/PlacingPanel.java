@@ -238,12 +238,12 @@ final class PlacingPanel extends JPanel {
         return layout;
     }
 
-    /** Decides whether something else may be shown, which has none of the moves. */
+    /** Sets what decides whether another scene or run, which has none of the moves, may be shown. */
     void onLeaving(BooleanSupplier decision) {
         mayLeave = decision;
     }
 
-    /** Whether something else may be shown. */
+    /** Whether another scene or run may be shown. */
     boolean mayLeave() {
         return mayLeave.getAsBoolean();
     }

@@ -44,7 +44,7 @@ final class Playback {
         return run;
     }
 
-    /** Which time is shown, s. */
+    /** The time shown, s. */
     double time() {
         return time;
     }

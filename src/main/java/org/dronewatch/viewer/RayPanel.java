@@ -49,7 +49,7 @@ final class RayPanel extends JPanel {
      * An empty panel.
      *
      * @param threads how many trace
-     * @param filtered receives which rays are to be drawn
+     * @param filtered receives the filter for the rays to be drawn
      * @param failed receives what went wrong
      */
     RayPanel(int threads, Playback playback, Consumer<RayFilter> filtered, Consumer<Throwable> failed) {

@@ -53,7 +53,7 @@ final class SensorLayout {
         return settings;
     }
 
-    /** The layout as it is now was written to a file. */
+    /** Records that the layout as it is now was written to a file. */
     void markSaved() {
         saved = settings;
     }
@@ -85,7 +85,7 @@ final class SensorLayout {
         return before.stream().anyMatch(last -> !last.sensors().equals(settings.sensors()));
     }
 
-    /** Undoes the last move; whether there was one. */
+    /** Undoes the last move; returns whether there was one. */
     boolean undo() {
         while (!before.isEmpty()) {
             SceneSettings last = before.pop();
@@ -99,12 +99,12 @@ final class SensorLayout {
         return false;
     }
 
-    /** Whether there is a move that was undone and can be done again. */
+    /** Whether there is a move that was undone and can be redone. */
     boolean isRedoable() {
         return !undone.isEmpty();
     }
 
-    /** Does the move again that was undone last; whether there was one. */
+    /** Redoes the move that was undone last; returns whether there was one. */
     boolean redo() {
         if (undone.isEmpty()) {
             return false;

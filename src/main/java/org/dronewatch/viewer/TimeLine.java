@@ -235,7 +235,10 @@ final class TimeLine extends JPanel implements Scrollable {
         return scrolled && !visible.isEmpty() ? visible.y + visible.height : getHeight();
     }
 
-    /** The whole name over a name, the event nearest to the pointer, else the sensor of the row and the time. */
+    /**
+     * Over a name, the whole name; elsewhere the event nearest to the pointer, or else the sensor of the row and the
+     * time.
+     */
     @Override
     public String getToolTipText(MouseEvent e) {
         if (run == null || sensors.isEmpty()) {

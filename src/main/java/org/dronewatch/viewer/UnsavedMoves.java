@@ -15,9 +15,9 @@ final class UnsavedMoves {
     enum Answer {
         /** Write a scene file. */
         SAVE("Save scene as ..."),
-        /** Lose them. */
+        /** Discard them. */
         DISCARD("Discard the moves"),
-        /** Stay with the scene. */
+        /** Keep the scene open. */
         STAY("Cancel");
 
         private final String label;
@@ -39,7 +39,7 @@ final class UnsavedMoves {
         this.question = question;
     }
 
-    /** Whether the scene may be left: nothing is lost, or the user wants to lose it. */
+    /** Whether the scene may be left: nothing is lost, or the user agrees to lose it. */
     boolean mayLeave() {
         Set<String> moved = layout.unsaved();
         if (moved.isEmpty()) {

@@ -49,7 +49,7 @@ final class ViewedCoverage {
         return grid().heights().size() == request.grid().heights().size();
     }
 
-    /** Whether sensors are elsewhere in other settings of the same scene. */
+    /** Whether sensors are moved or turned in other settings of the same scene. */
     boolean isMoved(SceneSettings other) {
         return other != request.settings()
                 && !FieldDraft.movedSensors(all.field(), other).isEmpty();

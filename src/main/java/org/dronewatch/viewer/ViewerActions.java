@@ -68,12 +68,12 @@ final class ViewerActions {
         return KeyStroke.getKeyStroke(code, 0);
     }
 
-    /** A key with the system's key for menus. */
+    /** A key with the system's modifier for menu shortcuts. */
     static KeyStroke menuKey(int code) {
         return KeyStroke.getKeyStroke(code, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx());
     }
 
-    /** A key with the system's key for menus and Shift. */
+    /** A key with the system's modifier for menu shortcuts, and Shift. */
     static KeyStroke shiftedMenuKey(int code) {
         return KeyStroke.getKeyStroke(
                 code, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() | InputEvent.SHIFT_DOWN_MASK);

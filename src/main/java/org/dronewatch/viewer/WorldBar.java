@@ -45,7 +45,7 @@ final class WorldBar extends JToolBar {
         add(height);
     }
 
-    /** Takes another site and how it is cut at first. */
+    /** Takes another site, with its initial cut. */
     void show(AABB bounds, Optional<Cut> cut) {
         low = bounds.minZ();
         high = bounds.maxZ();

@@ -141,7 +141,7 @@ final class WorldPanel extends JPanel {
         look(false);
     }
 
-    /** Takes what changes each state before it is drawn, as by sensors that were moved. */
+    /** Sets what changes each state before it is drawn, for instance by moving sensors. */
     void setOverlay(UnaryOperator<SiteState> other) {
         overlay = other;
     }

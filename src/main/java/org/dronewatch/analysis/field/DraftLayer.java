@@ -77,7 +77,7 @@ final class DraftLayer {
         return (height + step() - 1) / step();
     }
 
-    /** About the number of cells that the next {@link #refine} would assess. */
+    /** The approximate number of cells that the next {@link #refine} would assess. */
     int next() {
         if (2 * across() <= EVERYWHERE) {
             return 3 * across() * down();
@@ -90,7 +90,7 @@ final class DraftLayer {
     }
 
     /**
-     * Halves the blocks, and assesses all of them while they are large, then those that border on one with another
+     * Halves the blocks, and assesses all of them while they are large, then those that border on one with a different
      * result, until all of these have been assessed.
      */
     void refine(BooleanSupplier outdated) {

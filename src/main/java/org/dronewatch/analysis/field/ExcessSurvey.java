@@ -60,8 +60,8 @@ final class ExcessSurvey {
     }
 
     /**
-     * A map for a sensor that can be interpolated, on the threads of the {@link Workers} that call; empty for others,
-     * and where there are too few cells for it.
+     * A map for a sensor that can be interpolated, on the {@link Workers} of the calling thread; empty for others, and
+     * where there are too few cells for it.
      */
     static Optional<ExcessMap> of(FieldProbe probe, FieldColumns columns, SurveyProgress progress) {
         return of(probe, columns, most(probe), progress);

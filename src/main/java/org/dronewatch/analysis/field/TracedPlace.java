@@ -18,7 +18,7 @@ import org.dronewatch.sound.Levels;
  * @param rest what arrives along other paths, dB
  */
 record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpen, double exact, double rest) {
-    /** A signal that is weaker than this compared with the open counts as this weak, dB: it may be silence. */
+    /** A signal that is weaker than this relative to that in the open counts as this weak, dB: it may be silence. */
     private static final double WEAKEST = -60.0;
 
     /** Assesses a drone. */
@@ -39,18 +39,18 @@ record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpe
                 open.quantity() + rest(overOpen, ofExact));
     }
 
-    /** What all paths add to the exact ones; all compared with the open, dB. */
+    /** What all paths add to the exact ones; all relative to the signal in the open, dB. */
     private static double rest(double overOpen, double exact) {
         double energy = Levels.toRatio(overOpen) - (isSilent(exact) ? 0.0 : Levels.toRatio(exact));
         return energy > 0.0 ? Math.max(Levels.ofRatio(energy), WEAKEST) : WEAKEST;
     }
 
-    /** Whether a signal, compared with the open, dB, may be none at all. */
+    /** Whether a signal, relative to that in the open, dB, may be silence. */
     static boolean isSilent(double over) {
         return over <= WEAKEST;
     }
 
-    /** What arrives along exact and other paths together; all compared with the open, dB. */
+    /** What arrives along exact and other paths together; all relative to the signal in the open, dB. */
     static double together(double exact, double rest) {
         double all = isSilent(exact) ? rest : Levels.ofRatio(Levels.toRatio(exact) + Levels.toRatio(rest));
         return Math.max(all, WEAKEST);

@@ -74,7 +74,7 @@ final class OsmFeatures implements OsmElements {
         return nodes;
     }
 
-    /** In which coordinates all nodes of the file are. */
+    /** The coordinate system of all nodes in the file, with the extent of their coordinates. */
     MapSystem system() {
         return new MapSystem(MapSystem.Rule.ALWAYS_DEGREES, Optional.empty(), "", extent.extent(), Optional.empty());
     }

@@ -88,7 +88,9 @@ final class MissionCommands {
         return name.isEmpty() ? "command " + command : name + " (" + command + ")";
     }
 
-    /** Whether a type of vehicle (MAV_TYPE) flies on wings, at its cruise speed; others fly at their hover speed. */
+    /**
+     * Whether a type of vehicle (MAV_TYPE) has wings and flies at its cruise speed; others fly at their hover speed.
+     */
     static boolean isWinged(int vehicle) {
         return WINGED.contains(vehicle);
     }

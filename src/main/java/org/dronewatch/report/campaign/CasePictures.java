@@ -53,7 +53,7 @@ public final class CasePictures {
         stream.write(figure(FlownCase.of(plan, number, variant)).png());
     }
 
-    /** The mark-up of a case's picture: it is flown again for it. */
+    /** The mark-up of a case's picture: the case is flown again to draw it. */
     String html(int number, String variant) throws IOException {
         Figure figure = figure(FlownCase.of(plan, number, variant));
         return Html.figure(figure.png(), figure.caption());

@@ -29,7 +29,7 @@ final class CauseFills {
     /** A cell outside the area that counts: its ground, paler. */
     static final MapSheet.Fill OUTSIDE = (u, v, ground) -> ColourMix.of(ground, Color.WHITE, 0.5);
 
-    /** A cell of which nothing can be said but that it is open, since there is no sensor. */
+    /** A cell of which it is known only that it is open, since there is no sensor. */
     static final MapSheet.Fill NO_SENSOR = lined(GREY, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
 
     /** A cell that is covered, but not without a sensor: the colour of what is detected, crossed out. */

@@ -47,7 +47,10 @@ final class WorstPlaces {
         this.all = all.size();
     }
 
-    /** The section; cells of its gaps are assessed anew, on the threads that call. */
+    /**
+     * The section; cells of its gaps are assessed anew, on the {@link org.dronewatch.parallel.Workers} of the calling
+     * thread.
+     */
     String html() {
         if (gaps.isEmpty()) {
             return Html.plain("p", "At each of these heights, the drone is detected everywhere.");

@@ -70,7 +70,7 @@ final class PlaceWords {
         return best.plan().present().prices().currency();
     }
 
-    /** An amount with its thousands apart, as other tables of prices have it. */
+    /** An amount with its thousands separated, as in other tables of prices. */
     static String money(double amount) {
         return PlaceTable.text("%,.0f", amount).replace(',', '\u202f');
     }

@@ -29,7 +29,9 @@ final class RoutePlaceFile {
         }
     }
 
-    /** Adds, by direction, how likely a detection in time is in flight, past the layout and past today's sensors. */
+    /**
+     * Adds, by direction, the probability of a detection in time as flown, past the layout and past today's sensors.
+     */
     static void addFlown(ArrayNode array, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
         for (FlownTable.Pair pair : FlownTable.pairs(layout, present)) {
             ObjectNode node = array.addObject();

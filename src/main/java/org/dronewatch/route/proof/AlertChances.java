@@ -30,7 +30,7 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
      * detection or, where its looks are independent, by detections in several of up to twelve looks. Empty for other
      * rules.
      *
-     * @param wait what observers make of the drone while it waits
+     * @param wait whether observers see the drone while it waits
      */
     static Optional<AlertChances> of(LookSchedule schedule, AlertSettings alert, MissedLooks.Wait wait) {
         return isKnown(schedule, alert) ? Optional.of(ofAnySensor(schedule, alert, wait)) : Optional.empty();

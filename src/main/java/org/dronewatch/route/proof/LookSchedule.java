@@ -109,7 +109,7 @@ final class LookSchedule {
      * independent {@code prod(1 - p)}, and of each encounter with an observer the mean over all draws.
      *
      * @param until s since the start of the run, inclusive
-     * @param wait what observers make of the drone while it waits
+     * @param wait whether observers see the drone while it waits
      */
     double missed(double until, MissedLooks.Wait wait) {
         return IntStream.range(0, sensors.size())
@@ -132,7 +132,7 @@ final class LookSchedule {
      * For each look, in the order of {@link #looks}, the probability that its sensor has not detected the drone on the
      * route, neither in this look nor before.
      *
-     * @param wait what observers make of the drone while it waits
+     * @param wait whether observers see the drone while it waits
      */
     double[] missedAfterEach(MissedLooks.Wait wait) {
         double[][] ofSensors = new double[sensors.size()][];

@@ -15,9 +15,11 @@ import org.dronewatch.sensor.SensorSettings;
 
 /** The probability that none of the looks of one sensor detects a drone on its route. */
 final class MissedLooks {
-    /** What an observer makes of a drone that waits until its route begins, as it does in a run. */
+    /** Whether an observer sees a drone that waits until its route begins, as it does in a run. */
     enum Wait {
-        /** Nothing: it would come from elsewhere. What is seen only decides to which encounter a look belongs. */
+        /**
+         * It is not seen, as if it came from elsewhere; its visibility only decides to which encounter a look belongs.
+         */
         UNSEEN,
         /** The observer searches for it, as in a run. */
         SEEN
@@ -39,7 +41,7 @@ final class MissedLooks {
      * For each look, the probability that neither it nor any before it does.
      *
      * @param looks in order of time
-     * @param wait what an observer makes of the drone while it waits; no difference for other sensors
+     * @param wait whether an observer sees the drone while it waits; no difference for other sensors
      */
     static double[] afterEach(List<ScheduledLook> looks, SensorSettings<?> sensor, Wait wait) {
         double[] after = new double[looks.size()];

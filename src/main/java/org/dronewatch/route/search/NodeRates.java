@@ -10,7 +10,7 @@ final class NodeRates {
     /** By mode and direction, then node. */
     private final float[][] rates;
 
-    /** Evaluates the field on the threads of the {@link Workers} that call. */
+    /** Evaluates the field on the {@link Workers} of the calling thread. */
     NodeRates(RouteProblem problem) {
         this.directions = problem.directions().count();
         this.rates =

@@ -19,10 +19,10 @@ final class RelocatedFiles {
     private final Path to;
 
     /**
-     * A move of settings.
+     * A change of the directory to which the file names in settings are relative.
      *
-     * @param from where names start
-     * @param to where they are to start
+     * @param from the directory to which they are relative now
+     * @param to the directory to which they will be relative
      */
     RelocatedFiles(Path from, Path to) {
         this.from = from.toAbsolutePath().normalize();

@@ -136,7 +136,9 @@ final class Arrival {
                         || leg.matchesFromEnd(ends.exactly()));
     }
 
-    /** Whether this ray comes from a specular reflection that is known of no image source, so that it may merge. */
+    /**
+     * Whether this ray comes from a specular reflection that belongs to no known image source, so that it may merge.
+     */
     boolean isMerging() {
         return isMerging[0];
     }

@@ -112,7 +112,7 @@ final class Convergence {
     }
 
     /**
-     * Whether the level does not stand on a few rays. Where nothing is heard at all, rays may have missed the only
+     * Whether the level rests on more than a few rays. Where nothing is heard at all, rays may have missed the only
      * path: silence is not known.
      *
      * @param heard the sum of exact paths and rays

@@ -9,7 +9,11 @@ final class RayShare {
     private int traced;
     private int heard;
 
-    /** The share of rays of which a look has a number. */
+    /**
+     * No ray has been traced yet.
+     *
+     * @param number how many such rays a look has
+     */
     RayShare(int number) {
         this.number = number;
     }

@@ -29,7 +29,7 @@ final class GroundProfile {
         this.arcs = new ArcSight(world);
     }
 
-    /** Puts the line between two points, m. */
+    /** Sets the line: from one point to another, m. */
     void between(Position first, Position second) {
         from = first;
         to = second;
