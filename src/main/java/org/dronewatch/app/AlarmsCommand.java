@@ -101,7 +101,10 @@ final class AlarmsCommand implements Callable<Integer> {
         return 0;
     }
 
-    /** The confirmations whose false alerts are stated: common ones, and at the end that of the scene if it is none. */
+    /**
+     * The confirmations whose false alerts are stated: common ones, and at the end that of the scene if it is not one
+     * of them.
+     */
     private static List<Confirmation> rules(AlertSettings alert) {
         List<Confirmation> rules = new ArrayList<>(TRIED);
         if (!rules.contains(alert.confirm())) {

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Turns Ctrl-C and a request to terminate into an orderly end. The thread of the command is interrupted, so that it
- * ends whatever it is doing, cleans up or writes what it has, and only then the process goes: with the exit code of the
- * signal.
+ * ends whatever it is doing, cleans up or writes what it has, and only then does the process end, with the exit code of
+ * the signal.
  */
 final class Interruption implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 60;

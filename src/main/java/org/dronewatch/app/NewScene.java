@@ -46,7 +46,7 @@ record NewScene(
 
     private static final double MASTS_APART = 60.0;
 
-    /** How far the intruder comes from, as a share of the radius, and at most, m. */
+    /** How far away the intruder starts: as a fraction of the radius, and at most, m. */
     private static final double START = 0.85;
 
     private static final double FARTHEST_START = 1500.0;

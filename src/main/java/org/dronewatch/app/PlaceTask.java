@@ -20,9 +20,9 @@ import org.dronewatch.run.Stage;
  * @param stage of its scene
  * @param store of assessments that were made before
  * @param limits of each choice among candidates
- * @param budgets greatest number of budgets, including the whole
+ * @param budgets greatest number of budgets, including the whole one
  * @param interruption by the user
- * @param shown shows how far it is
+ * @param shown shows how far it has come
  */
 record PlaceTask(
         PlacePlan plan,

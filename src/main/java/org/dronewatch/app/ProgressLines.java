@@ -5,7 +5,10 @@ import java.util.Locale;
 import java.util.function.LongSupplier;
 import org.dronewatch.setting.PlainText;
 
-/** States how far a task is where no bar can be drawn: in a line every five seconds and one at its end. Thread-safe. */
+/**
+ * States how far a task has come where no bar can be drawn: in a line every five seconds and one at its end.
+ * Thread-safe.
+ */
 final class ProgressLines {
     private static final double NANO = 1e-9;
     private static final double EVERY_SECONDS = 5.0;

@@ -10,7 +10,7 @@ import java.util.function.LongConsumer;
 import me.tongfei.progressbar.ProgressBar;
 
 /**
- * Shows how far the tasks of a command are, and what it notes while it works.
+ * Shows how far the tasks of a command have come, and what it notes while it works.
  *
  * @param amount how much of this is shown
  * @param err receives it

@@ -35,7 +35,7 @@ final class TracingStudy {
         this.progress = progress;
     }
 
-    /** Builds all grounds, then traces in them kind by kind. */
+    /** Builds the trees of all terrains, then traces rays in them, kind by kind. */
     List<CostCurves> run() {
         CostCurves.Points build = new CostCurves.Points("tree build, " + Counted.of(Workers.available(), "thread"));
         CostCurves.Points memory = new CostCurves.Points("tree and triangles");
@@ -93,7 +93,7 @@ final class TracingStudy {
         return new RayGenerator(tree, 1, new Vector3d(0, 0, 1));
     }
 
-    /** Traces rays of a kind in all grounds in turn: what is shown is how speeds compare. */
+    /** Traces rays of a kind in all terrains in turn: the result is how the speeds compare. */
     private CostCurves.Line rates(String name, TraversalKind kind, Function<KDTree, RaySet> rays) {
         progress.accept(name);
         List<Runnable> works = new ArrayList<>();

@@ -27,7 +27,7 @@ final class FanOcclusion {
 
     private static final float EXACT_ROUNDING = 0x1p-44f;
 
-    /** The least share of a segment's length along its longest axis, and less. */
+    /** A lower bound on the fraction of a segment's length that lies along its longest axis. */
     private static final float LEAST_AHEAD = 0.57f;
 
     private static final long SIGNS = 0x8000000080000000L;

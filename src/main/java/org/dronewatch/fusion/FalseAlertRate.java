@@ -150,7 +150,7 @@ public record FalseAlertRate(
             double lookRate,
             Optional<AzimuthSpan> bearings,
             boolean isMerging) {
-        /** The probability that a Poisson variable of a greater mean is below any number asked for is nil. */
+        /** A Poisson variable with a greater mean is practically certain to reach any number asked for. */
         private static final double CERTAIN = 700.0;
 
         static Confirmed of(Confirmation confirm, FalseAlarmRate rate, Optional<AzimuthSpan> bearings) {

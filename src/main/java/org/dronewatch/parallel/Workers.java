@@ -199,7 +199,9 @@ public final class Workers implements AutoCloseable {
             this.action = action;
         }
 
-        /** A thread that cannot be started fails the loop, but must not leave behind those that work on it already. */
+        /**
+         * If a thread cannot be started, the loop fails, but must not leave behind the threads that already work on it.
+         */
         void callHelpers(int number) {
             try {
                 for (int i = 0; i < number; i++) {

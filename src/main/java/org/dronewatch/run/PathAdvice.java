@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
 
 /**
  * Warns of a flight that passes below the ground or through a solid building, where every sensor would look for the
- * drone behind a wall: one line a drone.
+ * drone behind a wall: one line for each drone.
  *
  * @param id name of the drone
  * @param world with its ground and its buildings

@@ -16,7 +16,7 @@ public final class GroundLevel {
     /** Surfaces no higher than this above a place, m, are below it: it lies on them. */
     private static final double CONTACT = 1e-3;
 
-    /** A triangle whose normal rises by less than this share of its horizontal length is a wall. */
+    /** A triangle whose normal rises by less than this fraction of its horizontal length is a wall. */
     private static final double UPRIGHT = 1e-6;
 
     /** Points of the plan this fraction outside of a triangle are on its edge. */

@@ -3,7 +3,7 @@ package org.dronewatch.analysis.field;
 import org.dronewatch.sensor.Assessment;
 
 /**
- * What a sensor makes of a drone in a cell.
+ * The result of a sensor's looks at a drone in a cell.
  *
  * @param probability that it is detected on the terms of the field, 0 to 1
  * @param assessment the one whose cause stands for all pointings of the sensor

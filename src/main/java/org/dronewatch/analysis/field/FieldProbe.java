@@ -33,8 +33,8 @@ import org.dronewatch.world.World;
  * @param search where the sensor points while it searches; empty if it does not matter
  * @param assessor of the sensor; threads use its siblings
  * @param excess what is interpolated between cells; empty where each is assessed
- * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts: much
- *     faster, and never too much
+ * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
+ *     which is much faster, and never gives too strong a signal
  */
 record FieldProbe(
         World world,

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import org.dronewatch.parallel.LongTask;
 
-/** Tells a task how many bytes are read. */
+/** Reports to a task how many bytes have been read. */
 final class WatchedStream extends FilterInputStream {
     private final LongTask task;
 

@@ -290,7 +290,7 @@ final class GltfScene {
         return used;
     }
 
-    /** A linear share of light as it is shown on a screen (IEC 61966-2-1). */
+    /** A linear fraction of light as it is shown on a screen (IEC 61966-2-1). */
     private static int encoded(double linear) {
         double share = Math.max(0.0, Math.min(1.0, linear));
         double shown = share <= 0.0031308 ? 12.92 * share : 1.055 * Math.pow(share, 1.0 / 2.4) - 0.055;

@@ -17,7 +17,10 @@ final class ProofEstimates {
     /** Where fewer runs than this should detect the drone, or miss it, the interval hardly gets narrower. */
     private static final double FEW = 10.0;
 
-    /** The factor by which estimates become more at a time: the more there are, the better it is known how many. */
+    /**
+     * The factor by which the number of estimates grows in a step: the more there are, the better it is known how many
+     * are needed.
+     */
     private static final int FACTOR = 4;
 
     private final List<BegunFlight> flights;

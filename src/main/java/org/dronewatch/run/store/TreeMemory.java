@@ -23,7 +23,7 @@ final class TreeMemory {
         return Optional.ofNullable(trees.get(key)).map(SoftReference::get);
     }
 
-    /** Keeps a tree, and forgets the one that was not used for longest if there are too many. */
+    /** Keeps a tree, and forgets the least recently used one if there are too many. */
     synchronized void keep(StoreKey key, TreeParts tree) {
         trees.put(key, new SoftReference<>(tree));
         if (trees.size() > MOST) {

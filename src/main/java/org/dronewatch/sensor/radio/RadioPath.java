@@ -30,8 +30,8 @@ public final class RadioPath {
     private static final double FAINT = 128.0;
 
     /**
-     * The detour up to which a blocked path is searched for first, m, and how many times farther each time: over most
-     * roofs, a few metres suffice, but houses that touch form long rows.
+     * The detour up to which a blocked path is searched for first, m, and the factor by which it grows each time: over
+     * most roofs, a few metres suffice, but houses that touch form long rows.
      */
     private static final double FIRST = 8.0;
 

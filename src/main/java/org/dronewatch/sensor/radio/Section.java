@@ -47,7 +47,7 @@ final class Section {
 
     private boolean[] outsideBelow = new boolean[64];
 
-    /** Whether more of it may lie beyond the ellipsoid, be it behind an end. */
+    /** Whether more of it may lie beyond the ellipsoid, even if only behind an end. */
     private boolean[] isPartial = new boolean[64];
 
     private boolean isBlocked;

@@ -22,7 +22,9 @@ public final class TwoRays {
     /** How far above the fitted surface the legs of the reflected path meet, m and in standard deviations. */
     private static final double CLEAR = 0.1;
 
-    /** Before the point of reflection is known, the surface is fitted along this share of the path to either side. */
+    /**
+     * Before the point of reflection is known, the surface is fitted along this fraction of the path to either side.
+     */
     private static final double FIRST_REACH = 0.45;
 
     private static final double DEVIATIONS = 3.0;

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import org.dronewatch.sound.Levels;
 
 /**
- * Judges whether the rays traced so far tell a level, and how accurately. One per thread.
+ * Judges whether the rays traced so far determine a level, and how accurately. One per thread.
  *
  * <p>Where rays contribute little, a rare strong one may still change the level by more than all others, and the
  * scatter of a thousand rays does not show it if it is not among them. There the error includes an allowance for such a
@@ -49,7 +49,7 @@ final class Convergence {
     /** Where few contribute, the smallest error that is stated if there is anything to be missed, dB. */
     private static final double LEAST_ERROR = 0.005;
 
-    /** How accurately several thousand rays tell what they contribute, however little they scatter ... */
+    /** How accurately several thousand rays determine what they contribute, however little they scatter ... */
     private static final double RELATIVE_ERROR = 0.046;
 
     /** ... but this fraction of what is heard is the most that they are taken to be off, ... */
