@@ -114,7 +114,7 @@ final class ExcessMap {
         this.silent = Group.of(places, place -> !place.isInSight() && TracedPlace.isSilent(place.exact()));
         places.forEach(this::keep);
         heldOut.forEach(this::keep);
-        this.error = InterpolationError.of(this, places.size(), heldOut);
+        this.error = InterpolationError.of(this);
     }
 
     private void keep(TracedPlace place) {
@@ -173,18 +173,35 @@ final class ExcessMap {
             return false;
         }
         double[] squares = new double[NEIGHBOURS];
-        nearest(like, at, squares);
+        nearest(like, at, squares, null);
         return !unlike.isWithin(squares[NEIGHBOURS - 1], at);
     }
 
-    private Optional<Estimate> in(Group group, Position at) {
-        boolean isInside = at.x() >= box[0] && at.y() >= box[1] && at.x() <= box[2] && at.y() <= box[3];
-        return isInside && group.places.length >= NEIGHBOURS ? Optional.of(between(group, at)) : Optional.empty();
+    /** The value at a traced position if it had not been traced, as by {@link #at(Position, boolean)}. */
+    Optional<Estimate> roughWithout(TracedPlace place) {
+        return in(place.isInSight() ? inSight : hidden, place.at(), place);
     }
 
-    private static Estimate between(Group group, Position at) {
+    /** The same as by {@link #at(Position, boolean, double)}. */
+    Optional<Estimate> without(TracedPlace place) {
+        Group group = place.isInSight() ? inSight : TracedPlace.isSilent(place.exact()) ? silent : reached;
+        return in(group, place.at(), place);
+    }
+
+    private Optional<Estimate> in(Group group, Position at) {
+        return in(group, at, null);
+    }
+
+    /** @param omitted a place that counts as not traced, or null */
+    private Optional<Estimate> in(Group group, Position at, TracedPlace omitted) {
+        boolean isInside = at.x() >= box[0] && at.y() >= box[1] && at.x() <= box[2] && at.y() <= box[3];
+        int fewest = omitted == null ? NEIGHBOURS : NEIGHBOURS + 1;
+        return isInside && group.places.length >= fewest ? Optional.of(between(group, at, omitted)) : Optional.empty();
+    }
+
+    private static Estimate between(Group group, Position at, TracedPlace omitted) {
         double[] squares = new double[NEIGHBOURS];
-        int[] nearest = nearest(group, at, squares);
+        int[] nearest = nearest(group, at, squares, omitted);
         double weights = 0.0;
         double rest = 0.0;
         double lowest = Double.POSITIVE_INFINITY;
@@ -211,11 +228,11 @@ final class ExcessMap {
     }
 
     /** The numbers of the nearest places, the nearest one first. */
-    private static int[] nearest(Group group, Position at, double[] squares) {
+    private static int[] nearest(Group group, Position at, double[] squares, TracedPlace omitted) {
         int[] nearest = new int[NEIGHBOURS];
         Arrays.fill(squares, Double.POSITIVE_INFINITY);
         for (int i = 0; i < group.places.length; i++) {
-            double square = group.square(i, at);
+            double square = group.places[i] == omitted ? Double.POSITIVE_INFINITY : group.square(i, at);
             int slot = NEIGHBOURS;
             while (slot > 0 && square < squares[slot - 1]) {
                 slot--;

@@ -41,8 +41,8 @@ public record InterpolationError(
      * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
      *     them: that of the errors measured (root mean square)
      * @param reach the same for the greatest error that counts as possible: {@value InterpolationError#MARGIN} times
-     *     that of the greatest error measured
-     * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB
+     *     that of the greatest error measured, also of those of each traced position interpolated between the others
+     * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB; measured in the same way
      */
     record Bounds(double scale, double reach, double beyond) {
         /** With these, nothing is certain. */
@@ -70,18 +70,25 @@ public record InterpolationError(
         return isInSight ? inSight : hidden;
     }
 
-    static InterpolationError of(ExcessMap map, int places, List<TracedPlace> heldOut) {
+    /** The error of a map; nothing is certain with that of a map without positions that are held out. */
+    static InterpolationError of(ExcessMap map) {
+        List<TracedPlace> heldOut = map.heldOut();
         List<Double> errors = new ArrayList<>();
         heldOut.forEach(place ->
                 map.at(place.at(), place.isInSight(), place.exact()).ifPresent(its -> errors.add(error(its, place))));
         Collections.sort(errors);
         double percentile95 = errors.isEmpty() ? 0.0 : errors.get((int) Math.ceil(LARGE_PART * errors.size()) - 1);
-        Optional<Bounds> seen = bounds(map, heldOut, true);
-        Optional<Bounds> unseen = bounds(map, heldOut, false);
+        Optional<Bounds> seen = bounds(map, true);
+        Optional<Bounds> unseen = bounds(map, false);
         Bounds all = seen.or(() -> unseen).orElse(Bounds.UNKNOWN);
         Bounds any = all.atLeast(unseen.orElse(all));
         return new InterpolationError(
-                places, heldOut.size(), percentile95, ofLooks(heldOut), seen.orElse(any), unseen.orElse(any));
+                map.places().size(),
+                heldOut.size(),
+                percentile95,
+                ofLooks(heldOut),
+                seen.orElse(any),
+                unseen.orElse(any));
     }
 
     private static double ofLooks(List<TracedPlace> heldOut) {
@@ -106,28 +113,49 @@ public record InterpolationError(
     }
 
     /** Empty where too few positions show how far errors reach. */
-    private static Optional<Bounds> bounds(ExcessMap map, List<TracedPlace> heldOut, boolean isInSight) {
-        double squares = 0.0;
-        double most = 0.0;
-        double beyond = 0.0;
-        int count = 0;
-        for (TracedPlace place : heldOut) {
-            Optional<ExcessMap.Estimate> rough = map.at(place.at(), isInSight);
-            Optional<ExcessMap.Estimate> its = map.at(place.at(), isInSight, place.exact());
-            if (place.isInSight() == isInSight && its.isPresent()) {
-                double spread = its.get().spread(place.open(), place.exact());
-                double relative = error(its.get(), place) / (LEAST_SPREAD + spread);
+    private static Optional<Bounds> bounds(ExcessMap map, boolean isInSight) {
+        Reach held = new Reach();
+        for (TracedPlace place : map.heldOut()) {
+            if (place.isInSight() == isInSight) {
+                held.add(place, map.at(place.at(), isInSight), map.at(place.at(), isInSight, place.exact()));
+            }
+        }
+        if (held.count < FEWEST) {
+            return Optional.empty();
+        }
+        // Few positions are held out, while fields have a hundred times as many cells, some of which are at edges and
+        // close to walls, where errors are greatest.
+        Reach all = new Reach();
+        for (TracedPlace place : map.places()) {
+            if (place.isInSight() == isInSight) {
+                all.add(place, map.roughWithout(place), map.without(place));
+            }
+        }
+        return Optional.of(new Bounds(
+                Math.sqrt(held.squares / held.count),
+                MARGIN * Math.max(held.most, all.most),
+                MARGIN * Math.max(held.beyond, all.beyond)));
+    }
+
+    /** How far the errors at some places reach. */
+    private static final class Reach {
+        private double squares;
+        private double most;
+        private double beyond;
+        private int count;
+
+        void add(TracedPlace place, Optional<ExcessMap.Estimate> rough, Optional<ExcessMap.Estimate> its) {
+            its.ifPresent(estimate -> {
+                double spread = estimate.spread(place.open(), place.exact());
+                double relative = error(estimate, place) / (LEAST_SPREAD + spread);
                 squares += relative * relative;
                 most = Math.max(most, relative);
                 count++;
-            }
-            if (place.isInSight() == isInSight && rough.isPresent()) {
-                beyond = Math.max(beyond, place.overOpen() - rough.get().greatest());
-                beyond = Math.max(beyond, rough.get().least() - place.overOpen());
-            }
+            });
+            rough.ifPresent(estimate -> {
+                beyond = Math.max(beyond, place.overOpen() - estimate.greatest());
+                beyond = Math.max(beyond, estimate.least() - place.overOpen());
+            });
         }
-        return count < FEWEST
-                ? Optional.empty()
-                : Optional.of(new Bounds(Math.sqrt(squares / count), MARGIN * most, MARGIN * beyond));
     }
 }
