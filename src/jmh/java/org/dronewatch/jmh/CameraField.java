@@ -2,10 +2,10 @@ package org.dronewatch.jmh;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
-import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.CoverageGrid;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;

@@ -5,7 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.PlacePlan;

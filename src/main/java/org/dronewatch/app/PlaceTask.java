@@ -2,7 +2,7 @@ package org.dronewatch.app;
 
 import java.util.function.Function;
 import java.util.function.IntConsumer;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;

@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.report.provenance.Provenance;

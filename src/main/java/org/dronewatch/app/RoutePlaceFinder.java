@@ -2,7 +2,7 @@ package org.dronewatch.app;
 
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.Layout;
 import org.dronewatch.placement.site.RouteLayouts;

@@ -1,7 +1,7 @@
 package org.dronewatch.route;
 
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
-import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.geometry.Position;
 
 /** Which cell of a detection field a point is in: the nearest, up to half the distance to the next height. */

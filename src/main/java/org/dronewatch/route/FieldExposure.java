@@ -3,7 +3,7 @@ package org.dronewatch.route;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.ExposureField;

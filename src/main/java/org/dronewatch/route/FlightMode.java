@@ -2,7 +2,7 @@ package org.dronewatch.route;
 
 import java.util.List;
 import java.util.Map;
-import org.dronewatch.analysis.field.Course;
+import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;

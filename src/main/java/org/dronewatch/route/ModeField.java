@@ -8,8 +8,8 @@ import org.dronewatch.route.search.RouteMode;
  * A mode in which a drone may fly, and how it is detected while it does.
  *
  * @param mode the mode
- * @param field field of single looks, on all {@linkplain org.dronewatch.analysis.field.Course#all courses} under power,
- *     or on those of a {@linkplain org.dronewatch.analysis.field.Course#gliding glide}
+ * @param field field of single looks, on all {@linkplain org.dronewatch.analysis.cell.Course#all courses} under power,
+ *     or on those of a {@linkplain org.dronewatch.analysis.cell.Course#gliding glide}
  */
 public record ModeField(RouteMode mode, DetectionField field) {
     /** Flight under power at cruise speed. */

@@ -8,11 +8,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldRequest;
-import org.dronewatch.analysis.field.FieldTerms;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scenario.SceneSettings;
 
 /** Computes coverages on a thread, one at a time, as the command does and with what it has kept. */

@@ -15,7 +15,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.field.InboundTarget;

@@ -11,7 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteSkin;
 import org.dronewatch.scenario.SceneSettings;

@@ -2,7 +2,7 @@ package org.dronewatch.viewer;
 
 import java.util.Arrays;
 import java.util.List;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;

@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.FieldCoverage;
-import org.dronewatch.analysis.field.RemainingCoverage;
+import org.dronewatch.analysis.survey.RemainingCoverage;
 import org.dronewatch.report.coverage.CoverageSkin;
 import org.dronewatch.report.coverage.CoverageSkin.LegendEntry;
 import org.dronewatch.report.coverage.LossWords;

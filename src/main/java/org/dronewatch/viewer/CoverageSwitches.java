@@ -14,8 +14,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
-import org.dronewatch.analysis.field.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.analysis.survey.CellExaminer.CellEvidence;
 import org.dronewatch.report.coverage.CellWords;
 
 /** A check box for each sensor of a coverage, and whether it detects the drone in the cell under the pointer. */

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scenario.SceneSettings;
 
 /** The tabs beside the site: tables, sound rays, coverage, placing and log. */

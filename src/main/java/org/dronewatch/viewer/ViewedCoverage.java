@@ -4,10 +4,10 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldDraft;
-import org.dronewatch.analysis.field.FieldGrid;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.scenario.SceneSettings;
 

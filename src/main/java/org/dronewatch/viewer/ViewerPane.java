@@ -8,7 +8,7 @@ import javax.swing.Action;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.render.Cut;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.SiteLines;

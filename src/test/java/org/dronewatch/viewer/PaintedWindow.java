@@ -11,7 +11,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 

@@ -18,7 +18,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JTable;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.render.Film;
 import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.Films;

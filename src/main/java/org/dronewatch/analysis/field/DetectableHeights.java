@@ -2,6 +2,7 @@ package org.dronewatch.analysis.field;
 
 import java.util.Arrays;
 import java.util.function.IntConsumer;
+import org.dronewatch.analysis.cell.FieldGrid;
 
 /**
  * The lowest height above the ground at which some sensor covers each column: the lowest covered height of the grid,

@@ -5,6 +5,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldColumns;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.Margin;
+import org.dronewatch.analysis.layer.ExcessMap;
+import org.dronewatch.analysis.layer.InterpolationError;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
@@ -90,7 +98,7 @@ public final class DetectionField {
     }
 
     /** The same without several of its sensors. */
-    DetectionField without(Collection<String> sensors) {
+    public DetectionField without(Collection<String> sensors) {
         DetectionField rest = this;
         for (String sensor : sensors) {
             rest = rest.without(sensor);
@@ -176,7 +184,7 @@ public final class DetectionField {
     }
 
     /** What is interpolated between the cells of a sensor, given by its name. */
-    Optional<ExcessMap> excess(String sensor) {
+    public Optional<ExcessMap> excess(String sensor) {
         return all.excess(sensor);
     }
 

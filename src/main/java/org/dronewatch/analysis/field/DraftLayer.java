@@ -3,6 +3,11 @@ package org.dronewatch.analysis.field;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.cell.FieldColumns;
+import org.dronewatch.analysis.layer.FieldProbe;
+import org.dronewatch.analysis.layer.LayerRow;
+import org.dronewatch.analysis.layer.SensorLayer;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 

@@ -4,6 +4,8 @@ import java.util.Collection;
 import java.util.OptionalInt;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
+import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.layer.Dominance;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.Quantity;
@@ -224,7 +226,7 @@ public final class FieldCoverage {
     }
 
     /** The same by exact margins of all sensors, dB; there must be a sensor. */
-    int deciding(int height, int column, int row, IntToDoubleFunction margins) {
+    public int deciding(int height, int column, int row, IntToDoubleFunction margins) {
         return Dominance.of(field.sensors().size(), ranks(height, column, row, courseAt(height, column, row)), margins);
     }
 

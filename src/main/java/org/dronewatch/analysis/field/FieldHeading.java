@@ -2,6 +2,8 @@ package org.dronewatch.analysis.field;
 
 import java.util.List;
 import java.util.Locale;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 

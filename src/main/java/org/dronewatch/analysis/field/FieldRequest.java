@@ -4,6 +4,12 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.layer.ExcessSurvey;
+import org.dronewatch.analysis.layer.FieldProbe;
+import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -52,7 +58,7 @@ public record FieldRequest(
      * The sensors that another request lacks because they are switched off there; empty if it differs from this one in
      * anything else.
      */
-    Optional<Set<String>> switchedOffIn(FieldRequest other) {
+    public Optional<Set<String>> switchedOffIn(FieldRequest other) {
         Set<String> off = new LinkedHashSet<>(settings.enabledSensors().keySet());
         off.removeAll(other.settings.enabledSensors().keySet());
         boolean isSame = settings.world().equals(other.settings.world())

@@ -1,6 +1,7 @@
 package org.dronewatch.analysis.field;
 
 import java.util.List;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.fusion.Protection;

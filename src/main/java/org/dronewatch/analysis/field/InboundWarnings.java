@@ -8,6 +8,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
+import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldColumns;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.layer.ExcessMap;
+import org.dronewatch.analysis.layer.FieldProbe;
+import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.analysis.layer.SensorLayer;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
@@ -98,7 +107,7 @@ public record InboundWarnings(
      * @param store store of earlier assessments, of the same grid
      * @param excess what is interpolated between cells in the area of the grid, by the name of a sensor
      */
-    static InboundWarnings of(
+    public static InboundWarnings of(
             SceneSettings settings,
             Stage stage,
             String drone,

@@ -2,7 +2,7 @@ package org.dronewatch.placement.site;
 
 import java.util.List;
 import java.util.Optional;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.PlacementProblem;
 

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.field.FieldHeading;
-import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.solver.CutResult;

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.CandidateTable;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.field.FieldCoverage;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.route.FieldExposure;

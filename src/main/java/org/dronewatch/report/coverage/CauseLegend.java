@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
-import org.dronewatch.analysis.field.FieldGrid;
 
 /** What the cells of a map of causes show, and its legend. Immutable. */
 final class CauseLegend {

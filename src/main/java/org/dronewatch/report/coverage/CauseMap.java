@@ -1,8 +1,8 @@
 package org.dronewatch.report.coverage;
 
-import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.FieldSummary;
-import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.survey.FieldSummary;
+import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.Numbers;
 
 /** The map of the dominant causes at one height: how its cells are filled, and its legend. */

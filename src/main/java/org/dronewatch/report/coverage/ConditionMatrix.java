@@ -12,7 +12,7 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.dronewatch.analysis.field.ConditionCoverage;
+import org.dronewatch.analysis.survey.ConditionCoverage;
 import org.dronewatch.report.Numbers;
 
 /**

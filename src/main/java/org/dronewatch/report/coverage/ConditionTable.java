@@ -3,7 +3,7 @@ package org.dronewatch.report.coverage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.analysis.field.ConditionCoverage;
+import org.dronewatch.analysis.survey.ConditionCoverage;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.scenario.SceneCondition;
 

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.dronewatch.analysis.field.FieldSurvey;
+import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.OutputDirectory;
 import org.dronewatch.report.provenance.ResultKind;

@@ -1,8 +1,8 @@
 package org.dronewatch.report.coverage;
 
 import java.util.Optional;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldCoverage;
-import org.dronewatch.analysis.field.FieldTerms;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.report.Numbers;
 

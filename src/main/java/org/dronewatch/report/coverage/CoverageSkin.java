@@ -4,8 +4,8 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
-import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.RemainingCoverage;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.survey.RemainingCoverage;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteSkin;
 

@@ -1,17 +1,17 @@
 package org.dronewatch.report.coverage;
 
 import java.util.Locale;
-import org.dronewatch.analysis.field.ConditionCoverage;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectableHeights;
-import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.FieldSummary;
-import org.dronewatch.analysis.field.FieldSurvey;
-import org.dronewatch.analysis.field.Gap;
-import org.dronewatch.analysis.field.HeightSummary;
 import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.analysis.layer.InterpolationError;
+import org.dronewatch.analysis.survey.ConditionCoverage;
+import org.dronewatch.analysis.survey.FieldSummary;
+import org.dronewatch.analysis.survey.FieldSurvey;
+import org.dronewatch.analysis.survey.Gap;
+import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.JsonFile;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Cause;

@@ -8,11 +8,11 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.FieldCoverage;
-import org.dronewatch.analysis.field.FieldSummary;
-import org.dronewatch.analysis.field.Gap;
-import org.dronewatch.analysis.field.HeightSummary;
-import org.dronewatch.analysis.field.InterpolationError;
 import org.dronewatch.analysis.field.VisibleHeights;
+import org.dronewatch.analysis.layer.InterpolationError;
+import org.dronewatch.analysis.survey.FieldSummary;
+import org.dronewatch.analysis.survey.Gap;
+import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.sensor.Cause;
 

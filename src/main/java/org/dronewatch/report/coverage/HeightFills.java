@@ -3,7 +3,7 @@ package org.dronewatch.report.coverage;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 
 /** How heights look on a map: from light to dark, so that they keep their order in black and white; lined if none. */
 final class HeightFills {

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.dronewatch.analysis.field.FieldSummary;
-import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.survey.FieldSummary;
+import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.html.Html;
 
 /** What is lost if a sensor fails, and at which heights, and which sensors add nothing. */

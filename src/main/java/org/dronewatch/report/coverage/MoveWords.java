@@ -2,7 +2,7 @@ package org.dronewatch.report.coverage;
 
 import java.util.Collection;
 import java.util.Locale;
-import org.dronewatch.analysis.field.RemainingCoverage;
+import org.dronewatch.analysis.survey.RemainingCoverage;
 import org.dronewatch.report.Numbers;
 
 /** Describes what is covered at one height while sensors are moved. */

@@ -2,9 +2,9 @@ package org.dronewatch.report.coverage;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.GapMap;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundWarnings;
+import org.dronewatch.analysis.survey.GapMap;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;

@@ -2,7 +2,7 @@ package org.dronewatch.report.coverage;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronewatch.analysis.field.FieldSurvey;
+import org.dronewatch.analysis.survey.FieldSurvey;
 
 /** All tables of a survey of the coverage. */
 public final class SurveyTables {

@@ -3,7 +3,7 @@ package org.dronewatch.report.coverage;
 import java.awt.Color;
 import java.util.Arrays;
 import java.util.List;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.geometry.Position;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.analysis.field.FieldHeading;
-import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.Numbers;

@@ -3,8 +3,8 @@ package org.dronewatch.report.placement;
 import java.util.Comparator;
 import java.util.Map;
 import java.util.Optional;
-import org.dronewatch.analysis.field.Gap;
-import org.dronewatch.analysis.field.HeightSummary;
+import org.dronewatch.analysis.survey.Gap;
+import org.dronewatch.analysis.survey.HeightSummary;
 
 /** Figures of a layout at one height, as text; a dash where there is none. */
 final class HeightFigures {

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronewatch.analysis.field.FieldSummary;
+import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.site.AirSettings;
 import org.dronewatch.placement.site.LayoutFields;

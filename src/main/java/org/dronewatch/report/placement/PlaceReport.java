@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacePlan;
 import org.dronewatch.placement.site.PlaceStep;

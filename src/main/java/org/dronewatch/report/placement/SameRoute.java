@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.report.route.RouteInputs;
 

@@ -2,8 +2,8 @@ package org.dronewatch.report.route;
 
 import java.util.List;
 import java.util.Optional;
-import org.dronewatch.analysis.field.FieldGrid;
-import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;

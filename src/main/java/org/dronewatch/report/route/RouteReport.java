@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.dronewatch.analysis.field.FieldTerms;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.Test;

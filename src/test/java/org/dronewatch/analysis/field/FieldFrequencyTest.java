@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Random;
 import org.dronewatch.LongForm;
 import org.dronewatch.Wilson;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Encounters;
 import org.dronewatch.sensor.Look;

@@ -7,6 +7,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
@@ -131,7 +134,7 @@ public record FieldSite(SceneSettings settings, Stage stage) {
     }
 
     /** The same on other terms. */
-    DetectionField field(FieldGrid grid, FieldTerms terms, int threads) {
+    public DetectionField field(FieldGrid grid, FieldTerms terms, int threads) {
         List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, DRONE));
         try (Workers workers = new Workers(threads)) {
             return workers.call(() -> FieldAssessment.of(settings, stage, DRONE, grid, courses, terms, cells -> {}));
@@ -139,7 +142,7 @@ public record FieldSite(SceneSettings settings, Stage stage) {
     }
 
     /** The cause of the first box between two points. */
-    static Optional<Cause> hidden(Position from, Position to) {
+    public static Optional<Cause> hidden(Position from, Position to) {
         // The boxes lie in different directions from the middle: no line from there meets two of them.
         return BOXES.entrySet().stream()
                 .filter(box -> box.getValue().blocks(from, to))

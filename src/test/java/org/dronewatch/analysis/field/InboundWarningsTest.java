@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.Test;

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.layer.LookWindow;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorSettings;
 import org.junit.jupiter.api.BeforeAll;

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;

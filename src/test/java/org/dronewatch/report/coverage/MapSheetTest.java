@@ -12,7 +12,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.SplittableRandom;
 import javax.imageio.ImageIO;
-import org.dronewatch.analysis.field.FieldGrid;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.junit.jupiter.api.Test;
 
 /** The legend of a map, with names of any length. */

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.analysis.field.FieldSite;
-import org.dronewatch.analysis.field.GapEvidence;
+import org.dronewatch.analysis.survey.GapEvidence;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import org.dronewatch.analysis.field.LayerStore;
+import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CheaperCoverage;

@@ -1,0 +1,91 @@
+package org.dronewatch.analysis.cell;
+
+import java.util.Optional;
+import org.dronewatch.analysis.layer.LookWindow;
+import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.In;
+import org.dronewatch.setting.Limits;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * The terms on which a field counts a drone as detected.
+ *
+ * @param pointing how sensors on positioners point
+ * @param within the time within which a sensor has to detect a drone that stays in its cell, above 0 and at most 86,400
+ *     s; empty for a single look
+ */
+public record FieldTerms(
+        Turning pointing, @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within) {
+    /** How sensors on positioners point. */
+    public enum Turning {
+        /** They have turned to the drone, and zoomed in. */
+        CUED,
+        /**
+         * They search, or are at rest: their probability of detection is the mean over one period of the search, in
+         * which the look, or the time that they have, may begin at any moment.
+         */
+        SEARCH
+    }
+
+    /** A single look of sensors that have turned to the drone. */
+    public static final FieldTerms ONE_LOOK = new FieldTerms(Turning.CUED, Optional.empty());
+
+    /** A tolerance with which the number of looks in 0.3 s at 10 Hz is three, whatever the product is rounded to. */
+    private static final double ROUNDING = 1e-9;
+
+    /** Checks the limits. */
+    public FieldTerms {
+        Limits.check(FieldTerms.class, pointing, within);
+    }
+
+    /** These terms with a time within which the drone has to be detected, s. */
+    public FieldTerms withWithin(double seconds) {
+        return new FieldTerms(pointing, Optional.of(seconds));
+    }
+
+    /** These terms with another choice of how sensors point. */
+    public FieldTerms withPointing(Turning other) {
+        return new FieldTerms(other, within);
+    }
+
+    /** The whole looks that a sensor has, 0 or more; 1 without a time. */
+    public long looks(SensorSettings<?> sensor) {
+        return within.map(seconds -> (long) Math.floor(seconds * sensor.rate() + ROUNDING))
+                .orElse(1L);
+    }
+
+    /**
+     * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability
+     * p: in one look, p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once per
+     * encounter, it is that of an observer drawn at random who searches for as long as these looks take, n intervals
+     * between two of them: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that searches,
+     * whose looks differ, see {@link LookWindow}.
+     *
+     * @param look probability of a look, 0 to 1
+     * @return 0 and 1 only where they are exact
+     */
+    public double probability(double look, SensorSettings<?> sensor) {
+        if (within.isEmpty() || look <= 0.0) {
+            return look;
+        }
+        long number = looks(sensor);
+        if (number == 0) {
+            return 0.0;
+        }
+        double detected;
+        if (sensor.chance() == Chance.PER_ENCOUNTER) {
+            double hazard = sensor.chance().hazard(look, sensor.rate(), look);
+            detected = -look * StrictMath.expm1(-hazard * number / sensor.rate());
+        } else {
+            detected = look >= 1.0 ? 1.0 : Math.min(Math.nextDown(1.0), 1.0 - StrictMath.pow(1.0 - look, number));
+        }
+        return Math.max(Double.MIN_VALUE, detected);
+    }
+
+    /** The probability of a look at and above which all probabilities below 1 count as equal. */
+    public double high(SensorSettings<?> sensor) {
+        boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
+        return isAnyAlike ? (CellCode.STEPS - 1.0) / CellCode.STEPS : 1.0;
+    }
+}

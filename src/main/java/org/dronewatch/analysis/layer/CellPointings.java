@@ -1,0 +1,36 @@
+package org.dronewatch.analysis.layer;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Assessor;
+
+/**
+ * How a sensor points while it looks at a drone in a cell.
+ *
+ * @param towards all pointings in which it may see the drone, evenly spaced in time; each empty for the sensor's own
+ *     aim
+ * @param passes the positions in this list at which the drone enters the field of view: before each of them, it was
+ *     outside
+ * @param phases for each of the pointings, the number of its phase of the search
+ * @param share fraction of the time that they stand for, 0 to 1
+ * @param away a pointing in which it cannot see the drone, if the fraction is less than 1
+ */
+public record CellPointings(
+        List<Optional<Pointing>> towards,
+        List<Integer> passes,
+        List<Integer> phases,
+        double share,
+        Optional<Pointing> away) {
+
+    /** A single one, at all times. */
+    static CellPointings always(Optional<Pointing> pointing) {
+        return new CellPointings(List.of(pointing), List.of(0), List.of(0), 1.0, Optional.empty());
+    }
+
+    /** Whether looks at a drone are certainly the same at all its headings. */
+    boolean isSameAtAllHeadings(Assessor assessor, Drone there) {
+        return towards.stream().allMatch(one -> assessor.isSameAtAllHeadings(there, one));
+    }
+}

@@ -1,0 +1,224 @@
+package org.dronewatch.analysis.layer;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.random.RandomGenerator;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.positioner.Pointing;
+import org.dronewatch.sensor.Assessment;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Draws;
+import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.RaySensor;
+import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.Signal;
+import org.dronewatch.world.World;
+
+/**
+ * One sensor and a drone that is put anywhere on any course.
+ *
+ * @param world the site
+ * @param drone the drone, anywhere
+ * @param sensor name of the sensor
+ * @param settings of the sensor
+ * @param seed of the run, for sensors that trace random rays
+ * @param courses of the drone
+ * @param terms on which it counts as detected
+ * @param search where the sensor points while it searches; empty if it does not matter
+ * @param assessor of the sensor; threads use its siblings
+ * @param excess what is interpolated between cells; empty where each is assessed
+ * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
+ *     which is much faster, and never gives too strong a signal
+ */
+public record FieldProbe(
+        World world,
+        Drone drone,
+        String sensor,
+        SensorSettings<?> settings,
+        long seed,
+        List<Course> courses,
+        FieldTerms terms,
+        Optional<SearchPeriod> search,
+        Assessor assessor,
+        Optional<ExcessMap> excess,
+        boolean isExactAlone) {
+    private static final double EVEN_CHANCE = 0.5;
+
+    /** A probe that assesses each cell, of a sensor that searches if the terms say so. */
+    public FieldProbe(
+            World world,
+            Drone drone,
+            String sensor,
+            SensorSettings<?> settings,
+            long seed,
+            List<Course> courses,
+            FieldTerms terms) {
+        this(
+                world,
+                drone,
+                sensor,
+                settings,
+                seed,
+                courses,
+                terms,
+                terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings, terms) : Optional.empty(),
+                new Assessor(sensor, settings, world),
+                Optional.empty(),
+                false);
+    }
+
+    /** This probe with what is interpolated between cells. */
+    public FieldProbe with(Optional<ExcessMap> map) {
+        return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, map, false);
+    }
+
+    /** This probe with other courses, as many. */
+    public FieldProbe on(List<Course> others) {
+        return new FieldProbe(
+                world, drone, sensor, settings, seed, others, terms, search, assessor, excess, isExactAlone);
+    }
+
+    /** This probe of a signal that could be interpolated, by what arrives along exact paths alone. */
+    public FieldProbe onExactPaths() {
+        return new FieldProbe(
+                world, drone, sensor, settings, seed, courses, terms, search, assessor, Optional.empty(), true);
+    }
+
+    /** An assessor for one thread. */
+    public Assessor newAssessor() {
+        return assessor.sibling();
+    }
+
+    /** The drone at a place, m, on a course given by its number. */
+    public Drone drone(Position at, int course) {
+        return drone.at(state(at, course));
+    }
+
+    /** The state of the drone at a place, m, on a course given by its number. */
+    FlightState state(Position at, int course) {
+        return courses.get(course).at(at, drone.settings().speed());
+    }
+
+    /** The numbers of those courses that would also be there if this were the only sensor; of all if there are none. */
+    int[] ownCourses() {
+        int[] own = IntStream.range(0, courses.size())
+                .filter(course -> courses.get(course)
+                        .sensor()
+                        .filter(id -> !id.equals(sensor))
+                        .isEmpty())
+                .toArray();
+        return own.length == 0 ? IntStream.range(0, courses.size()).toArray() : own;
+    }
+
+    /**
+     * The first course on which the sensor certainly looks at the same picture as on a given one: if speed does not
+     * matter to it, hovering is the same as flying on that heading.
+     */
+    int alike(int course) {
+        return assessor.isSameAtAllSpeeds() ? Course.firstOnSameHeading(courses, course) : course;
+    }
+
+    /** Where the sensor's positioner points once it has turned to a place, m; empty on a fixed mount. */
+    Optional<Pointing> pointing(Position at) {
+        return Mounted.turnedTo(settings, at);
+    }
+
+    /** Where the sensor points while the drone is at a place, m. */
+    public CellPointings pointings(Position at) {
+        return search.map(its -> its.at(at, drone.radius())).orElseGet(() -> CellPointings.always(pointing(at)));
+    }
+
+    /**
+     * The assessment of a drone, exact only to the steps of a {@link CellCode}, and therefore faster;
+     * interpolated, if this sensor's signals are.
+     */
+    Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        if (isExactAlone) {
+            Signal heard = assessor.interpolable().orElseThrow().signalOnExactPaths(world, there);
+            return assessor.assess(heard, there, pointing);
+        }
+        return excess.isPresent()
+                ? new InterpolatedCells(this, excess.get(), assessor).assess(there, pointing)
+                : assessCoarsely(assessor, there, pointing);
+    }
+
+    /** The same without interpolation. */
+    Assessment assessCoarsely(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        return assessor.assessCoarsely(there, pointing, rays(), terms.high(settings));
+    }
+
+    /**
+     * The probability that the sensor detects the drone on the terms of the field, in the steps of a
+     * {@link CellCode}.
+     *
+     * @param ofALook the probability of a look, 0 to 1
+     */
+    int steps(double ofALook) {
+        return CellCode.steps(
+                excess.isPresent() ? ofALook * terms.probability(1.0, settings) : terms.probability(ofALook, settings));
+    }
+
+    /**
+     * The probability on the terms of the field. Where signals are interpolated, a probability stands for what is not
+     * known, and is the same for any number of looks.
+     */
+    private double onTerms(double[] looks, CellPointings pointings, double mean) {
+        if (excess.isPresent()) {
+            return mean * terms.probability(1.0, settings);
+        }
+        return search.flatMap(SearchPeriod::window)
+                .map(window -> window.probability(looks, pointings.phases()))
+                .orElseGet(() -> terms.probability(mean, settings));
+    }
+
+    /** A look that is only as fine as the steps of a {@link CellCode}, and faster. */
+    CellLook lookInSteps(Assessor assessor, Drone there, CellPointings pointings) {
+        return look(pointings, pointing -> assessInSteps(assessor, there, pointing));
+    }
+
+    /** A look with the assessment as it is. */
+    public CellLook look(Assessor assessor, Drone there, CellPointings pointings) {
+        return look(pointings, pointing -> assess(assessor, there, pointing));
+    }
+
+    /** The assessment as it is. */
+    Assessment assess(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        return assessor.assess(there, pointing, rays());
+    }
+
+    /**
+     * The mean over all pointings. Its cause is that of the most favourable one; of a drone that it would detect, but
+     * that is out of view for most of the time, that it is out of view.
+     */
+    private CellLook look(CellPointings pointings, Function<Optional<Pointing>, Assessment> glance) {
+        LookSeries series = new LookSeries(
+                pointings.passes(),
+                pointings.towards().size(),
+                number -> glance.apply(pointings.towards().get(number)));
+        double[] probabilities = series.probabilities();
+        Optional<Assessment> best = series.best();
+        double mean =
+                pointings.share() * DoubleStream.of(probabilities).average().orElse(0.0);
+        boolean isMissed = best.isEmpty() || best.get().cause() == Cause.DETECTED && mean < EVEN_CHANCE;
+        Assessment shown =
+                isMissed && pointings.away().isPresent() ? glance.apply(pointings.away()) : best.orElseThrow();
+        return new CellLook(onTerms(probabilities, pointings, mean), shown);
+    }
+
+    /**
+     * The random rays of the first look of a run: they are the same for all cells, so that the field varies only with
+     * the position.
+     */
+    private RandomGenerator rays() {
+        return Draws.stream(seed, sensor, drone.id(), 0, RaySensor.RAYS);
+    }
+}

@@ -1,0 +1,13 @@
+package org.dronewatch.analysis.survey;
+
+import java.util.Optional;
+import org.dronewatch.buildings.BuildingOutline;
+import org.dronewatch.world.Obstacle;
+
+/**
+ * What hides a drone from a sensor.
+ *
+ * @param obstacle the first surface on the line of sight
+ * @param building the building to which it belongs, if it comes from a map of buildings
+ */
+public record Blocker(Obstacle obstacle, Optional<BuildingOutline> building) {}

@@ -1,0 +1,49 @@
+package org.dronewatch.analysis.survey;
+
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.field.FieldCoverage;
+
+/**
+ * What remains of the coverage at one height if some sensors fail.
+ *
+ * @param all the coverage with all sensors
+ * @param rest the coverage without some of them, as {@link FieldCoverage#without} gives it
+ * @param height its number in the grid
+ * @param known the number of cells that are known with all sensors
+ * @param covered the number of cells that are covered with all sensors
+ * @param remaining the number of cells that are covered without some of them
+ * @param gone the number of cells that are covered with all sensors, but not without some of them
+ */
+public record RemainingCoverage(
+        FieldCoverage all, FieldCoverage rest, int height, int known, int covered, int remaining, int gone) {
+    /** Counts the cells of a height, given by its number. */
+    public static RemainingCoverage of(FieldCoverage all, FieldCoverage rest, int height) {
+        FieldGrid grid = all.field().grid();
+        int known = grid.count((column, row) -> all.isKnown(height, column, row));
+        int covered = grid.count((column, row) -> all.isCovered(height, column, row));
+        int remaining = grid.count((column, row) -> rest.isCovered(height, column, row));
+        int gone =
+                grid.count((column, row) -> all.isCovered(height, column, row) && !rest.isCovered(height, column, row));
+        return new RemainingCoverage(all, rest, height, known, covered, remaining, gone);
+    }
+
+    /** Whether a cell is covered with all sensors, but not by the rest of them. */
+    public boolean isLost(int column, int row) {
+        return all.isCovered(height, column, row) && !rest.isCovered(height, column, row);
+    }
+
+    /**
+     * How many fewer cells are covered: {@link #gone} less {@link #gained}, which may be below 0.
+     */
+    public int lost() {
+        return covered - remaining;
+    }
+
+    /**
+     * The number of cells that are covered without some of the sensors, but not with all of them: without those,
+     * another course may count, on which the others cover the cell.
+     */
+    public int gained() {
+        return remaining - (covered - gone);
+    }
+}
