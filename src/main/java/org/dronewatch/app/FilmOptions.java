@@ -2,9 +2,9 @@ package org.dronewatch.app;
 
 import java.util.function.BooleanSupplier;
 import me.tongfei.progressbar.ProgressBar;
-import org.dronewatch.render.Film;
-import org.dronewatch.render.FilmFormat;
-import org.dronewatch.render.FilmMaker;
+import org.dronewatch.render.film.Film;
+import org.dronewatch.render.film.FilmFormat;
+import org.dronewatch.render.film.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;

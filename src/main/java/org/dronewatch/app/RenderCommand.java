@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.dronewatch.render.CameraView;
-import org.dronewatch.render.FilmFormat;
+import org.dronewatch.render.film.FilmFormat;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;

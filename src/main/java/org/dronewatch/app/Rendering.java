@@ -2,10 +2,10 @@ package org.dronewatch.app;
 
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
-import org.dronewatch.render.Film;
-import org.dronewatch.render.FilmFormat;
-import org.dronewatch.render.FilmMaker;
 import org.dronewatch.render.RunHistory;
+import org.dronewatch.render.film.Film;
+import org.dronewatch.render.film.FilmFormat;
+import org.dronewatch.render.film.FilmMaker;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;

@@ -2,6 +2,8 @@ package org.dronewatch.render;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.canvas.Canvas;
+import org.dronewatch.render.canvas.Cut;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /** An image of the site alone, without sensors and drones, from one viewpoint. Immutable. */

@@ -1,5 +1,7 @@
 package org.dronewatch.render;
 
+import org.dronewatch.render.canvas.Canvas;
+
 /**
  * Daylight shading of surfaces and sky: the sun in the south-west, light from all of the sky, and some from the eye.
  */

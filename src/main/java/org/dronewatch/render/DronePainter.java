@@ -4,6 +4,7 @@ import java.util.Map;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.raster.TileTracer;
+import org.dronewatch.render.canvas.Canvas;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.ModelGrid;
 import org.jogamp.vecmath.Matrix4d;

@@ -16,6 +16,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.canvas.DroneMark;
+import org.dronewatch.render.canvas.KindColours;
+import org.dronewatch.render.canvas.SensorMark;
+import org.dronewatch.render.canvas.WatcherColours;
 
 /** Annotations around a view: title, legend, scale bar, north arrow, levels of rays. */
 final class Furniture {
@@ -91,7 +95,7 @@ final class Furniture {
         }
         if (zone) {
             texts.add("protected");
-            marks.add(SitePicture.ZONE);
+            marks.add(StateLines.ZONE);
         }
         int discs = texts.size();
         Map<String, Color> ofDrones =

@@ -1,5 +1,7 @@
 package org.dronewatch.render;
 
+import org.dronewatch.render.canvas.Canvas;
+
 /**
  * A colour scale for levels, from violet for faint to red for loud. Changes of level are also visible to colour-blind
  * readers, because lightness varies at both ends.

@@ -1,6 +1,9 @@
 package org.dronewatch.render;
 
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.render.canvas.Canvas;
+import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.render.canvas.LinePainter;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /** Draws rays of sound over a backdrop, and keeps the last result. */

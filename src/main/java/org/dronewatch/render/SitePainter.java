@@ -13,6 +13,8 @@ import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.raster.TileTracer;
+import org.dronewatch.render.canvas.Canvas;
+import org.dronewatch.render.canvas.Cut;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.world.World;
 

@@ -1,6 +1,5 @@
 package org.dronewatch.render;
 
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -17,6 +16,14 @@ import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.render.canvas.Canvas;
+import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.render.canvas.DroneMark;
+import org.dronewatch.render.canvas.Flights;
+import org.dronewatch.render.canvas.KindColours;
+import org.dronewatch.render.canvas.LinePainter;
+import org.dronewatch.render.canvas.SensorMark;
+import org.dronewatch.render.canvas.Symbols;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Mounted;
@@ -32,9 +39,6 @@ import org.dronewatch.world.WorldSettings;
  * then, over a copy of it, the state at one time. Lines are hidden by surfaces in front of them. One picture at a time.
  */
 public final class SitePicture {
-    /** The protected zone. */
-    static final Color ZONE = new Color(0xc0392b);
-
     /** How far the frustums of cameras are drawn, as a fraction of the framed box. */
     private static final double OUTLINE = 0.16;
 

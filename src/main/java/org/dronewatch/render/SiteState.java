@@ -2,6 +2,9 @@ package org.dronewatch.render;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.render.canvas.DroneMark;
+import org.dronewatch.render.canvas.FlightStretch;
+import org.dronewatch.render.canvas.SensorMark;
 
 /**
  * The state of the site at one time, for a view.

@@ -1,6 +1,7 @@
 package org.dronewatch.render;
 
 import java.util.Optional;
+import org.dronewatch.render.canvas.SiteLines;
 import org.dronewatch.setting.SettingsForm;
 
 /**

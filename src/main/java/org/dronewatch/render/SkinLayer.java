@@ -2,6 +2,7 @@ package org.dronewatch.render;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.render.canvas.Canvas;
 
 /** Lays a skin over a backdrop, and keeps the last result: it stays as it is while time goes on. */
 final class SkinLayer {

@@ -1,14 +1,26 @@
 package org.dronewatch.render;
 
+import java.awt.Color;
 import java.util.List;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.Ray;
+import org.dronewatch.render.canvas.DroneMark;
+import org.dronewatch.render.canvas.FlightStretch;
+import org.dronewatch.render.canvas.KindColours;
+import org.dronewatch.render.canvas.LinePainter;
+import org.dronewatch.render.canvas.OutlinePainter;
+import org.dronewatch.render.canvas.SensorMark;
+import org.dronewatch.render.canvas.SiteLines;
+import org.dronewatch.render.canvas.WatcherColours;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.world.World;
 
 /** Draws the lines of a site's state: fields of view, protected zones and flights. */
 final class StateLines {
+    /** The protected zone. */
+    static final Color ZONE = new Color(0xc0392b);
+
     private static final int TRACK = 0xd62f1f;
     private static final int TO_COME = 0x5a1a14;
     private static final int PLUMB = 0x20262e;
@@ -33,10 +45,10 @@ final class StateLines {
                         zone.centre(),
                         new Outline.Ball(zone.radius()),
                         1.6 * pixel,
-                        SitePicture.ZONE.getRGB() & 0xffffff,
+                        ZONE.getRGB() & 0xffffff,
                         0.85));
         protection.areas().forEach(area -> new OutlinePainter(lines, 0.0)
-                .draw(area, 1.6 * pixel, SitePicture.ZONE.getRGB() & 0xffffff, 0.85));
+                .draw(area, 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
     }
 
     /**

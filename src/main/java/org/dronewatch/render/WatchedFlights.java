@@ -6,6 +6,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.dronewatch.render.canvas.FlightStretch;
+import org.dronewatch.render.canvas.Symbols;
+import org.dronewatch.render.canvas.WatcherColours;
 
 /** The flights of a picture that are coloured by which sensors detect the drone. */
 final class WatchedFlights {

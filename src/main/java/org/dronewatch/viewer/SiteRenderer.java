@@ -5,12 +5,12 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.dronewatch.render.Backdrop;
-import org.dronewatch.render.Cut;
 import org.dronewatch.render.Fineness;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
+import org.dronewatch.render.canvas.Cut;
 
 /**
  * Renders the site for a window on separate threads: one paints the site itself, coarse at first and fine once nothing

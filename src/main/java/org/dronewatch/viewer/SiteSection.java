@@ -9,8 +9,8 @@ import javax.swing.Action;
 import javax.swing.JPanel;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.render.Cut;
 import org.dronewatch.render.Orbit;
+import org.dronewatch.render.canvas.Cut;
 
 /** The site view with the bar that selects viewpoint and cut. */
 final class SiteSection extends JPanel {

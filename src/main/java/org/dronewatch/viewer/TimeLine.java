@@ -17,7 +17,7 @@ import javax.swing.JViewport;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import javax.swing.UIManager;
-import org.dronewatch.render.KindColours;
+import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.DetectionIntervals;
 

@@ -8,7 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.UIManager;
-import org.dronewatch.render.KindColours;
+import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.DetectionIntervals.Interval;

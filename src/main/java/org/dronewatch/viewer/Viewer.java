@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.layer.LayerStore;
-import org.dronewatch.render.SiteLines;
+import org.dronewatch.render.canvas.SiteLines;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;

@@ -9,9 +9,9 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.layer.LayerStore;
-import org.dronewatch.render.Cut;
 import org.dronewatch.render.RecordedRays;
-import org.dronewatch.render.SiteLines;
+import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.render.canvas.SiteLines;
 import org.dronewatch.scenario.SceneSettings;
 
 /**

@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JToolBar;
 import org.dronewatch.geometry.AABB;
-import org.dronewatch.render.Cut;
+import org.dronewatch.render.canvas.Cut;
 
 /** Selects the viewpoint of the site and the height at which it is cut open. */
 final class WorldBar extends JToolBar {

@@ -14,11 +14,11 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Backdrop;
-import org.dronewatch.render.Cut;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
+import org.dronewatch.render.canvas.Cut;
 import org.dronewatch.world.WorldSettings;
 import org.jogamp.vecmath.Point2d;
 

@@ -14,6 +14,8 @@ import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.render.canvas.DroneMark;
+import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.sensor.camera.Shapes;
 import org.junit.jupiter.api.Test;
 

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.render.canvas.Canvas;
+import org.dronewatch.render.canvas.Cut;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -21,7 +21,7 @@ import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.Credits;
-import org.dronewatch.render.KindColours;
+import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.report.Numbers;
 import org.dronewatch.world.World;
 

@@ -4,7 +4,7 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.render.KindColours;
+import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.DetectionIntervals.Interval;
 import org.dronewatch.run.RunResult;

@@ -14,7 +14,7 @@ import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.render.KindColours;
+import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;

@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.film;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;

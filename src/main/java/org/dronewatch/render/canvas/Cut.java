@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import org.dronewatch.geometry.Position;
 
@@ -26,17 +26,17 @@ public record Cut(Position normal, double offset) {
     }
 
     /** Distance of a point beyond the plane; negative on the visible side, m. */
-    double depth(double x, double y, double z) {
+    public double depth(double x, double y, double z) {
         return normal.x() * x + normal.y() * y + normal.z() * z - offset;
     }
 
     /** Whether a point is shown. */
-    boolean keeps(Position point) {
+    public boolean keeps(Position point) {
         return depth(point.x(), point.y(), point.z()) <= 0.0;
     }
 
     /** How fast a direction leads into what is cut away. */
-    double rate(double dx, double dy, double dz) {
+    public double rate(double dx, double dy, double dz) {
         return normal.x() * dx + normal.y() * dy + normal.z() * dz;
     }
 }

@@ -1,8 +1,9 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.dronewatch.render.RunHistory;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.RunResult;

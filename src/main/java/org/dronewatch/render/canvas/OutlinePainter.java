@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.util.List;
 import org.dronewatch.fusion.AreaZone;
@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.world.GroundPoint;
 
 /** Draws the sensors' fields of view as lines in the world: frustums, sectors and spheres. */
-final class OutlinePainter {
+public final class OutlinePainter {
     /** The number of straight lines with which a full turn is drawn. */
     private static final int STEPS = 72;
 
@@ -19,13 +19,13 @@ final class OutlinePainter {
      *
      * @param length how far frustums and sectors are drawn at most, m, because they have no natural end
      */
-    OutlinePainter(LinePainter lines, double length) {
+    public OutlinePainter(LinePainter lines, double length) {
         this.lines = lines;
         this.length = length;
     }
 
     /** Draws one sensor's field of view. */
-    void draw(Position at, Outline outline, double width, int colour, double share) {
+    public void draw(Position at, Outline outline, double width, int colour, double share) {
         if (outline instanceof Outline.Frustum frustum) {
             drawFrustum(at, frustum, width, colour, share);
         } else if (outline instanceof Outline.Sector sector) {
@@ -36,7 +36,7 @@ final class OutlinePainter {
     }
 
     /** Draws the edges of a protected area. */
-    void draw(AreaZone area, double width, int colour, double share) {
+    public void draw(AreaZone area, double width, int colour, double share) {
         List<GroundPoint> outline = area.outline();
         int stride = Math.max(1, outline.size() / 12);
         for (int i = 0; i < outline.size(); i++) {

@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.awt.Color;
 import java.util.LinkedHashMap;
@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 
 /** The colours of the parts of flights, by the sensors that detect the drone there, in the order of occurrence. */
-final class WatcherColours {
+public final class WatcherColours {
     /** Where no sensor detects the drone; such parts are also dashed. */
-    static final Color NOBODY = new Color(0x20262e);
+    public static final Color NOBODY = new Color(0x20262e);
 
     private static final int MOST_NAMES = 3;
 
@@ -25,7 +25,7 @@ final class WatcherColours {
 
     private final Map<List<String>, Color> colours = new LinkedHashMap<>();
 
-    WatcherColours(List<FlightStretch> stretches) {
+    public WatcherColours(List<FlightStretch> stretches) {
         int number = 0;
         for (FlightStretch stretch : stretches) {
             if (stretch.sensors().isEmpty()) {
@@ -36,12 +36,12 @@ final class WatcherColours {
         }
     }
 
-    Color of(FlightStretch stretch) {
+    public Color of(FlightStretch stretch) {
         return colours.get(stretch.sensors());
     }
 
     /** What each colour means; those that do not fit share a line. */
-    Map<String, Color> legend() {
+    public Map<String, Color> legend() {
         Map<String, Color> lines = new LinkedHashMap<>();
         colours.forEach((sensors, colour) -> lines.putIfAbsent(
                 colour.equals(COLOURS[COLOURS.length - 1])
@@ -52,7 +52,7 @@ final class WatcherColours {
     }
 
     /** Some names of sensors, or that there are none. */
-    static String names(List<String> sensors) {
+    public static String names(List<String> sensors) {
         if (sensors.isEmpty()) {
             return "not detected";
         }

@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,27 +1,27 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
 
 /** An unfinished image: colour, depth and triangle of each pixel. For one painter at a time. */
-final class Canvas {
+public final class Canvas {
     /** Value of a pixel that shows no triangle of the world. */
-    static final int NOTHING = -1;
+    public static final int NOTHING = -1;
 
-    final int width;
-    final int height;
+    public final int width;
+    public final int height;
 
     /** Red, green and blue in the lowest 24 bits, row by row from the top. */
-    final int[] rgb;
+    public final int[] rgb;
 
     /** Distance along the camera's axis, m; infinity for the sky. */
-    final float[] depth;
+    public final float[] depth;
 
     /** Number of the world's triangle, or {@link #NOTHING}. */
-    final int[] triangle;
+    public final int[] triangle;
 
-    Canvas(int width, int height) {
+    public Canvas(int width, int height) {
         this.width = width;
         this.height = height;
         this.rgb = new int[width * height];
@@ -32,7 +32,7 @@ final class Canvas {
     }
 
     /** A copy to draw on: colours and depths; triangles are needed for the world only and are shared. */
-    Canvas copy() {
+    public Canvas copy() {
         return new Canvas(this);
     }
 
@@ -45,12 +45,12 @@ final class Canvas {
     }
 
     /** Mixes a colour into a pixel, by a fraction from 0 to 1. */
-    void blend(int pixel, int colour, double share) {
+    public void blend(int pixel, int colour, double share) {
         rgb[pixel] = mix(rgb[pixel], colour, share);
     }
 
     /** A colour between two, closer to the second the larger the fraction. */
-    static int mix(int below, int above, double share) {
+    public static int mix(int below, int above, double share) {
         int weight = (int) (share * 256.0 + 0.5);
         int r = (below >> 16 & 255) * (256 - weight) + (above >> 16 & 255) * weight >> 8;
         int g = (below >> 8 & 255) * (256 - weight) + (above >> 8 & 255) * weight >> 8;
@@ -59,7 +59,7 @@ final class Canvas {
     }
 
     /** The picture, each of its pixels the mean of a square of pixels of this canvas. */
-    BufferedImage toImage(int samples) {
+    public BufferedImage toImage(int samples) {
         BufferedImage image = new BufferedImage(width / samples, height / samples, BufferedImage.TYPE_INT_RGB);
         int[] target = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         if (samples == 1) {
@@ -87,7 +87,7 @@ final class Canvas {
     }
 
     /** This canvas at a smaller size: colours are means, depths those of the nearest. */
-    Canvas shrunk(int columns, int rows) {
+    public Canvas shrunk(int columns, int rows) {
         int samples = width / columns;
         Canvas small = new Canvas(columns, rows);
         int[] colours = ((DataBufferInt) toImage(samples).getRaster().getDataBuffer()).getData();

@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.awt.Color;
 import java.util.ArrayList;

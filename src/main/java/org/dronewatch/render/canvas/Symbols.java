@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -22,7 +22,7 @@ import org.dronewatch.sensor.optics.CameraObject;
  * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones and birds as rings.
  * Symbols behind something are drawn pale.
  */
-final class Symbols {
+public final class Symbols {
     private static final Color DETECTING = new Color(0xffd23f);
     private static final Color PLATE = new Color(24, 28, 34, 190);
     private static final Color HIDDEN_PLATE = new Color(24, 28, 34, 110);
@@ -65,7 +65,7 @@ final class Symbols {
      * @param toPicture pixels of the picture for one of the camera's
      * @param scale pixels of the picture for one of a screen of normal density
      */
-    Symbols(Graphics2D g, CameraObject camera, LinePainter sight, double toPicture, double scale) {
+    public Symbols(Graphics2D g, CameraObject camera, LinePainter sight, double toPicture, double scale) {
         this.g = g;
         this.camera = camera;
         this.sight = sight;
@@ -74,7 +74,7 @@ final class Symbols {
     }
 
     /** Nothing is drawn where these are. */
-    void keepOff(List<Rectangle> areas) {
+    public void keepOff(List<Rectangle> areas) {
         taken.addAll(areas);
         Area free = new Area(new Rectangle(
                 0, 0, (int) (toPicture * camera.width() + 0.5), (int) (toPicture * camera.height() + 0.5)));
@@ -96,7 +96,7 @@ final class Symbols {
     }
 
     /** Draws a sensor. */
-    void sensor(SensorMark mark, Color colour, boolean selected) {
+    public void sensor(SensorMark mark, Color colour, boolean selected) {
         if (!project(mark.position())) {
             return;
         }
@@ -149,7 +149,7 @@ final class Symbols {
     }
 
     /** Draws a drone. */
-    void drone(DroneMark mark, boolean selected) {
+    public void drone(DroneMark mark, boolean selected) {
         Position at = mark.drone().origin();
         if (!project(at)) {
             return;
@@ -174,7 +174,7 @@ final class Symbols {
     }
 
     /** Marks a point of a flight with a dot, and writes beside it what begins there. */
-    void note(Position at, String words) {
+    public void note(Position at, String words) {
         if (!project(at)) {
             return;
         }
@@ -212,7 +212,7 @@ final class Symbols {
     }
 
     /** Writes the names: those that matter first, each where it covers no other; where there is no room, none. */
-    void writeNames() {
+    public void writeNames() {
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, (int) Math.round(12 * scale)));
         names.sort((a, b) -> Boolean.compare(b.selected, a.selected) != 0
                 ? Boolean.compare(b.selected, a.selected)

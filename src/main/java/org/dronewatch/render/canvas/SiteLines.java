@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import java.awt.Color;
 import java.util.Collections;
@@ -51,12 +51,12 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
     }
 
     /** Whether there are no lines. */
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return lines.isEmpty();
     }
 
     /** Writes the words of each line at its beginning. */
-    void write(Symbols symbols) {
+    public void write(Symbols symbols) {
         lines.forEach(line -> symbols.note(line.pieces().get(0).points().get(0), line.words()));
     }
 }

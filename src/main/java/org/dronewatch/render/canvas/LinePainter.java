@@ -1,4 +1,4 @@
-package org.dronewatch.render;
+package org.dronewatch.render.canvas;
 
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -7,7 +7,7 @@ import org.dronewatch.sensor.optics.CameraObject;
  * Draws straight lines of the world into a canvas, with soft edges, and only where nothing hides them. Fast enough
  * for a hundred thousand sound rays in a moving view.
  */
-final class LinePainter {
+public final class LinePainter {
     /** Nearer parts of a line are cut off, m. */
     private static final double NEAR = 0.02;
 
@@ -27,7 +27,7 @@ final class LinePainter {
      *
      * @param cut clipping plane, or null for none
      */
-    LinePainter(CameraObject camera, Cut cut, Canvas canvas) {
+    public LinePainter(CameraObject camera, Cut cut, Canvas canvas) {
         this.camera = camera;
         this.cut = cut;
         this.canvas = canvas;
@@ -35,18 +35,18 @@ final class LinePainter {
     }
 
     /** Draws from now on only into the rows from the first up to the last, which is left out. */
-    void keepTo(int first, int last) {
+    public void keepTo(int first, int last) {
         top = first;
         bottom = last;
     }
 
     /** Draws a line between two points of the world, with a width in pixels. */
-    void line(Position a, Position b, double width, int colour, double share) {
+    public void line(Position a, Position b, double width, int colour, double share) {
         line(a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), width, colour, share);
     }
 
     /** Draws a line between two points of the world, with a width in pixels. */
-    void line(
+    public void line(
             double ax, double ay, double az, double bx, double by, double bz, double width, int colour, double share) {
         double first = 0.0;
         double last = 1.0;

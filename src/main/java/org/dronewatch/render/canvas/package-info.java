@@ -1,0 +1,5 @@
+/**
+ * The canvas of a picture, which knows depth, and what is drawn on it with lines: marks of drones and sensors,
+ * outlines and flights.
+ */
+package org.dronewatch.render.canvas;
