@@ -1,6 +1,6 @@
 package org.dronewatch.app;
 
-import org.dronewatch.placement.site.PlaceObjective;
+import org.dronewatch.placement.plan.PlaceObjective;
 import org.dronewatch.report.placement.PlaceResults;
 
 /** Finds the best layout on one objective, and what else is stated of it. */

@@ -3,7 +3,7 @@ package org.dronewatch.app;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.dronewatch.placement.site.PlaceSettings;
+import org.dronewatch.placement.plan.PlaceSettings;
 import org.dronewatch.report.WholeFile;
 import org.dronewatch.scenario.PackagedTexts;
 import org.dronewatch.scenario.SceneSchema;

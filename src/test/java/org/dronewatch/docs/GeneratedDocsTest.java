@@ -9,7 +9,7 @@ import com.networknt.schema.SpecificationVersion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.dronewatch.placement.site.PlaceSettings;
+import org.dronewatch.placement.plan.PlaceSettings;
 import org.dronewatch.scenario.SceneSchema;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;

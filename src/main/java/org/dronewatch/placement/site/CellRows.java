@@ -11,6 +11,8 @@ import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.placement.plan.AirSettings;
+import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;

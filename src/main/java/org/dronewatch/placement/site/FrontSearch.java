@@ -7,6 +7,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.IntConsumer;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * Finds the best layouts for lower budgets, which show what more money buys.

@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.fusion.AlertRule;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.scenario.PriceSettings;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.DirectionFinding;
@@ -26,7 +28,7 @@ public final class Layout {
      *
      * @param sensors by their names
      */
-    static SceneSettings alone(SceneSettings scene, Map<String, SensorSettings<?>> sensors) {
+    public static SceneSettings alone(SceneSettings scene, Map<String, SensorSettings<?>> sensors) {
         Map<String, SensorSettings<?>> all = new LinkedHashMap<>(scene.sensors());
         all.putAll(sensors);
         Set<String> others = new LinkedHashSet<>(all.keySet());

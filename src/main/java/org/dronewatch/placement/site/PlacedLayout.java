@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * The best layout that was found for a plan, with any objective. Values are in the unit of the objective, fractions,

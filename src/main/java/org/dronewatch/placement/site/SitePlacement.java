@@ -12,6 +12,8 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * The best layout that was found for a plan. Values are fractions of the airspace, that is, of the rows that

@@ -12,6 +12,8 @@ import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.plan.AirSettings;
+import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;

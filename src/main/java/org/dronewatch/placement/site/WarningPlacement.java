@@ -12,6 +12,9 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.SiteCandidate;
+import org.dronewatch.placement.plan.WarningMeasure;
 
 /**
  * The layout of a plan that gives the longest warning: the worst or the mean over straight inbound flights; a warning

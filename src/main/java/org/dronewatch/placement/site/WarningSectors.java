@@ -7,6 +7,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.plan.WarningMeasure;
 
 /** The warnings of flights by the eighths of the compass from which they come. */
 final class WarningSectors {

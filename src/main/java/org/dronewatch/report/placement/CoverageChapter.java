@@ -10,7 +10,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.survey.HeightSummary;
-import org.dronewatch.placement.site.AirSettings;
+import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.coverage.Losses;

@@ -1,7 +1,7 @@
 package org.dronewatch.report.placement;
 
 import java.util.OptionalDouble;
-import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.site.SectorGain;
 import org.dronewatch.report.CompassPoint;
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.route.RouteTable;
 import org.dronewatch.route.SectorRoute;

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.site.BudgetFront;
-import org.dronewatch.placement.site.RoutePlacement;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 

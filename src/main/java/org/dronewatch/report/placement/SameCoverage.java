@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldCoverage;
-import org.dronewatch.placement.site.AirSettings;
-import org.dronewatch.placement.site.PlacePlan;
+import org.dronewatch.placement.plan.AirSettings;
+import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.PlacedLayout;
 
 /** The options with which {@code coverage} assesses the scene of a layout in the same cells and on the same terms. */

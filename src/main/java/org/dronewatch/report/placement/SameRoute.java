@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
-import org.dronewatch.placement.site.RoutePlacement;
+import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.report.route.RouteInputs;
 
 /** The options with which {@code route} searches past the scene of a layout in the same cells and on the same terms. */

@@ -25,6 +25,8 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;

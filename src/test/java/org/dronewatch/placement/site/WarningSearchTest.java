@@ -18,6 +18,8 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -9,11 +9,11 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /** What a plan demands of a layout, whatever its objective. */
-final class PlanConditions {
+public final class PlanConditions {
     private PlanConditions() {}
 
     /** The conditions, without that on what remains after a loss. */
-    static PlacementConditions of(PlacePlan plan) {
+    public static PlacementConditions of(PlacePlan plan) {
         LayoutConditions asked = plan.settings().conditions();
         Map<String, KindLimits> kinds = new HashMap<>();
         plan.settings()
@@ -32,7 +32,7 @@ final class PlanConditions {
      *
      * @param remaining what must remain after a loss, in words; empty if nothing must
      */
-    static InputException impossible(PlacePlan plan, Optional<String> remaining) {
+    public static InputException impossible(PlacePlan plan, Optional<String> remaining) {
         return new InputException(
                 "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
                         + ": no layout was found that complies with it and with the limits on the numbers of sensors"

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -73,7 +73,7 @@ public record AirSettings(
     }
 
     /** The side of the square, m: that of {@code coverage} unless it is given. */
-    double square() {
+    public double square() {
         return side.orElse(FieldGrid.DEFAULT_SIDE);
     }
 

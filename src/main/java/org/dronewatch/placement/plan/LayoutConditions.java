@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 import java.util.Optional;
 import org.dronewatch.geometry.Position;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +14,9 @@ import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.plan.AirSettings;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.site.Layout;
 import org.dronewatch.route.FlightMode;
 import org.dronewatch.route.ModeField;
 import org.dronewatch.route.RouteArea;

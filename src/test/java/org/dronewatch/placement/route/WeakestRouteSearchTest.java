@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -23,6 +23,16 @@ import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.AirSettings;
+import org.dronewatch.placement.plan.LayoutConditions;
+import org.dronewatch.placement.plan.PlaceObjective;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.PlaceSettings;
+import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.CoveredCells;
+import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.placement.site.PlaceSearch;
+import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.search.WeakestRoute;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -11,6 +11,9 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.placement.solver.CutResult;
 
 /** What is stated about a layout that was found: routes are searched for past each part of it. */

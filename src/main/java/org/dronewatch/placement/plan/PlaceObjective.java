@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 /** The quantity that a placement maximises. */
 public enum PlaceObjective {

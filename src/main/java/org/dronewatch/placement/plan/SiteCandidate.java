@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.sensor.SensorSettings;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 /** Which of the warnings of all flights counts. */
 public enum WarningMeasure {

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -13,6 +13,11 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.PlanConditions;
+import org.dronewatch.placement.plan.SiteCandidate;
+import org.dronewatch.placement.site.CheaperLayouts;
+import org.dronewatch.placement.site.SectorGain;
 import org.dronewatch.placement.solver.CutResult;
 import org.dronewatch.placement.solver.CuttingPlanes;
 import org.dronewatch.setting.InputException;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.WeakestRoute;

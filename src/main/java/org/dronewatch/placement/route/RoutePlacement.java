@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -8,6 +8,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.PlacementResult;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.SiteCandidate;
+import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.route.search.WeakestRoute;
 
 /**

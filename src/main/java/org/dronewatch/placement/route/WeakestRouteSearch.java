@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.route;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,6 +10,10 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.AirSettings;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.PlaceSettings;
+import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.route.FieldExposure;
 import org.dronewatch.route.LayoutRoutes;
 import org.dronewatch.route.SensorFields;

@@ -1,4 +1,4 @@
-package org.dronewatch.placement.site;
+package org.dronewatch.placement.plan;
 
 import java.util.Optional;
 import org.dronewatch.setting.Defaults;
@@ -31,7 +31,7 @@ public record LossSettings(
      *
      * @throws InputException when another quantity is given, or none
      */
-    double fraction() {
+    public double fraction() {
         if (atLeast.isEmpty() || warning.isPresent()) {
             throw new InputException("conditions.anyoneLost: must have only 'atLeast' for this objective");
         }
@@ -43,7 +43,7 @@ public record LossSettings(
      *
      * @throws InputException when another quantity is given, or none
      */
-    double seconds() {
+    public double seconds() {
         if (warning.isEmpty() || atLeast.isPresent()) {
             throw new InputException("conditions.anyoneLost: must have only 'warning' for this objective");
         }
