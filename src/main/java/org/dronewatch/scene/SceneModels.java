@@ -7,10 +7,10 @@ import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.ModelCache;
-import org.dronewatch.scenario.ConditionAdvice;
-import org.dronewatch.scenario.OriginAdvice;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.scenario.SensorAdvice;
+import org.dronewatch.scenario.advice.ConditionAdvice;
+import org.dronewatch.scenario.advice.OriginAdvice;
+import org.dronewatch.scenario.advice.SensorAdvice;
 import org.dronewatch.setting.InputException;
 
 /** The models of a scene's runs, each read once. */

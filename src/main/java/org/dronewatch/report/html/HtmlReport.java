@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneResult;
-import org.dronewatch.scenario.ConditionAdvice;
+import org.dronewatch.scenario.advice.ConditionAdvice;
 
 /**
  * A self-contained HTML file for a browser or for printing: the verdict over all runs, which sensor detected which

@@ -1,8 +1,9 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;

@@ -1,4 +1,4 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -12,6 +12,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;

@@ -1,4 +1,4 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,7 @@ import org.dronewatch.drone.RotorTones;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelSettings;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.DiceSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneFile;

@@ -1,7 +1,8 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarming;
 

@@ -1,4 +1,4 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import java.util.Locale;
 import java.util.function.Consumer;

@@ -1,4 +1,4 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import java.math.BigDecimal;
 import java.math.MathContext;

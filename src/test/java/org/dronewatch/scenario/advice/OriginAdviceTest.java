@@ -1,4 +1,4 @@
-package org.dronewatch.scenario;
+package org.dronewatch.scenario.advice;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
