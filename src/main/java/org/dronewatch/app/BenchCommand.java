@@ -15,7 +15,7 @@ import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.mesh.io.LoadedModel;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

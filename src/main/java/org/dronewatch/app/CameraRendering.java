@@ -9,7 +9,7 @@ import org.dronewatch.render.RunHistory;
 import org.dronewatch.render.film.Film;
 import org.dronewatch.render.film.FilmFormat;
 import org.dronewatch.render.film.FilmMaker;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;

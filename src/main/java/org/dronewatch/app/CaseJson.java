@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CaseResult;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 

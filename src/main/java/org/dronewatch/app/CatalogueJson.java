@@ -7,7 +7,7 @@ import org.dronewatch.catalog.CatalogTexts;
 import org.dronewatch.catalog.Positioners;
 import org.dronewatch.catalog.SensorSystem;
 import org.dronewatch.mesh.io.MeshReaders;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.FoundKind;
 import org.dronewatch.setting.KindRegistry;

@@ -5,7 +5,7 @@ import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.render.film.Film;
 import org.dronewatch.render.film.FilmFormat;
 import org.dronewatch.render.film.FilmMaker;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;
 

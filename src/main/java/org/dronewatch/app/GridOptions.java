@@ -12,7 +12,7 @@ import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;

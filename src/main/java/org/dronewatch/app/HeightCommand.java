@@ -7,7 +7,7 @@ import java.util.concurrent.Callable;
 import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;

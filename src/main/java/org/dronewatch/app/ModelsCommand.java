@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dronewatch.models.ModelCatalogue;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;

@@ -6,7 +6,7 @@ import org.dronewatch.render.RunHistory;
 import org.dronewatch.render.film.Film;
 import org.dronewatch.render.film.FilmFormat;
 import org.dronewatch.render.film.FilmMaker;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Model.CommandSpec;

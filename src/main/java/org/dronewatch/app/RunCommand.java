@@ -12,7 +12,7 @@ import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.ResultFile;
 import org.dronewatch.report.RunReport;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.report.labels.LabelPlan;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.Pace;

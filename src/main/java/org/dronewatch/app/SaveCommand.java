@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dronewatch.flight.mission.PlanWriter;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
 import org.dronewatch.scene.Scene;

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dronewatch.placement.plan.PlaceSettings;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.scenario.PackagedTexts;
 import org.dronewatch.scenario.SceneSchema;
 import org.dronewatch.setting.InputException;

@@ -7,7 +7,7 @@ import org.dronewatch.render.RunHistory;
 import org.dronewatch.render.film.Film;
 import org.dronewatch.render.film.FilmFormat;
 import org.dronewatch.render.film.FilmMaker;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Mounted;

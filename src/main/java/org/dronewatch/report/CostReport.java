@@ -6,6 +6,9 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.Supplier;
 import org.dronewatch.bench.CostCurves;
+import org.dronewatch.report.file.Numbers;
+import org.dronewatch.report.file.OutputDirectory;
+import org.dronewatch.report.file.Table;
 import org.knowm.xchart.XYChart;
 
 /**

@@ -1,5 +1,7 @@
 package org.dronewatch.report;
 
+import org.dronewatch.report.file.Numbers;
+import org.dronewatch.report.file.Table;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.Frame;
 import org.dronewatch.sensor.Observation;

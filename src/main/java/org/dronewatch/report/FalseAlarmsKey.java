@@ -2,6 +2,7 @@ package org.dronewatch.report;
 
 import java.util.Optional;
 import org.dronewatch.fusion.FalseAlertRate;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.FalseAlarmResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneResult;

@@ -2,6 +2,7 @@ package org.dronewatch.report;
 
 import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.flight.Legs;
+import org.dronewatch.report.file.Table;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneListener;

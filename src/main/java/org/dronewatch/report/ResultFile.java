@@ -1,6 +1,8 @@
 package org.dronewatch.report;
 
 import java.util.OptionalDouble;
+import org.dronewatch.report.file.JsonFile;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.SceneResult;

@@ -1,5 +1,6 @@
 package org.dronewatch.report;
 
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.SceneResult;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

@@ -18,7 +18,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.Backdrop;
 import org.dronewatch.render.Fineness;
 import org.dronewatch.render.SiteStyle;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.Counted;
 
 /** Exports the display: an image of any part of the window, or the whole run as an image sequence. */

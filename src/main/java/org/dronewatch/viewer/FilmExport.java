@@ -22,7 +22,7 @@ import org.dronewatch.render.CameraView;
 import org.dronewatch.render.film.Film;
 import org.dronewatch.render.film.FilmFormat;
 import org.dronewatch.render.film.FilmMaker;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Counted;
 

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.DoubleFunction;
 import java.util.function.IntConsumer;
 import javax.imageio.ImageIO;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 
 /** Writes a run as numbered images, which any video program can turn into a video. */
 final class FrameExport {

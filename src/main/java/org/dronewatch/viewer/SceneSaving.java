@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.function.BiFunction;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
 

@@ -14,7 +14,7 @@ import org.dronewatch.campaign.Stopping;
 import org.dronewatch.campaign.UntilSettings;
 import org.dronewatch.campaign.VariantComparison;
 import org.dronewatch.campaign.VariantSummary;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.statistics.Proportion;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;

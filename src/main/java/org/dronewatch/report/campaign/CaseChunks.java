@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Cases;
-import org.dronewatch.report.WholeFile;
+import org.dronewatch.report.file.WholeFile;
 
 /** Chunks of cases in a directory, a file each. */
 final class CaseChunks implements CampaignRun.Chunks {

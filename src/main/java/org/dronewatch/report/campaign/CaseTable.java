@@ -22,7 +22,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.DroneOutcome;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /** Rows of {@code runs.csv}, one for each case and variant. */
 final class CaseTable {

@@ -3,7 +3,7 @@ package org.dronewatch.report.coverage;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.HeightSummary;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /** The map of the dominant causes at one height: how its cells are filled, and its legend. */
 public final class CauseMap {

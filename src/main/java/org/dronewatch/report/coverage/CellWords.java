@@ -10,7 +10,7 @@ import org.dronewatch.analysis.cell.Margin;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.survey.CellExaminer.CellEvidence;
 import org.dronewatch.analysis.survey.GapEvidence;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;

@@ -13,7 +13,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.survey.ConditionCoverage;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /**
  * A picture of the coverage under several conditions: a column for each, a row for each height, the highest on top.

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dronewatch.analysis.survey.ConditionCoverage;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.scenario.SceneCondition;
 
 /** Tables of a site's coverage under several conditions: a row for each height, a column for each condition. */

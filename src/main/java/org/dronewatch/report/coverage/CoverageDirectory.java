@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.dronewatch.analysis.survey.FieldSurvey;
-import org.dronewatch.report.JsonFile;
-import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.file.JsonFile;
+import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.report.provenance.ResultKind;
 
 /** The directory into which {@code coverage} writes; its files appear together or not at all. */

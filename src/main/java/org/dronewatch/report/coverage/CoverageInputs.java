@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.geo.Origin;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /**
  * The inputs of a coverage, as its files state them.

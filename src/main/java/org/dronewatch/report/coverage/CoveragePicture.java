@@ -22,7 +22,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.Credits;
 import org.dronewatch.render.canvas.KindColours;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.world.World;
 
 /** A plan view of a site, north up: shaded ground, the area covered by the sensors of each kind, and the sensors. */

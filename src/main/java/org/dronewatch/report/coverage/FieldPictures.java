@@ -12,7 +12,7 @@ import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */

@@ -13,7 +13,7 @@ import org.dronewatch.analysis.layer.InterpolationError;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.Gap;
 import org.dronewatch.analysis.survey.HeightSummary;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;
 
 /** Tables of a site's coverage at several heights. */

@@ -8,7 +8,7 @@ import java.awt.Rectangle;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /** The scale bar and the north arrow on a square map. */
 final class MapFrame {

@@ -3,7 +3,7 @@ package org.dronewatch.report.coverage;
 import java.util.Collection;
 import java.util.Locale;
 import org.dronewatch.analysis.survey.RemainingCoverage;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /** Describes what is covered at one height while sensors are moved. */
 public final class MoveWords {

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;

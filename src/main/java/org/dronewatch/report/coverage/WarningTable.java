@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /** A table of the warning times of inbound flights. */
 public final class WarningTable {

@@ -8,7 +8,7 @@ import java.util.stream.DoubleStream;
 /** Number formats for the report. */
 public final class ReadableNumbers {
     /** Shown in tables where there is no value. */
-    static final String NONE = "-";
+    public static final String NONE = "-";
 
     private ReadableNumbers() {}
 
@@ -27,7 +27,7 @@ public final class ReadableNumbers {
     }
 
     /** A value with one decimal place, or a word where there is no value. */
-    static String orElse(OptionalDouble value, String none) {
+    public static String orElse(OptionalDouble value, String none) {
         return value.isPresent() ? format("%.1f", value.getAsDouble()) : none;
     }
 
@@ -35,7 +35,7 @@ public final class ReadableNumbers {
      * The smallest and the largest of some values, with one decimal place: {@code 3.0 to 7.5}; a dash if there are no
      * values.
      */
-    static String range(DoubleStream values) {
+    public static String range(DoubleStream values) {
         DoubleSummaryStatistics all = values.summaryStatistics();
         if (all.getCount() == 0) {
             return NONE;
@@ -45,7 +45,7 @@ public final class ReadableNumbers {
         return least.equals(greatest) ? least : least + " to " + greatest;
     }
 
-    static String format(String pattern, Object... values) {
+    public static String format(String pattern, Object... values) {
         return String.format(Locale.ROOT, pattern, values);
     }
 }

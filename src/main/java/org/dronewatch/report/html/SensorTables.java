@@ -69,7 +69,7 @@ public final class SensorTables {
         return sensor instanceof Record parts ? Described.of(parts, Set.of("position", "rate")) : sensor.toString();
     }
 
-    static String coordinates(Position at) {
+    public static String coordinates(Position at) {
         return format("%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
     }
 

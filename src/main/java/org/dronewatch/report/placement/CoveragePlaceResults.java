@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;

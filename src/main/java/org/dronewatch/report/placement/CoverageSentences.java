@@ -9,7 +9,7 @@ import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.setting.Counted;
 
 /** What the layout that covers the most air is worth, in sentences. */

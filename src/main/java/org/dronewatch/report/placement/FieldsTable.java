@@ -12,8 +12,8 @@ import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.CompassPoint;
-import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.CoverageTable;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;
 
 /** The coverage of the layout and of the scene's own sensors, height by height. */

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /** What more money buys, in a line for each step. */
 final class FrontWords {

@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

@@ -11,7 +11,7 @@ import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.site.PresentLayout;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.setting.Counted;
 

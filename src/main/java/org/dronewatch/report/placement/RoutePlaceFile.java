@@ -3,7 +3,7 @@ package org.dronewatch.report.placement;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.route.RoutePlacement;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.WeakestRoute;
 import tools.jackson.databind.node.ArrayNode;

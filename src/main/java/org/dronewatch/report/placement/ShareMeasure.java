@@ -3,7 +3,7 @@ package org.dronewatch.report.placement;
 import java.util.OptionalDouble;
 import org.dronewatch.placement.site.SectorGain;
 import org.dronewatch.report.CompassPoint;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 
 /**
  * The fraction of the airspace that is covered, in words.

@@ -9,8 +9,8 @@ import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
-import org.dronewatch.report.Numbers;
 import org.dronewatch.report.coverage.WarningTable;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 

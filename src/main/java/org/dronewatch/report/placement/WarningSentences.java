@@ -2,7 +2,7 @@ package org.dronewatch.report.placement;
 
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.setting.Counted;
 
 /** What the layout with the longest warning is worth, in sentences. */

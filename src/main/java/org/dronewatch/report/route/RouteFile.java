@@ -1,8 +1,8 @@
 package org.dronewatch.report.route;
 
 import java.util.Locale;
-import org.dronewatch.report.JsonFile;
-import org.dronewatch.report.Numbers;
+import org.dronewatch.report.file.JsonFile;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;

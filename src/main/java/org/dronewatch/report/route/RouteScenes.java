@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import org.dronewatch.flight.RouteFlight;
-import org.dronewatch.report.OutputDirectory;
+import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteBegins;

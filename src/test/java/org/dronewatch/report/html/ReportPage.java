@@ -8,6 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.dronewatch.report.html.run.HtmlReport;
+import org.dronewatch.report.html.run.Looks;
+import org.dronewatch.report.html.run.RunView;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -19,7 +22,7 @@ import org.xml.sax.SAXException;
 public final class ReportPage {
     private ReportPage() {}
 
-    static String report(Scene scene, List<Figure> figures) throws IOException {
+    public static String report(Scene scene, List<Figure> figures) throws IOException {
         SceneRunner runner = new SceneRunner(scene);
         Looks looks = new Looks();
         SceneResult result = runner.listener(looks).run();

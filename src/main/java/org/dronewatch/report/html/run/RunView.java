@@ -1,0 +1,18 @@
+package org.dronewatch.report.html.run;
+
+import java.util.List;
+import org.dronewatch.report.html.Figure;
+import org.dronewatch.run.Stage;
+
+/**
+ * The site and images of one run for the report.
+ *
+ * @param stage its site
+ * @param pictures images of the site
+ */
+public record RunView(Stage stage, List<Figure> pictures) {
+    /** Copies the list. */
+    public RunView {
+        pictures = List.copyOf(pictures);
+    }
+}
