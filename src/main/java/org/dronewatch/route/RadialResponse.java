@@ -3,7 +3,7 @@ package org.dronewatch.route;
 import java.util.List;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.sensor.CrossingBlind;
 
 /**

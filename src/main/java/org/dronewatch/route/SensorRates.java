@@ -7,7 +7,7 @@ import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.layer.InterpolationError;
-import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.CrossingBlind;

@@ -3,8 +3,8 @@ package org.dronewatch.route;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.route.search.ExposureField;
-import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 

@@ -19,7 +19,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.route.search.RouteExposure;
 import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.route.search.RoutePath;

@@ -14,7 +14,7 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.SensorSettings;
 import org.junit.jupiter.api.io.TempDir;

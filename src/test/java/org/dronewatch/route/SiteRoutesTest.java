@@ -17,7 +17,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.fusion.ProtectedArea;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.route.search.LegMotion;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Visibility;

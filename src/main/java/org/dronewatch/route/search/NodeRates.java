@@ -2,6 +2,7 @@ package org.dronewatch.route.search;
 
 import java.util.Arrays;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.exposure.LegMotion;
 
 /** The rates of a field at all nodes, in all modes and directions: infinite at blocked nodes. Immutable. */
 final class NodeRates {

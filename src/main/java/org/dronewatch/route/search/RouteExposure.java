@@ -2,6 +2,8 @@ package org.dronewatch.route.search;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 
 /**
  * The exposure along a path, {@code E = integral of the rate over the time}: exact in fields that are constant in each

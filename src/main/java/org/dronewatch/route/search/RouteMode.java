@@ -1,6 +1,7 @@
 package org.dronewatch.route.search;
 
 import org.dronewatch.drone.FlightLimits;
+import org.dronewatch.route.exposure.LegMotion;
 
 /**
  * A mode in which a drone flies, such as under power or gliding.

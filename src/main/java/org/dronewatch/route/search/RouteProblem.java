@@ -2,6 +2,7 @@ package org.dronewatch.route.search;
 
 import java.util.BitSet;
 import java.util.List;
+import org.dronewatch.route.exposure.ExposureField;
 
 /**
  * The input of a route search.

@@ -9,7 +9,7 @@ import org.dronewatch.parallel.Workers;
  * The least exposed routes from all nodes to the goals at once: Dijkstra's algorithm, backwards from the goals. A state
  * is a node with the mode and, where turns need room, the heading of the leg that leaves it. One use, one thread.
  */
-final class RouteSearch {
+public final class RouteSearch {
     private static final int NONE = -1;
 
     /** How many states are settled between two checks of the thread's interrupt status. */
@@ -41,7 +41,7 @@ final class RouteSearch {
      *
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
-    static RouteTree toGoals(RouteProblem problem) {
+    public static RouteTree toGoals(RouteProblem problem) {
         RouteSearch search = new RouteSearch(problem);
         BitSet goals = problem.goals();
         for (int state = 0; state < search.cost.length; state++) {

@@ -7,7 +7,7 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /** The least exposed routes over the nodes of a grid, from every node to the goals. Immutable and thread-safe. */
-final class RouteTree {
+public final class RouteTree {
     private final RouteProblem problem;
 
     /** By mode, heading and node. */
@@ -28,7 +28,7 @@ final class RouteTree {
     }
 
     /** The least exposure from a node to the goals; infinite where no route leads there. */
-    double cost(int node) {
+    public double cost(int node) {
         return cost[state(node)];
     }
 

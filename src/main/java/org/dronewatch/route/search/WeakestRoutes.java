@@ -10,6 +10,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 
 /**
  * The least exposed routes from anywhere to the goals. They are searched for over the nodes of a grid and then

@@ -11,6 +11,8 @@ import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -17,6 +17,8 @@ import org.dronewatch.placement.solver.CutResult;
 import org.dronewatch.placement.solver.CuttingPlanes;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.placement.solver.Relaxation;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

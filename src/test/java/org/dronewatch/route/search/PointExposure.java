@@ -1,6 +1,8 @@
 package org.dronewatch.route.search;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 
 /**
  * The textbook sensor: a rate of K / d^n at the distance d.
@@ -9,7 +11,7 @@ import org.dronewatch.geometry.Position;
  * @param strength K
  * @param power n, 1 or 2
  */
-record PointExposure(Position at, double strength, int power) implements ExposureField {
+public record PointExposure(Position at, double strength, int power) implements ExposureField {
     static PointExposure of(double x, double y, int power) {
         return new PointExposure(new Position(x, y, 0.0), 1.0, power);
     }

@@ -7,6 +7,8 @@ import java.util.BitSet;
 import java.util.List;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.SummedExposure;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

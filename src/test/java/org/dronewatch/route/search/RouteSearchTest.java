@@ -9,6 +9,8 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 import org.junit.jupiter.api.Test;
 
 class RouteSearchTest {

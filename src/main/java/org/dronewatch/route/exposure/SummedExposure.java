@@ -1,4 +1,4 @@
-package org.dronewatch.route.search;
+package org.dronewatch.route.exposure;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
@@ -6,8 +6,8 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
 /** The sum of several fields and a constant. */
-record SummedExposure(List<ExposureField> parts, double constant) implements ExposureField {
-    SummedExposure {
+public record SummedExposure(List<ExposureField> parts, double constant) implements ExposureField {
+    public SummedExposure {
         parts = List.copyOf(parts);
         Check.notNegative("rate", constant, Quantity.NUMBER);
     }

@@ -1,9 +1,10 @@
-package org.dronewatch.route.search;
+package org.dronewatch.route.exposure;
 
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.RouteMode;
 
 /**
  * How exposed a drone is at a position: the rate at which it is detected, given that it has not been yet. Its integral

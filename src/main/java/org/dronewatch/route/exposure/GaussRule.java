@@ -1,4 +1,4 @@
-package org.dronewatch.route.search;
+package org.dronewatch.route.exposure;
 
 import org.dronewatch.geometry.Position;
 

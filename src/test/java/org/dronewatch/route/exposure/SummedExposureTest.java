@@ -1,4 +1,4 @@
-package org.dronewatch.route.search;
+package org.dronewatch.route.exposure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,12 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.search.PlanDirections;
+import org.dronewatch.route.search.PointExposure;
+import org.dronewatch.route.search.RouteGrid;
+import org.dronewatch.route.search.RouteMode;
+import org.dronewatch.route.search.RouteProblem;
+import org.dronewatch.route.search.RouteSearch;
 import org.junit.jupiter.api.Test;
 
 /** Sensors at random places, of which each adds to the least exposure, in whichever order they are given. */

@@ -1,4 +1,4 @@
-package org.dronewatch.route.search;
+package org.dronewatch.route.exposure;
 
 /**
  * How a drone moves on a straight leg.
