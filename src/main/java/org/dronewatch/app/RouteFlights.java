@@ -14,7 +14,7 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.route.search.TimeToGo;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 

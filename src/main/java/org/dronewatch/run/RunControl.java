@@ -1,6 +1,8 @@
 package org.dronewatch.run;
 
 import java.util.function.BooleanSupplier;
+import org.dronewatch.run.time.LookTimes;
+import org.dronewatch.run.time.Pace;
 
 /**
  * The control of a run: its end, its pace, and the record of its computing time. None of this changes the results up to

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 

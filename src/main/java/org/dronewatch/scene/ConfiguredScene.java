@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.flight.Steered;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.Overrides;
 import org.dronewatch.scenario.SceneSettings;

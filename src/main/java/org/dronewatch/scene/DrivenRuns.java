@@ -8,12 +8,12 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dronewatch.parallel.Interrupts;
-import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.RunControl;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.model.ModelCache;
 
 /**
  * The runs of a scene, one after the other on the caller's thread, driven by the scene's own simulator.

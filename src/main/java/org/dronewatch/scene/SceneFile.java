@@ -15,7 +15,7 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.geo.features.Features;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.PlaceForms;
 import org.dronewatch.scenario.SceneSettings;

@@ -6,7 +6,7 @@ import org.dronewatch.flight.FlightsFile;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.advice.ConditionAdvice;
 import org.dronewatch.scenario.advice.OriginAdvice;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;

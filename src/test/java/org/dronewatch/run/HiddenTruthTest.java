@@ -17,6 +17,8 @@ import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.run.time.LookTimes;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.FloorScene;

@@ -21,8 +21,8 @@ import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
-import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.setting.InputException;
 
 /** The directory into which {@code route} writes; its files appear together or not at all. */

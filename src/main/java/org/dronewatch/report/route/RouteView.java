@@ -9,8 +9,8 @@ import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
 import org.dronewatch.route.RouteSurvey;
-import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 
 /** The site in perspective with the routes over it, coloured by how exposed the drone is on them. */

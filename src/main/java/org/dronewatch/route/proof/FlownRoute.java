@@ -13,8 +13,8 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.ResponseTime;
 import org.dronewatch.route.TimelyDetection;
-import org.dronewatch.run.ModelCache;
 import org.dronewatch.run.Stage;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 
 /**

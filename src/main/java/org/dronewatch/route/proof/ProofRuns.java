@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.fusion.Confirmation;
 import org.dronewatch.parallel.Workers;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Observation;

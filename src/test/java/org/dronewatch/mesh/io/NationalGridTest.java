@@ -15,7 +15,7 @@ import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.run.ModelCache;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;

@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.model;
 
 import java.util.Arrays;
 import java.util.Locale;
@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * the ellipsoid and those of the terrain to the sea. What stands on another model, such as a mast on a roof, is not
  * compared with the ground.
  */
-final class GroundOffsets {
+public final class GroundOffsets {
     /** Further above or below the ground than most foundations, m. */
     private static final double DOUBTFUL = 3.0;
 
@@ -32,7 +32,7 @@ final class GroundOffsets {
      *
      * @param parts terrain, buildings and models of the world, in this order, by the first triangle of each
      */
-    GroundOffsets(SceneSettings settings, World world, NavigableMap<Integer, SiteModel> parts) {
+    public GroundOffsets(SceneSettings settings, World world, NavigableMap<Integer, SiteModel> parts) {
         this.settings = settings;
         this.mesh = world.mesh();
         this.visibility = new Visibility(world);
@@ -41,7 +41,7 @@ final class GroundOffsets {
     }
 
     /** Gives one line for each model whose parts are more than 3 m off the ground, in the median. */
-    void giveTo(Consumer<String> target) {
+    public void giveTo(Consumer<String> target) {
         int models = settings.world().models().size();
         if (parts.values().stream().noneMatch(part -> part.role() == ModelRole.TERRAIN)) {
             return;

@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.time;
 
 import java.util.OptionalDouble;
 import org.dronewatch.flight.FlightPath;

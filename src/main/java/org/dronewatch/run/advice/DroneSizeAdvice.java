@@ -1,16 +1,17 @@
-package org.dronewatch.run;
+package org.dronewatch.run.advice;
 
 import java.util.Locale;
 import org.dronewatch.geometry.AABB;
+import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 
 /** Warns of drones whose models are in millimetres but read in metres. */
-record DroneSizeAdvice(SceneSettings settings) {
+public record DroneSizeAdvice(SceneSettings settings) {
     /** No drone has such a span, m. */
     private static final double LARGEST = 100.0;
 
     /** Gives one line for each drone. */
-    void giveTo(ModelCache models) {
+    public void giveTo(ModelCache models) {
         settings.drones().forEach((id, drone) -> {
             AABB box = models.index(drone.model(), settings.world().tracing())
                     .tree()

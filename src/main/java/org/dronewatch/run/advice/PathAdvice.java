@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.advice;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * @param ground the highest surfaces of the world
  * @param duration of the run, s
  */
-record PathAdvice(String id, World world, Ground ground, double duration) {
+public record PathAdvice(String id, World world, Ground ground, double duration) {
     /** The greatest interval between the times at which a flight is examined, s. */
     private static final double STEP = 0.2;
 
@@ -30,7 +30,7 @@ record PathAdvice(String id, World world, Ground ground, double duration) {
     private static final double TOUCH = 0.1;
 
     /** Gives one line with the first place, and the greatest depth. */
-    void giveTo(FlightPath path, Consumer<String> target) {
+    public void giveTo(FlightPath path, Consumer<String> target) {
         int steps = (int) Math.min(MOST_PLACES, Math.max(1.0, Math.ceil(duration / STEP)));
         String first = null;
         double deepest = 0.0;

@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.model;
 
 import java.util.HashMap;
 import java.util.Locale;
@@ -19,7 +19,7 @@ import org.dronewatch.world.Places;
 /**
  * Creates the paths of a scene's drones; a swarm shares its leader's, which may have been costly to fit to the ground.
  */
-final class FlightPaths {
+public final class FlightPaths {
     private final Places places;
     private final double end;
     private final ModelCache files;
@@ -32,7 +32,7 @@ final class FlightPaths {
      * @param end of the run, s
      * @param files reads the files of flights
      */
-    FlightPaths(Places places, double end, ModelCache files) {
+    public FlightPaths(Places places, double end, ModelCache files) {
         this.places = places;
         this.end = end;
         this.files = files;
@@ -43,7 +43,7 @@ final class FlightPaths {
      *
      * @throws InputException when it follows the ground and there is none, or was recorded in a file that is wrong
      */
-    FlightPath of(String id, DroneSettings drone) {
+    public FlightPath of(String id, DroneSettings drone) {
         try {
             return drone.flight() instanceof Displaced follower ? beside(id, drone, follower) : alone(id, drone);
         } catch (IllegalArgumentException | InputException e) {

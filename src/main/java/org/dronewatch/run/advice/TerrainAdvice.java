@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.advice;
 
 import java.util.Locale;
 import java.util.Map;
@@ -18,12 +18,12 @@ import org.dronewatch.world.Ground;
  *
  * @param ground the highest surfaces of the world
  */
-record TerrainAdvice(SceneSettings settings, Ground ground) {
+public record TerrainAdvice(SceneSettings settings, Ground ground) {
     /** How many places of a flight are looked at. */
     private static final int PLACES = 200;
 
     /** Gives one line for each sensor and each flight that leaves the ground. */
-    void giveTo(Map<String, FlightPath> flights, Consumer<String> target) {
+    public void giveTo(Map<String, FlightPath> flights, Consumer<String> target) {
         settings.enabledSensors().forEach((id, sensor) -> {
             Position at = sensor.position();
             if (isBeyond(at)) {

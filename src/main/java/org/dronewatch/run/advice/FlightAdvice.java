@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.advice;
 
 import java.util.function.Consumer;
 import org.dronewatch.drone.FlightLimits;
@@ -14,14 +14,14 @@ import org.dronewatch.world.Ground;
  * @param ground the highest surfaces of the world
  * @param duration of the run, s
  */
-record FlightAdvice(String id, FlightLimits limits, Ground ground, double duration) {
+public record FlightAdvice(String id, FlightLimits limits, Ground ground, double duration) {
     /** The greatest interval between the times at which a flight is examined, s. */
     private static final double STEP = 0.1;
     /** The greatest number of times that are examined: more would delay the start of long runs. */
     private static final int MOST_TIMES = 20_000;
 
     /** Gives one line for each limit that the flight exceeds. */
-    void giveTo(FlightPath path, Consumer<String> target) {
+    public void giveTo(FlightPath path, Consumer<String> target) {
         FlightExcesses excesses = new FlightExcesses(limits);
         int steps = (int) Math.min(MOST_TIMES, Math.max(1.0, Math.ceil(duration / STEP)));
         for (int i = 0; i <= steps; i++) {

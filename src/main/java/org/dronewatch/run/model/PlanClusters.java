@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.model;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.Ints;

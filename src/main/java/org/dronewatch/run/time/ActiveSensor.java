@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.time;
 
 import java.util.List;
 import java.util.Optional;
@@ -19,7 +19,7 @@ import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /** A sensor during a run: when it looks next, which drones its observer has found, and its false alarms. */
-final class ActiveSensor {
+public final class ActiveSensor {
     private final String id;
     private final SensorSettings<?> settings;
     private final Sensor sensor;
@@ -28,7 +28,7 @@ final class ActiveSensor {
     private long nextIndex;
     private Encounters encounters = Encounters.NONE;
 
-    ActiveSensor(String id, SensorSettings<?> settings, Weather weather) {
+    public ActiveSensor(String id, SensorSettings<?> settings, Weather weather) {
         this.id = id;
         this.settings = settings;
         this.sensor = settings.create();
@@ -36,20 +36,20 @@ final class ActiveSensor {
         this.falseAlarms = FalseAlarmSource.of(settings, weather);
     }
 
-    String id() {
+    public String id() {
         return id;
     }
 
-    SensorSettings<?> settings() {
+    public SensorSettings<?> settings() {
         return settings;
     }
 
-    boolean tracesRays() {
+    public boolean tracesRays() {
         return sensor instanceof RaySensor;
     }
 
     /** The time of the next look, from its index and not from the last time, since adding up intervals drifts. */
-    double nextTime() {
+    public double nextTime() {
         return nextIndex / rate;
     }
 
@@ -58,12 +58,12 @@ final class ActiveSensor {
      *
      * @param pointing of its positioner at that time; empty for a sensor on a fixed mount
      */
-    Look nextLook(long seed, double time, Optional<Pointing> pointing) {
+    public Look nextLook(long seed, double time, Optional<Pointing> pointing) {
         return Look.of(seed, id, nextIndex++, time).withPointing(pointing).withEncounters(encounters);
     }
 
     /** Looks, on any thread. */
-    List<Observation> look(World world, List<Drone> drones, Look look, LookTimes times) {
+    public List<Observation> look(World world, List<Drone> drones, Look look, LookTimes times) {
         long start = System.nanoTime();
         List<Observation> observations = sensor.observe(world, drones, look);
         List<Observation> ofNothing =

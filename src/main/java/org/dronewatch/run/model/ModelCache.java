@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.model;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -85,7 +85,7 @@ public final class ModelCache {
     }
 
     /** A world with the memory of these models, if they have one. */
-    synchronized World remembering(World world) {
+    public synchronized World remembering(World world) {
         return memory.map(world::withMemory).orElse(world);
     }
 
@@ -175,12 +175,12 @@ public final class ModelCache {
     }
 
     /** Where the ground of a world is known; empty for a world without a terrain from files. */
-    synchronized Optional<KnownGround> knownGround(WorldSettings world) {
+    public synchronized Optional<KnownGround> knownGround(WorldSettings world) {
         return SiteKeys.Place.of(world).map(place -> prepared(place).ground());
     }
 
     /** What was read of the terrain and the buildings of a world, a line for each thing. */
-    synchronized List<String> siteNotes(WorldSettings world) {
+    public synchronized List<String> siteNotes(WorldSettings world) {
         List<String> lines = new ArrayList<>();
         SiteKeys.Place.of(world).ifPresent(place -> lines.addAll(terrain(place).description()));
         SiteKeys.Town.of(world).ifPresent(town -> lines.addAll(buildings(town).description()));
@@ -188,17 +188,17 @@ public final class ModelCache {
     }
 
     /** The buildings of a world's map, if it has one. */
-    synchronized Optional<LoadedBuildings> buildings(WorldSettings world) {
+    public synchronized Optional<LoadedBuildings> buildings(WorldSettings world) {
         return SiteKeys.Town.of(world).map(this::buildings);
     }
 
     /** The ray-tracing index over a world's terrain, buildings and models, merged into one mesh. */
-    synchronized TracingIndex index(WorldSettings world) {
+    public synchronized TracingIndex index(WorldSettings world) {
         return indexes.computeIfAbsent(SiteKeys.Site.of(world), this::build);
     }
 
     /** The ray-tracing index over a drone's model. */
-    synchronized TracingIndex index(ModelSettings model, TracingSettings tracing) {
+    public synchronized TracingIndex index(ModelSettings model, TracingSettings tracing) {
         return indexes.computeIfAbsent(SiteKeys.Site.of(model, tracing), this::build);
     }
 
@@ -212,7 +212,7 @@ public final class ModelCache {
     }
 
     /** The colours of a world's materials, by name: red, green and blue in the lowest 24 bits. */
-    synchronized Map<String, Integer> colours(WorldSettings world) {
+    public synchronized Map<String, Integer> colours(WorldSettings world) {
         Map<String, Integer> colours = new HashMap<>();
         for (SiteKeys.Model model : SiteKeys.Model.of(world)) {
             model(model).colours().forEach(colours::putIfAbsent);
@@ -226,12 +226,12 @@ public final class ModelCache {
     }
 
     /** The colours of the materials of a drone's model, by name. */
-    synchronized Map<String, Integer> colours(ModelSettings model) {
+    public synchronized Map<String, Integer> colours(ModelSettings model) {
         return model(SiteKeys.Model.of(model)).colours();
     }
 
     /** A world's terrain, buildings and models, in this order, by the first triangle of each in the tree's mesh. */
-    synchronized NavigableMap<Integer, SiteModel> firstTriangles(WorldSettings world) {
+    public synchronized NavigableMap<Integer, SiteModel> firstTriangles(WorldSettings world) {
         NavigableMap<Integer, SiteModel> starts = new TreeMap<>();
         int next = 0;
         Optional<SiteKeys.Place> place = SiteKeys.Place.of(world);
@@ -295,7 +295,7 @@ public final class ModelCache {
      *
      * @return whether nobody claimed it before
      */
-    synchronized boolean claimExamination(KDTree site) {
+    public synchronized boolean claimExamination(KDTree site) {
         return examined.add(site);
     }
 

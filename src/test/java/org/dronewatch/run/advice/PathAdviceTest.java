@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.advice;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.advice;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -29,12 +29,12 @@ import org.dronewatch.world.World;
  * Warns of settings that are allowed but do not fit the site: sensors inside walls or on surfaces, materials without a
  * surface, positioners that will not do what they are meant to.
  */
-record SiteAdvice(SceneSettings settings, World world) {
+public record SiteAdvice(SceneSettings settings, World world) {
     private static final String IN_WALL =
             " seems to be inside a wall or under the ground: most surfaces around it face away from it";
 
     /** Gives one line for each warning. */
-    void giveTo(Consumer<String> target) {
+    public void giveTo(Consumer<String> target) {
         settings.world().origin().ifPresent(origin -> new OriginAdvice(origin).giveTo(target));
         onSurfaces(target);
         onTerrain(target);

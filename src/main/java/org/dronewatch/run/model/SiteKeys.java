@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.model;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package org.dronewatch.run;
+package org.dronewatch.run.model;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
