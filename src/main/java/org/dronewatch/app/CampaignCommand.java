@@ -13,7 +13,7 @@ import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.SensitivityCases;
-import org.dronewatch.campaign.Shard;
+import org.dronewatch.campaign.outcome.Shard;
 import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.report.file.WholeFile;

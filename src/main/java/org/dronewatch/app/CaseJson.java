@@ -3,7 +3,7 @@ package org.dronewatch.app;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.campaign.CampaignPlan;
-import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.report.file.Numbers;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

@@ -1,6 +1,8 @@
 package org.dronewatch.campaign;
 
 import java.util.Optional;
+import org.dronewatch.campaign.outcome.CampaignQuantity;
+import org.dronewatch.campaign.outcome.Outcome;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.setting.InputException;
 

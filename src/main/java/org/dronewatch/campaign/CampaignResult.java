@@ -1,6 +1,7 @@
 package org.dronewatch.campaign;
 
 import java.util.Optional;
+import org.dronewatch.campaign.outcome.CampaignSummary;
 
 /**
  * The results of a campaign so far.

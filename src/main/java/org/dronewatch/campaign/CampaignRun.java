@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.PrimitiveIterator;
 import java.util.stream.IntStream;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.Cases;
+import org.dronewatch.campaign.outcome.Shard;
 import org.dronewatch.parallel.Workers;
 
 /**

@@ -1,6 +1,10 @@
 package org.dronewatch.campaign;
 
 import java.util.Optional;
+import org.dronewatch.campaign.outcome.CampaignSummary;
+import org.dronewatch.campaign.outcome.Outcome;
+import org.dronewatch.campaign.outcome.SequentialRule;
+import org.dronewatch.campaign.outcome.UntilSettings;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;

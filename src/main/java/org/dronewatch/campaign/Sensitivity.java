@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.SensitivitySettings;
 import org.dronewatch.campaign.sensitivity.MorrisDesign;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.MorrisEstimate;

@@ -2,6 +2,8 @@ package org.dronewatch.campaign;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.campaign.outcome.Cases;
+import org.dronewatch.campaign.outcome.SensitivitySettings;
 import org.dronewatch.campaign.sensitivity.FactorDesign;
 import org.dronewatch.campaign.sensitivity.MorrisDesign;
 import org.dronewatch.campaign.sensitivity.SaltelliDesign;

@@ -2,6 +2,9 @@ package org.dronewatch.campaign;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.Cases;
+import org.dronewatch.campaign.outcome.UntilSettings;
 import org.dronewatch.statistics.Proportion;
 
 /**

@@ -2,6 +2,8 @@ package org.dronewatch.campaign;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.campaign.outcome.CampaignSummary;
+import org.dronewatch.campaign.outcome.CaseResult;
 
 /** The results of a campaign whose cases are not kept: they are summarised as they arrive. For one thread. */
 public final class SummedCases implements CampaignRun.Chunks {

@@ -41,12 +41,7 @@ final class StateLines {
     /** Protected zones. */
     void zones(Protection protection) {
         protection.zone().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
-                .draw(
-                        zone.centre(),
-                        new Outline.Ball(zone.radius()),
-                        1.6 * pixel,
-                        ZONE.getRGB() & 0xffffff,
-                        0.85));
+                .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
         protection.areas().forEach(area -> new OutlinePainter(lines, 0.0)
                 .draw(area, 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
     }

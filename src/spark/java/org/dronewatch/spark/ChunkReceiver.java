@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.dronewatch.campaign.CampaignRun;
-import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.report.campaign.RemoteChunks;
 import org.dronewatch.setting.InputException;
 import scala.runtime.AbstractFunction2;

@@ -8,7 +8,7 @@ import java.util.function.BiConsumer;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.broadcast.Broadcast;
 import org.dronewatch.campaign.CampaignRun;
-import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import scala.reflect.ClassTag$;

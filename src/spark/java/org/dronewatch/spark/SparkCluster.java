@@ -12,8 +12,8 @@ import org.apache.spark.api.java.JavaSparkContext;
 import org.dronewatch.campaign.CampaignCluster;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CaseExecution;
-import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Stopping;
+import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.setting.InputException;
 
 /**

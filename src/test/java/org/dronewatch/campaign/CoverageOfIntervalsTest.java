@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronewatch.LongForm;
+import org.dronewatch.campaign.outcome.CampaignSummary;
+import org.dronewatch.campaign.outcome.Outcome;
 import org.dronewatch.setting.SettingsPath;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.BeforeEach;

@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignSettings;
-import org.dronewatch.campaign.EvenlySpaced;
-import org.dronewatch.campaign.Normal;
-import org.dronewatch.campaign.Variation;
+import org.dronewatch.campaign.variation.EvenlySpaced;
+import org.dronewatch.campaign.variation.Normal;
+import org.dronewatch.campaign.variation.Variation;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.setting.PlainText;
 

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.campaign.CampaignPlan;
-import org.dronewatch.campaign.CaseResult;
-import org.dronewatch.campaign.Cases;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.Cases;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 

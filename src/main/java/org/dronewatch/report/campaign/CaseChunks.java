@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dronewatch.campaign.CampaignRun;
-import org.dronewatch.campaign.CaseResult;
-import org.dronewatch.campaign.Cases;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.Cases;
 import org.dronewatch.report.file.WholeFile;
 
 /** Chunks of cases in a directory, a file each. */

@@ -20,8 +20,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
-import org.dronewatch.campaign.CaseResult;
-import org.dronewatch.campaign.DroneOutcome;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.DroneOutcome;
 import org.dronewatch.report.file.Numbers;
 
 /** Rows of {@code runs.csv}, one for each case and variant. */

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.campaign.CampaignPlan;
-import org.dronewatch.campaign.VariantComparison;
+import org.dronewatch.campaign.outcome.VariantComparison;
 import org.dronewatch.report.html.Html;
 
 /** The first case in which one of two variants is better, and the first in which the other is, side by side. */

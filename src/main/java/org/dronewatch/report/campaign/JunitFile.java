@@ -10,10 +10,10 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignRun;
-import org.dronewatch.campaign.CampaignSummary;
-import org.dronewatch.campaign.CaseResult;
 import org.dronewatch.campaign.Expectation;
 import org.dronewatch.campaign.Stopping;
+import org.dronewatch.campaign.outcome.CampaignSummary;
+import org.dronewatch.campaign.outcome.CaseResult;
 
 /**
  * A campaign as test results in JUnit's XML format: a suite of its expectations, and one of the cases of each variant,

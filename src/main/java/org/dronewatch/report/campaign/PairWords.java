@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.dronewatch.campaign.CampaignSummary;
-import org.dronewatch.campaign.Outcome;
-import org.dronewatch.campaign.PairedDifference;
-import org.dronewatch.campaign.VariantComparison;
+import org.dronewatch.campaign.outcome.CampaignSummary;
+import org.dronewatch.campaign.outcome.Outcome;
+import org.dronewatch.campaign.outcome.PairedDifference;
+import org.dronewatch.campaign.outcome.VariantComparison;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.statistics.Proportion;
 

@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
 import org.dronewatch.campaign.CampaignPlan;
-import org.dronewatch.campaign.CaseResult;
-import org.dronewatch.campaign.Cases;
+import org.dronewatch.campaign.outcome.CaseResult;
+import org.dronewatch.campaign.outcome.Cases;
 
 /** What two processes that run one campaign exchange: which campaign it is, and the results of chunks as bytes. */
 public final class RemoteChunks {

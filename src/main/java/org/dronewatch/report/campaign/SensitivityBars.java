@@ -2,8 +2,8 @@ package org.dronewatch.report.campaign;
 
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.campaign.CampaignQuantity;
 import org.dronewatch.campaign.Sensitivity;
+import org.dronewatch.campaign.outcome.CampaignQuantity;
 import org.dronewatch.campaign.sensitivity.MorrisEffect;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
 import org.dronewatch.report.html.Html;

@@ -2,9 +2,9 @@ package org.dronewatch.report.campaign;
 
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.campaign.CampaignSummary;
-import org.dronewatch.campaign.Outcome;
-import org.dronewatch.campaign.PairedDifference;
+import org.dronewatch.campaign.outcome.CampaignSummary;
+import org.dronewatch.campaign.outcome.Outcome;
+import org.dronewatch.campaign.outcome.PairedDifference;
 import org.dronewatch.statistics.Proportion;
 
 /** Shares of cases and outcomes in the words of a report. */

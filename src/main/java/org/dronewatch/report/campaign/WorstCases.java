@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignPlan;
-import org.dronewatch.campaign.CaseResult;
+import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.report.html.Html;
 
 /**

@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.variation;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -56,7 +56,7 @@ public record Variation(
      *
      * @throws IllegalArgumentException when there is none, or several
      */
-    void check() {
+    public void check() {
         long given = Stream.of(values, range, uniform, normal, triangular)
                 .filter(Optional::isPresent)
                 .count();
@@ -78,13 +78,13 @@ public record Variation(
      * @param u random number from 0, below 1
      * @throws IllegalArgumentException when a parameter is not a value of the quantity, or contradicts the others
      */
-    String value(Quantity quantity, double u) {
+    public String value(Quantity quantity, double u) {
         return values.map(all -> all.get((int) (u * all.size())))
                 .orElseGet(() -> written(quantity, distribution(quantity).applyAsDouble(u)));
     }
 
     /** The texts of the least and greatest values, which show whether all fit the setting. */
-    List<String> extremes(Quantity quantity) {
+    public List<String> extremes(Quantity quantity) {
         return values.orElseGet(() -> List.of(value(quantity, 0.0), value(quantity, Math.nextDown(1.0))));
     }
 

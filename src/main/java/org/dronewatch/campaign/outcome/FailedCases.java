@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

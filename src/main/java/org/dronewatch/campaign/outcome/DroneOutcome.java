@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import java.util.Optional;
 
@@ -26,7 +26,7 @@ public enum DroneOutcome {
     }
 
     /** The outcome for a drone that is detected or not, and for which there is an alert or not, in time or not. */
-    static DroneOutcome of(boolean isDetected, boolean isAlerted, Optional<Boolean> isInTime) {
+    public static DroneOutcome of(boolean isDetected, boolean isAlerted, Optional<Boolean> isInTime) {
         if (!isAlerted) {
             return isDetected ? DETECTED : MISSED;
         }

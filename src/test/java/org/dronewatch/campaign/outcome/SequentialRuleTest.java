@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

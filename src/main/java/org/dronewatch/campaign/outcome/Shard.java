@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 /**
  * A part of a campaign that one of several machines runs: every n-th chunk of its cases.
@@ -33,7 +33,7 @@ public record Shard(int number, int of) {
     }
 
     /** Whether a chunk belongs to it. */
-    boolean has(int chunk) {
+    public boolean has(int chunk) {
         return chunk % of == number - 1;
     }
 

@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.variation;
 
 import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.setting.Quantity;

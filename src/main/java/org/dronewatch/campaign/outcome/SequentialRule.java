@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;

@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 /** A number that every case has, whose variation can be explained. */
 public enum CampaignQuantity {
@@ -32,7 +32,7 @@ public enum CampaignQuantity {
     }
 
     /** Its value in a case that did not fail. */
-    double of(CaseResult result) {
+    public double of(CaseResult result) {
         return switch (this) {
             case WARNING_S -> result.warning().orElse(0.0);
             case RANGE_M -> result.range().orElse(0.0);

@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import org.apache.commons.numbers.gamma.RegularizedBeta;
 import org.dronewatch.statistics.Proportion;

@@ -1,6 +1,7 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import java.util.List;
+import org.dronewatch.campaign.CampaignPlan;
 
 /** Cases that can be run in any order, each with every variant. Immutable and thread-safe. */
 public interface Cases {

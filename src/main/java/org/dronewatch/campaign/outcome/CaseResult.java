@@ -1,4 +1,4 @@
-package org.dronewatch.campaign;
+package org.dronewatch.campaign.outcome;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -52,7 +52,7 @@ public record CaseResult(
     }
 
     /** A case that could not be run. */
-    static CaseResult failed(int number, String variant, long seed, List<String> values, String error) {
+    public static CaseResult failed(int number, String variant, long seed, List<String> values, String error) {
         return new CaseResult(
                 number,
                 variant,
