@@ -56,7 +56,7 @@ class HouseRulesTest {
             "bench\\..*",
             "render\\.SitePainter",
             "render\\.photo\\.Shading",
-            "report\\.coverage\\.ReliefShade",
+            "report\\.sheet\\.ReliefShade",
             "sensor\\.acoustic\\.energy\\.ReceiverSphere",
             "sensor\\.acoustic\\.propagation\\.AcousticRay",
             "sensor\\.optics\\.VisibleArea",

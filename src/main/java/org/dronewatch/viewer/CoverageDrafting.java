@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.field.FieldDraft;
 import org.dronewatch.analysis.survey.RemainingCoverage;
-import org.dronewatch.report.coverage.MoveWords;
+import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.scenario.SceneSettings;
 
 /**

@@ -9,8 +9,8 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.survey.RemainingCoverage;
 import org.dronewatch.report.coverage.CoverageSkin;
 import org.dronewatch.report.coverage.CoverageSkin.LegendEntry;
-import org.dronewatch.report.coverage.LossWords;
-import org.dronewatch.report.coverage.MoveWords;
+import org.dronewatch.report.coverage.table.LossWords;
+import org.dronewatch.report.coverage.table.MoveWords;
 
 /** Makes skins of a coverage on a thread: at a height, without the sensors that are switched off. */
 final class CoverageSkinning implements AutoCloseable {

@@ -16,7 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.survey.CellExaminer.CellEvidence;
-import org.dronewatch.report.coverage.CellWords;
+import org.dronewatch.report.coverage.table.CellWords;
 
 /** A check box for each sensor of a coverage, and whether it detects the drone in the cell under the pointer. */
 final class CoverageSwitches extends JPanel {

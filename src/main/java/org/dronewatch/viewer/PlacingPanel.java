@@ -14,7 +14,7 @@ import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.report.coverage.MoveWords;
+import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.setting.PlainText;

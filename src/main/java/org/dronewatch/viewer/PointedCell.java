@@ -7,8 +7,8 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.survey.CellExaminer;
 import org.dronewatch.analysis.survey.CellExaminer.CellEvidence;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.report.coverage.CellWords;
 import org.dronewatch.report.coverage.CoverageSkin.SkinCell;
+import org.dronewatch.report.coverage.table.CellWords;
 
 /** The cell of a coverage under the pointer: at once what the field knows, then its evidence, assessed on a thread. */
 final class PointedCell implements AutoCloseable {

@@ -17,7 +17,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.report.coverage.MoveWords;
+import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;

@@ -20,7 +20,7 @@ import javax.swing.JTextField;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.Yard;
-import org.dronewatch.report.coverage.MoveWords;
+import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.jogamp.vecmath.Point2d;

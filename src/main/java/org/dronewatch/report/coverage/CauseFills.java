@@ -1,6 +1,8 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
+import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
 /**
@@ -8,7 +10,7 @@ import org.dronewatch.sensor.Cause;
  * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. What is covered
  * is the lightest.
  */
-final class CauseFills {
+public final class CauseFills {
     private static final Color LIGHT_BLUE = new Color(0x9fd3f2);
     private static final Color YELLOW = new Color(0xf0e442);
     private static final Color ORANGE = new Color(0xe69f00);
@@ -24,7 +26,7 @@ final class CauseFills {
     private static final int PERIOD = 8;
 
     /** A cell inside something solid: its ground, darkened. */
-    static final MapSheet.Fill INSIDE = (u, v, ground) -> ColourMix.of(ground, DARK, LINE_STRENGTH);
+    public static final MapSheet.Fill INSIDE = (u, v, ground) -> ColourMix.of(ground, DARK, LINE_STRENGTH);
 
     /** A cell outside the area that counts: its ground, paler. */
     static final MapSheet.Fill OUTSIDE = (u, v, ground) -> ColourMix.of(ground, Color.WHITE, 0.5);

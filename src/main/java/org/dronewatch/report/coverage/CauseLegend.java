@@ -6,6 +6,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.report.coverage.table.CoverageTable;
+import org.dronewatch.report.sheet.MapSheet;
 
 /** What the cells of a map of causes show, and its legend. Immutable. */
 final class CauseLegend {

@@ -3,7 +3,9 @@ package org.dronewatch.report.coverage;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.HeightSummary;
+import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.report.sheet.MapSheet;
 
 /** The map of the dominant causes at one height: how its cells are filled, and its legend. */
 public final class CauseMap {

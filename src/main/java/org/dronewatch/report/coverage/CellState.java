@@ -2,6 +2,8 @@ package org.dronewatch.report.coverage;
 
 import java.util.Comparator;
 import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.report.coverage.table.CoverageTable;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
 /**

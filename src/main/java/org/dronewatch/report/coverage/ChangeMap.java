@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
 /**

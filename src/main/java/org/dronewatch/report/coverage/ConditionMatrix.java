@@ -13,7 +13,11 @@ import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dronewatch.analysis.survey.ConditionCoverage;
+import org.dronewatch.report.coverage.table.ConditionTable;
+import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.LegendText;
 
 /**
  * A picture of the coverage under several conditions: a column for each, a row for each height, the highest on top.

@@ -7,9 +7,12 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.dronewatch.analysis.survey.FieldSurvey;
+import org.dronewatch.report.coverage.table.CoverageInputs;
+import org.dronewatch.report.coverage.table.CoverageSite;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.report.provenance.ResultKind;
+import org.dronewatch.report.sheet.MapSheet;
 
 /** The directory into which {@code coverage} writes; its files appear together or not at all. */
 public final class CoverageDirectory implements AutoCloseable {

@@ -19,10 +19,18 @@ import org.dronewatch.analysis.survey.ConditionCoverage;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.analysis.survey.HeightSummary;
+import org.dronewatch.report.coverage.table.ConditionTable;
+import org.dronewatch.report.coverage.table.CoverageInputs;
+import org.dronewatch.report.coverage.table.CoverageSite;
+import org.dronewatch.report.coverage.table.CoverageTable;
+import org.dronewatch.report.coverage.table.Losses;
+import org.dronewatch.report.coverage.table.ReferencePoint;
+import org.dronewatch.report.coverage.table.WorstPlaces;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.SensorTables;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
 /** The coverage of a site for those who decide: the verdict, the worst places with their causes, maps, and warnings. */

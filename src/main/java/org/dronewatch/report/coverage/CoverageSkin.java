@@ -8,6 +8,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.survey.RemainingCoverage;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteSkin;
+import org.dronewatch.report.sheet.MapSheet;
 
 /**
  * The coverage at one height, laid over ground and roofs in the colours and patterns of the map of causes. Cells that

@@ -12,6 +12,7 @@ import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.analysis.survey.Gap;
 import org.dronewatch.analysis.survey.HeightSummary;
+import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;

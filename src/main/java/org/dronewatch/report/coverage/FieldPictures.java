@@ -12,7 +12,12 @@ import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.coverage.table.CoverageInputs;
+import org.dronewatch.report.coverage.table.CoverageSite;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.MapSheet;
+import org.dronewatch.report.sheet.ReliefShade;
 import org.dronewatch.sensor.Cause;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */

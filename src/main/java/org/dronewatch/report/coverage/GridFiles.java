@@ -7,6 +7,8 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.geo.Origin;
+import org.dronewatch.report.coverage.table.CoverageInputs;
+import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.report.map.CoverageMap;

@@ -4,6 +4,8 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.MapSheet;
 
 /** How heights look on a map: from light to dark, so that they keep their order in black and white; lined if none. */
 final class HeightFills {

@@ -7,6 +7,14 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.coverage.table.CoverageInputs;
+import org.dronewatch.report.coverage.table.CoverageSite;
+import org.dronewatch.report.coverage.table.LeastWarning;
+import org.dronewatch.report.coverage.table.WarningTable;
+import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.MapSheet;
+import org.dronewatch.report.sheet.ProtectedOutlines;
+import org.dronewatch.report.sheet.ReliefShade;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.In;
 

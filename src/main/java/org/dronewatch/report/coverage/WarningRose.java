@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
+import org.dronewatch.report.coverage.table.WarningTable;
 import org.dronewatch.report.html.Rose;
 
 /** The warning of straight inbound flights as a rose: a line for each height, and the required response as a ring. */

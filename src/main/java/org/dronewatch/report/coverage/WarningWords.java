@@ -8,6 +8,8 @@ import java.util.Locale;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.CompassPoint;
+import org.dronewatch.report.coverage.table.LeastWarning;
+import org.dronewatch.report.coverage.table.WarningTable;
 import org.dronewatch.report.html.Html;
 
 /** States the warning times of straight inbound flights in words and in a table. */
@@ -111,7 +113,7 @@ public final class WarningWords {
     }
 
     /** The worst warning of all heights, and whether all are in time. */
-    String worstInWords() {
+    public String worstInWords() {
         LeastWarning worst = least(warnings.all());
         String zone = warnings.isZone() ? "the protected zone" : "the middle of the sensors";
         String cases = share(worst.flights().size(), warnings.all()) + " combinations of bearing and height";

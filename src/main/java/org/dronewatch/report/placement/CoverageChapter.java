@@ -13,7 +13,7 @@ import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.report.coverage.Losses;
+import org.dronewatch.report.coverage.table.Losses;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.run.Stage;

@@ -12,7 +12,7 @@ import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.CompassPoint;
-import org.dronewatch.report.coverage.CoverageTable;
+import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;
 

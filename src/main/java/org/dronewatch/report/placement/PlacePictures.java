@@ -12,10 +12,10 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.report.coverage.CauseMap;
 import org.dronewatch.report.coverage.ChangeMap;
-import org.dronewatch.report.coverage.CoverageInputs;
-import org.dronewatch.report.coverage.MapSheet;
+import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 

@@ -13,11 +13,11 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.route.RoutePlacement;
-import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.route.RouteInputs;
 import org.dronewatch.report.route.RoutePictures;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.run.Stage;
 
 /** What the report says about the layout against the weakest route: the routes past it as they are flown. */

@@ -14,12 +14,12 @@ import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.LayoutWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
-import org.dronewatch.report.coverage.CoverageInputs;
-import org.dronewatch.report.coverage.CoverageSite;
-import org.dronewatch.report.coverage.MapSheet;
 import org.dronewatch.report.coverage.WarningMap;
 import org.dronewatch.report.coverage.WarningWords;
+import org.dronewatch.report.coverage.table.CoverageInputs;
+import org.dronewatch.report.coverage.table.CoverageSite;
 import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 

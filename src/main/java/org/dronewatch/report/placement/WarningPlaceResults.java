@@ -9,7 +9,7 @@ import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
-import org.dronewatch.report.coverage.WarningTable;
+import org.dronewatch.report.coverage.table.WarningTable;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;

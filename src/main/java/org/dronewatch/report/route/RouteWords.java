@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.dronewatch.report.CompassPoint;
-import org.dronewatch.report.coverage.CoverageTable;
+import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.RouteMode;

@@ -12,6 +12,7 @@ import java.util.Map;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.report.sheet.MapSheet;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

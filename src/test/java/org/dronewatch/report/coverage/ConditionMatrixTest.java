@@ -25,6 +25,8 @@ import org.dronewatch.analysis.survey.FieldCondition;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.report.coverage.table.ConditionTable;
+import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.BeforeAll;

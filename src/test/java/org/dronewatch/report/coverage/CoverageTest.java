@@ -19,6 +19,8 @@ import org.dronewatch.analysis.CoverageGrid;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.report.coverage.table.CoverageTable;
+import org.dronewatch.report.sheet.CoveragePicture;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.run.Stage;
 import org.dronewatch.run.model.ModelCache;

@@ -10,6 +10,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.survey.RemainingCoverage;
+import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.sensor.Cause;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -22,6 +22,7 @@ import org.dronewatch.analysis.survey.GapMap;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.terrain.io.ElevationFiles;

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
@@ -13,7 +13,7 @@ import org.dronewatch.scenario.SceneSettings;
  */
 public record CoverageSite(SceneSettings settings, Stage stage) {
     /** Where the enabled sensors are, m. */
-    List<Position> sensors() {
+    public List<Position> sensors() {
         return settings.enabledSensors().values().stream()
                 .map(sensor -> sensor.position())
                 .toList();

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
@@ -17,14 +17,14 @@ import org.dronewatch.report.CompassPoint;
  * @param flights those with this warning, in their order
  * @param of the number of all flights
  */
-record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
+public record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
     /**
      * The least warning.
      *
      * @param all at least one flight
      * @param words writes a time, s
      */
-    static LeastWarning of(List<Warning> all, DoubleFunction<String> words) {
+    public static LeastWarning of(List<Warning> all, DoubleFunction<String> words) {
         Warning least = all.stream()
                 .min(Comparator.comparingDouble(one -> one.time().orElse(-1.0)))
                 .orElseThrow();
@@ -40,7 +40,7 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
      *
      * @param words writes a time, s
      */
-    static Optional<String> ofOthers(List<Warning> all, DoubleFunction<String> words) {
+    public static Optional<String> ofOthers(List<Warning> all, DoubleFunction<String> words) {
         DoubleSummaryStatistics times =
                 all.stream().flatMapToDouble(one -> one.time().stream()).summaryStatistics();
         return times.getCount() == 0 || times.getCount() == all.size()
@@ -53,7 +53,7 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
     }
 
     /** Whether a drone arrives undetected. */
-    boolean isNone() {
+    public boolean isNone() {
         return time.isEmpty();
     }
 
@@ -92,7 +92,7 @@ record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int
     }
 
     /** In a sentence: {@code the north}, {@code every bearing}, {@code any bearing} or {@code 7 of 36 bearings}. */
-    String directions() {
+    public String directions() {
         if (flights.size() == 1) {
             return "the " + CompassPoint.of(flights.get(0).bearing());
         }

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
@@ -6,7 +6,7 @@ import java.util.List;
 import org.dronewatch.render.Credits;
 
 /** Text of a legend in lines that fit: names may be of any length. */
-final class LegendText {
+public final class LegendText {
     private static final String GAP = "\u2026";
 
     private LegendText() {}
@@ -39,7 +39,7 @@ final class LegendText {
     }
 
     /** A text in one line, without its middle if it is too long. */
-    static String shortened(String text, FontMetrics metrics, int most) {
+    public static String shortened(String text, FontMetrics metrics, int most) {
         int[] points = text.codePoints().toArray();
         int kept = points.length;
         String shown = text;

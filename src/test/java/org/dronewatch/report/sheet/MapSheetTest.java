@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import javax.imageio.ImageIO;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.report.coverage.CauseFills;
 import org.junit.jupiter.api.Test;
 
 /** The legend of a map, with names of any length. */

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
@@ -20,7 +20,7 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.Counted;
 
 /** The largest gaps, the worst first: where each begins, how large it is, and why it is there. */
-final class WorstPlaces {
+public final class WorstPlaces {
     /** The greatest number of gaps that are described. */
     private static final int MOST_GAPS = 6;
 
@@ -36,7 +36,7 @@ final class WorstPlaces {
 
     private final int all;
 
-    WorstPlaces(FieldSummary summary, CoverageSite site, ReferencePoint reference) {
+    public WorstPlaces(FieldSummary summary, CoverageSite site, ReferencePoint reference) {
         this.summary = summary;
         this.site = site;
         this.reference = reference;
@@ -51,7 +51,7 @@ final class WorstPlaces {
      * The section; cells of its gaps are assessed anew, on the {@link org.dronewatch.parallel.Workers} of the calling
      * thread.
      */
-    String html() {
+    public String html() {
         if (gaps.isEmpty()) {
             return Html.plain("p", "At each of these heights, the drone is detected everywhere.");
         }
@@ -67,7 +67,7 @@ final class WorstPlaces {
     }
 
     /** The largest gap of all, for the verdict. */
-    String worstInWords() {
+    public String worstInWords() {
         if (gaps.isEmpty()) {
             return "There is no gap in the coverage at these heights.";
         }

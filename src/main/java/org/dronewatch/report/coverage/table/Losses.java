@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
@@ -99,7 +99,7 @@ public final class Losses {
     }
 
     /** The failure that costs most, for the verdict; empty if none costs anything. */
-    Optional<String> worstInWords() {
+    public Optional<String> worstInWords() {
         String worst = "";
         HeightSummary where = null;
         double most = 0.0;
@@ -126,7 +126,7 @@ public final class Losses {
     }
 
     /** The sensors that add nothing. */
-    String idle() {
+    public String idle() {
         List<String> idle = summary.idleSensors();
         if (idle.isEmpty()) {
             return heights.stream().allMatch(height -> height.covered() == 0)

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +18,7 @@ public final class ConditionTable {
      *
      * @param covered the probability with which a sensor must detect the drone, 0.008 to 0.996, or 1
      */
-    static List<String> lines(List<ConditionCoverage> conditions, double covered) {
+    public static List<String> lines(List<ConditionCoverage> conditions, double covered) {
         List<String> lines = new ArrayList<>();
         lines.add("covered" + CoverageInputs.withProbability(covered)
                 + " under each condition, in % of the known cells:");
@@ -72,29 +72,29 @@ public final class ConditionTable {
         return " ".repeat(width - text.length()) + text;
     }
 
-    static String name(ConditionCoverage condition) {
+    public static String name(ConditionCoverage condition) {
         return condition.name().isEmpty() ? SceneCondition.AS_IT_IS : condition.name();
     }
 
-    static String best(ConditionCoverage.Height height) {
+    public static String best(ConditionCoverage.Height height) {
         return height.best()
                 .map(sensor -> sensor + " " + percent(height, height.bySensor().get(sensor)))
                 .orElse("none");
     }
 
     /** What is lost, of the cells that are known as it is: under the condition, fewer may be. */
-    static String lost(ConditionCoverage.Height height) {
+    public static String lost(ConditionCoverage.Height height) {
         return height.knownAsItIs() == 0 ? "-" : CoverageTable.percent(height.lost(), height.knownAsItIs());
     }
 
-    static String percent(ConditionCoverage.Height height, int cells) {
+    public static String percent(ConditionCoverage.Height height, int cells) {
         return height.summary().known() == 0
                 ? "-"
                 : CoverageTable.percent(cells, height.summary().known());
     }
 
     /** The bands of heights in which at least half of the coverage is lost under a condition. */
-    static String words(ConditionCoverage asItIs, ConditionCoverage condition) {
+    public static String words(ConditionCoverage asItIs, ConditionCoverage condition) {
         List<String> bands = new ArrayList<>();
         int first = -1;
         for (int height = 0; height <= condition.heights().size(); height++) {

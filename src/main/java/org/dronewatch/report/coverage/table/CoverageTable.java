@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -86,7 +86,7 @@ public final class CoverageTable {
     }
 
     /** A fraction of cells: 100.0 for all of them alone, a dash for none. */
-    static String percent(int cells, int of) {
+    public static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells == 0) {
             return "-";

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -50,19 +50,19 @@ public final class WarningTable {
     }
 
     /** The heights, from the lowest to the highest. */
-    static double[] heights(InboundWarnings warnings) {
+    public static double[] heights(InboundWarnings warnings) {
         return warnings.all().stream().mapToDouble(Warning::height).distinct().toArray();
     }
 
     /** The least warning, with its bearings. */
-    static String least(List<Warning> warnings) {
+    public static String least(List<Warning> warnings) {
         LeastWarning least = LeastWarning.of(warnings, WarningTable::seconds);
         String time = least.isNone() ? "none" : (least.isFromStart() ? AT_LEAST : "") + least.time();
         return time + " from " + least.bearings(warnings);
     }
 
     /** A time to a tenth. */
-    static String seconds(double time) {
+    public static String seconds(double time) {
         return text("%.1f s", time);
     }
 

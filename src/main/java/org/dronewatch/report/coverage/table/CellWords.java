@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import static org.dronewatch.report.html.ReadableNumbers.measured;
 

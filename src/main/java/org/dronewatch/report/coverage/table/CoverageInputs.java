@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.Optional;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -27,7 +27,7 @@ public record CoverageInputs(
         Optional<Origin> origin) {
 
     /** The time in which a sensor has to detect the drone, s; empty for one look. */
-    Optional<Double> within() {
+    public Optional<Double> within() {
         return terms.within();
     }
 
@@ -38,12 +38,12 @@ public record CoverageInputs(
     }
 
     /** The time in which a sensor has to detect the drone: {@code 10 s}; empty for one look. */
-    String timeInWords() {
+    public String timeInWords() {
         return within().map(time -> Numbers.text(time) + " s").orElse("");
     }
 
     /** The probability with which a sensor must detect the drone, as an end of a phrase; empty for the default. */
-    String withProbability() {
+    public String withProbability() {
         return withProbability(covered);
     }
 
@@ -57,7 +57,7 @@ public record CoverageInputs(
     }
 
     /** Whether {@link #covered} is the default. */
-    boolean hasDefaultProbability() {
+    public boolean hasDefaultProbability() {
         return isDefault(covered);
     }
 }

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -275,7 +275,7 @@ public final class MapSheet {
     }
 
     /** The colour of a pixel, from the top left. */
-    Color colour(int column, int row) {
+    public Color colour(int column, int row) {
         return new Color(image.getRGB(column, row));
     }
 

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import java.awt.Color;
 import org.dronewatch.buildings.land.LandClass;
@@ -11,9 +11,9 @@ import org.dronewatch.world.World;
  * The ground seen from directly above, lit from the north-west. Water is darker and roads are lighter, if the site has
  * the land cover of a map; both are nearly grey, so that they are not taken for the colours of sensors.
  */
-final class ReliefShade {
+public final class ReliefShade {
     /** Where there is no ground: paler than any of it but roads, and no colour of theirs. */
-    static final Color NOTHING = new Color(0xeeeeee);
+    public static final Color NOTHING = new Color(0xeeeeee);
 
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};
     private static final Color GROUND = new Color(236, 232, 222);

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -18,9 +18,9 @@ import org.dronewatch.report.CompassPoint;
  * @param name what it is, such as {@code the middle of the sensors}
  * @param geodesy for geographic coordinates, where the scene has an origin
  */
-record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
+public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
     /** The target of inbound flights. */
-    static ReferencePoint of(InboundWarnings warnings, Protection protection, CoverageInputs inputs) {
+    public static ReferencePoint of(InboundWarnings warnings, Protection protection, CoverageInputs inputs) {
         String zone = inputs.area()
                 .filter(name -> !name.equals(Protection.ZONE))
                 .map(ReferencePoint::area)

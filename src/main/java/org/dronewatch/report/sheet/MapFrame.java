@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import java.awt.BasicStroke;
 import java.awt.Color;

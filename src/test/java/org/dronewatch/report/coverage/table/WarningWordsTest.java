@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.coverage.table;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -20,6 +20,10 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.coverage.FieldFile;
+import org.dronewatch.report.coverage.WarningMap;
+import org.dronewatch.report.coverage.WarningWords;
+import org.dronewatch.report.sheet.MapSheet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;

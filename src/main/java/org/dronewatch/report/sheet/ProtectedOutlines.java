@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage;
+package org.dronewatch.report.sheet;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -26,14 +26,14 @@ public final class ProtectedOutlines {
     }
 
     /** The corners of a circle, m. */
-    static List<Position> circle(Position middle, double radius) {
+    public static List<Position> circle(Position middle, double radius) {
         return IntStream.range(0, CIRCLE)
                 .mapToObj(i -> around(middle, 2.0 * Math.PI * i / CIRCLE, radius))
                 .toList();
     }
 
     /** A point in a direction from another, m. */
-    static Position around(Position middle, double bearing, double distance) {
+    public static Position around(Position middle, double bearing, double distance) {
         return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));
     }
 }
