@@ -16,6 +16,10 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.viewer.part.Latest;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.PairReading;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** All cameras of a run side by side; a click enlarges one, another shows all again. */
 final class CameraPanel extends JPanel {

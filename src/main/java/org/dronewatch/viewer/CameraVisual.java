@@ -22,6 +22,8 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.PairReading;
 
 /**
  * The view of one camera: distances in shades of blue, darker for shorter ones, a pale sky, the drone's pixels in

@@ -12,6 +12,10 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JToolBar;
 import org.dronewatch.scenario.SweptValue;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.run.Playback;
+import org.dronewatch.viewer.run.RecordedRun;
 
 /** Play, pause, step, speed, which run of a sweep, and the time. */
 final class ControlBar extends JToolBar {

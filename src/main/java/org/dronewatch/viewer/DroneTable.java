@@ -6,6 +6,7 @@ import java.util.Locale;
 import javax.swing.table.AbstractTableModel;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.viewer.run.RecordedRun;
 
 /** Each drone: where it is, how fast, and who detects it. */
 final class DroneTable extends AbstractTableModel {

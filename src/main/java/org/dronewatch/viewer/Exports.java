@@ -20,6 +20,8 @@ import org.dronewatch.render.Fineness;
 import org.dronewatch.render.SiteStyle;
 import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.Counted;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** Exports the display: an image of any part of the window, or the whole run as an image sequence. */
 final class Exports {

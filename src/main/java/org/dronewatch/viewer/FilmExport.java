@@ -25,6 +25,8 @@ import org.dronewatch.render.film.FilmMaker;
 import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Counted;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** Exports videos of a run: of the site from the current viewpoint, or of a camera's view. */
 final class FilmExport implements AutoCloseable {

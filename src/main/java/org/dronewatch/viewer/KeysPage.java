@@ -12,6 +12,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
+import org.dronewatch.viewer.part.Scaled;
 
 /** A page of all keys, taken from the menus, and of the mouse gestures. */
 final class KeysPage {

@@ -8,6 +8,9 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.text.BadLocationException;
 import org.dronewatch.run.DetectionEvent;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.Events;
+import org.dronewatch.viewer.run.RecordedRun;
 
 /** The log of files read, warnings, and detections gained and lost, in chronological order. */
 final class LogPanel extends JPanel {

@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.table.AbstractTableModel;
+import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.run.PairReading;
+import org.dronewatch.viewer.run.RecordedRun;
 
 /** Each sensor with each drone: whether it detects it, from how far, and its value against the threshold. */
 final class PairTable extends AbstractTableModel {

@@ -19,6 +19,13 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
+import org.dronewatch.viewer.coverage.CoverageForm;
+import org.dronewatch.viewer.coverage.CoveragePanel;
+import org.dronewatch.viewer.coverage.CoverageSkinning;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.part.WrappedText;
+import org.dronewatch.viewer.run.SensorLayout;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** Places one sensor by numbers: where it stands, how high above that, and where it points. */
 final class PlacingPanel extends JPanel {

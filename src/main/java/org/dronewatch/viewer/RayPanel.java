@@ -23,6 +23,10 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Counted;
+import org.dronewatch.viewer.part.Latest;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.run.Playback;
 
 /** Traces the sound rays to a microphone at the displayed time, counts them, and selects those to be drawn. */
 final class RayPanel extends JPanel {

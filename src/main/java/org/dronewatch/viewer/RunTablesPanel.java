@@ -5,6 +5,8 @@ import java.util.function.Supplier;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** The tables of a run: each sensor with each drone, and the drones. A click selects. */
 final class RunTablesPanel {

@@ -6,6 +6,11 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.viewer.coverage.CoveragePanel;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.Playback;
+import org.dronewatch.viewer.run.SensorLayout;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** The tabs beside the site: tables, sound rays, coverage, placing and log. */
 final class RunTabs extends JTabbedPane {

@@ -10,6 +10,8 @@ import javax.swing.JFileChooser;
 import javax.swing.JMenu;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.viewer.part.Latest;
+import org.dronewatch.viewer.part.QuickItem;
 
 /** Opens other scene files: reads and checks them on a thread, so that one with mistakes leaves the window as it is. */
 final class SceneOpening implements AutoCloseable {

@@ -10,6 +10,8 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.world.World;
 
 /**

@@ -11,6 +11,7 @@ import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
 import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.viewer.part.Latest;
 
 /**
  * Renders the site for a window on separate threads: one paints the site itself, coarse at first and fine once nothing

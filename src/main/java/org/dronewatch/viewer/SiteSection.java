@@ -11,6 +11,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /** The site view with the bar that selects viewpoint and cut. */
 final class SiteSection extends JPanel {

@@ -20,6 +20,11 @@ import javax.swing.UIManager;
 import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.DetectionIntervals;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.run.Events;
+import org.dronewatch.viewer.run.Playback;
+import org.dronewatch.viewer.run.RecordedRun;
 
 /**
  * A run from its start to its end: a row for each sensor, with its name on the left, a bar while it detects a drone, a

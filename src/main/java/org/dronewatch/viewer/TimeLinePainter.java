@@ -12,6 +12,8 @@ import org.dronewatch.render.canvas.KindColours;
 import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.DetectionIntervals.Interval;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.RecordedRun;
 
 /** Paints a run on a time line: the rows of its sensors, the axis and the time shown. */
 final class TimeLinePainter {

@@ -15,6 +15,7 @@ import org.dronewatch.render.canvas.SiteLines;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.run.Recording;
 
 /**
  * A window that shows a scene during a run and afterwards. It listens to a run, like a report, and does not affect the

@@ -7,6 +7,7 @@ import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
+import org.dronewatch.viewer.run.Playback;
 
 /** The user's actions on a run's time, with name, key and explanation: the same in bars and menus. */
 final class ViewerActions {

@@ -11,6 +11,8 @@ import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.dronewatch.render.Orbit;
+import org.dronewatch.viewer.part.QuickItem;
+import org.dronewatch.viewer.part.QuickToggle;
 
 /** The menus, each entry with its key. */
 final class ViewerMenus {

@@ -13,6 +13,17 @@ import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.canvas.Cut;
 import org.dronewatch.render.canvas.SiteLines;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.viewer.coverage.CoveragePanel;
+import org.dronewatch.viewer.part.Divided;
+import org.dronewatch.viewer.part.Latest;
+import org.dronewatch.viewer.part.Notice;
+import org.dronewatch.viewer.part.StatusBar;
+import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.run.Playback;
+import org.dronewatch.viewer.run.RecordedRun;
+import org.dronewatch.viewer.run.Recording;
+import org.dronewatch.viewer.run.SensorLayout;
+import org.dronewatch.viewer.run.ViewedRun;
 
 /**
  * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} lets time go on;

@@ -17,6 +17,8 @@ import javax.swing.JSplitPane;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.UnsavedMoves;
 
 /** The window around a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
 final class ViewerWindow {

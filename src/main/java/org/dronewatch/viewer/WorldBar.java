@@ -9,6 +9,7 @@ import javax.swing.JSlider;
 import javax.swing.JToolBar;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.viewer.part.Scaled;
 
 /** Selects the viewpoint of the site and the height at which it is cut open. */
 final class WorldBar extends JToolBar {

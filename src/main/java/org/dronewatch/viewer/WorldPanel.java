@@ -19,6 +19,8 @@ import org.dronewatch.render.SitePicture;
 import org.dronewatch.render.SiteState;
 import org.dronewatch.render.SiteStyle;
 import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.part.Texts;
 import org.dronewatch.world.WorldSettings;
 import org.jogamp.vecmath.Point2d;
 

@@ -25,6 +25,8 @@ import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.DepthImage;
 import org.dronewatch.sensor.optics.DronePixels;
+import org.dronewatch.viewer.run.PairReading;
+import org.dronewatch.viewer.run.Recording;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -25,6 +25,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.Yard;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.coverage.CoverageLegend;
+import org.dronewatch.viewer.coverage.CoveragePanel;
 import org.jogamp.vecmath.Point2d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

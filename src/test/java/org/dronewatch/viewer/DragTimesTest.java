@@ -21,6 +21,8 @@ import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.coverage.CoveragePanel;
+import org.dronewatch.viewer.coverage.CoverageSkinning;
 import org.jogamp.vecmath.Point2d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -6,14 +6,14 @@ import java.util.function.BooleanSupplier;
 import javax.swing.SwingUtilities;
 
 /** What tests do on the event thread, and what they wait for there. */
-final class EventThread {
+public final class EventThread {
     private static final long PATIENCE_NANOS = 60_000_000_000L;
     private static final long PAUSE_MILLIS = 20;
 
     private EventThread() {}
 
     /** Does something on the event thread, and waits until it is done. */
-    static <T> T onEventThread(Callable<T> work) throws Exception {
+    public static <T> T onEventThread(Callable<T> work) throws Exception {
         FutureTask<T> task = new FutureTask<>(work);
         SwingUtilities.invokeAndWait(task);
         return task.get();

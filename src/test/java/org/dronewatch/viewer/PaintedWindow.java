@@ -14,6 +14,7 @@ import javax.swing.UIManager;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.run.Recording;
 
 /** What the window shows of a run at one time, below its menus, painted without a display. */
 public final class PaintedWindow {

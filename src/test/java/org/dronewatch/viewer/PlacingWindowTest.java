@@ -23,6 +23,8 @@ import org.dronewatch.render.Yard;
 import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.coverage.CoveragePanel;
+import org.dronewatch.viewer.coverage.CoverageSkinning;
 import org.jogamp.vecmath.Point2d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -15,6 +15,8 @@ import org.dronewatch.render.SiteState;
 import org.dronewatch.render.canvas.SensorMark;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Outlined;
+import org.dronewatch.viewer.run.SensorLayout;
+import org.dronewatch.viewer.run.UnsavedMoves;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

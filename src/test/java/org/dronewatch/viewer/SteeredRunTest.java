@@ -19,6 +19,8 @@ import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.run.Recording;
+import org.dronewatch.viewer.run.ViewedRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -26,6 +26,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JTable;
 import org.dronewatch.app.Main;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.viewer.part.Scaled;
 import org.jogamp.vecmath.Point2d;
 
 /**

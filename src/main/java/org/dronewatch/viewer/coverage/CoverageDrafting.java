@@ -1,0 +1,135 @@
+package org.dronewatch.viewer.coverage;
+
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import org.dronewatch.analysis.field.FieldDraft;
+import org.dronewatch.analysis.survey.RemainingCoverage;
+import org.dronewatch.report.coverage.table.MoveWords;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.viewer.part.Latest;
+
+/**
+ * Draws what is covered at one height anew while sensors are moved, on a thread: a coarse picture at once, which is not
+ * abandoned, then finer ones until the sensors move on.
+ */
+final class CoverageDrafting implements AutoCloseable {
+    /** The first picture is not made finer if that is expected to take longer than this, s. */
+    private static final double FIRST = 0.02;
+
+    /** The least time between two pictures of the same layout, s. */
+    private static final double PAUSE = 0.1;
+
+    private static final double NANO = 1e-9;
+
+    private final Latest thread;
+
+    /**
+     * Nothing is drawn.
+     *
+     * @param threads how many may help
+     * @param failed receives what went wrong
+     */
+    CoverageDrafting(int threads, Consumer<Throwable> failed) {
+        this.thread = new Latest("dronewatch-draft", threads, failed);
+    }
+
+    /**
+     * Draws a coverage with some of its sensors moved or turned.
+     *
+     * @param before the coverage that was computed
+     * @param height its number
+     * @param off the sensors that are switched off
+     * @param moved the settings with the sensors where they are now
+     * @param target receives one picture after the other on the event thread
+     */
+    void draft(
+            ViewedCoverage before,
+            int height,
+            Set<String> off,
+            SceneSettings moved,
+            Consumer<CoverageSkinning.Shown> target) {
+        thread.ask(outdated -> new Drawing(before, height, off, moved, target, outdated).draw());
+    }
+
+    /** No sensor is displaced any longer. */
+    void stop() {
+        thread.ask(outdated -> {});
+    }
+
+    boolean isIdle() {
+        return thread.isIdle();
+    }
+
+    @Override
+    public void close() {
+        thread.close();
+    }
+
+    /** The pictures of one layout. */
+    private record Drawing(
+            ViewedCoverage before,
+            int height,
+            Set<String> off,
+            SceneSettings moved,
+            Consumer<CoverageSkinning.Shown> target,
+            BooleanSupplier outdated) {
+        void draw() {
+            FieldDraft draft = new FieldDraft(before.request(), before.all().field(), height, moved);
+            long start = System.nanoTime();
+            draft.begin();
+            double each = seconds(start) / Math.max(1, draft.assessed());
+            while (!draft.isFine() && seconds(start) + each * draft.next() < FIRST) {
+                draft.refine(() -> false);
+            }
+            publish(draft);
+            refine(draft);
+            if (!outdated.getAsBoolean()) {
+                draft.complete(outdated);
+            }
+            if (draft.isComplete()) {
+                publish(draft);
+            }
+        }
+
+        private void refine(FieldDraft draft) {
+            long last = System.nanoTime();
+            boolean isNew = false;
+            while (!draft.isFine() && !outdated.getAsBoolean()) {
+                draft.refine(outdated);
+                isNew = !outdated.getAsBoolean();
+                if (isNew && seconds(last) > PAUSE) {
+                    publish(draft);
+                    isNew = false;
+                    last = System.nanoTime();
+                }
+            }
+            if (isNew) {
+                publish(draft);
+            }
+        }
+
+        private void publish(FieldDraft draft) {
+            ViewedCoverage now = new ViewedCoverage(draft.request(before.request(), moved), draft.field());
+            RemainingCoverage remaining = RemainingCoverage.of(now.all(), now.without(off), 0);
+            MoveWords.Fineness fineness = draft.isComplete()
+                    ? MoveWords.Fineness.COMPLETE
+                    : draft.isFine() ? MoveWords.Fineness.FINE : MoveWords.Fineness.COARSE;
+            String words = MoveWords.sentence(
+                    RemainingCoverage.of(before.all(), before.without(off), height),
+                    remaining,
+                    off,
+                    FieldDraft.movedSensors(before.all().field(), moved),
+                    fineness,
+                    draft.reduced());
+            CoverageSkinning.Shown shown = CoverageSkinning.Shown.of(now, off, remaining, words, Optional.of(fineness));
+            SwingUtilities.invokeLater(() -> target.accept(shown));
+        }
+
+        private static double seconds(long since) {
+            return NANO * (System.nanoTime() - since);
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package org.dronewatch.viewer.part;
+
+import java.awt.BorderLayout;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+
+/** The lower edge of the window: a line of text, and the progress of the run. */
+public final class StatusBar extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int PARTS = 1000;
+
+    private final JLabel text = new JLabel();
+    private final JProgressBar progress = new JProgressBar(0, PARTS);
+
+    /** A status bar while a scene is read, with a text. */
+    public StatusBar(String reading) {
+        super(new BorderLayout());
+        setBorder(BorderFactory.createEmptyBorder(Scaled.px(3), Scaled.px(10), Scaled.px(3), Scaled.px(10)));
+        add(text, BorderLayout.CENTER);
+        add(progress, BorderLayout.LINE_END);
+        progress.setIndeterminate(true);
+        write(reading);
+    }
+
+    /** Replaces the text. */
+    public void write(String line) {
+        text.setText(line);
+    }
+
+    /**
+     * Shows the progress of a run.
+     *
+     * @param fraction of the run that is simulated, 0 to 1
+     * @param isFinished whether all runs are over: then there is no progress to show
+     */
+    public void progress(double fraction, boolean isFinished) {
+        progress.setVisible(!isFinished);
+        progress.setIndeterminate(false);
+        progress.setValue((int) (PARTS * fraction));
+    }
+
+    /** Replaces the text, and shows no progress any more. */
+    public void end(String line) {
+        progress.setVisible(false);
+        write(line);
+    }
+}

@@ -1,0 +1,156 @@
+package org.dronewatch.viewer.run;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronewatch.render.SiteState;
+import org.dronewatch.render.canvas.SensorMark;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.SensorSettings;
+
+/**
+ * Where the user has put the sensors of a run, with the last moves, which can be undone and done again. For the event
+ * thread.
+ */
+public final class SensorLayout {
+    /** The number of moves that can be undone. */
+    private static final int MOST_KEPT = 100;
+
+    private final List<Runnable> listeners = new ArrayList<>();
+    private final Deque<SceneSettings> before = new ArrayDeque<>();
+    private final Deque<SceneSettings> undone = new ArrayDeque<>();
+    private SceneSettings original;
+    private SceneSettings settings;
+
+    /** As it was written to a file last, or as the scene has it. */
+    private SceneSettings saved;
+
+    /** Takes another run; nothing has been moved. */
+    public void show(SceneSettings next) {
+        original = next;
+        settings = next;
+        saved = next;
+        before.clear();
+        undone.clear();
+    }
+
+    /** Called whenever a sensor was moved or turned. */
+    public void listen(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    /** Whether there is a run. */
+    public boolean isThere() {
+        return settings != null;
+    }
+
+    /** The settings of the run with the sensors as they are now; null before there is a run. */
+    public SceneSettings settings() {
+        return settings;
+    }
+
+    /** Records that the layout as it is now was written to a file. */
+    public void markSaved() {
+        saved = settings;
+    }
+
+    /** The sensors whose moves are in no file: none if the layout is that of the scene. */
+    public Set<String> unsaved() {
+        return isThere() && !settings.sensors().equals(saved.sensors()) ? moved() : Set.of();
+    }
+
+    /** Remembers the layout: one undo leads back to it. */
+    public void remember() {
+        if (before.isEmpty() || before.peek() != settings) {
+            before.push(settings);
+            if (before.size() > MOST_KEPT) {
+                before.removeLast();
+            }
+        }
+    }
+
+    /** Replaces a sensor. */
+    public void set(String id, SensorSettings<?> sensor) {
+        settings = settings.withSensor(id, sensor);
+        undone.clear();
+        listeners.forEach(Runnable::run);
+    }
+
+    /** Whether there is a move that can be undone. */
+    public boolean isUndoable() {
+        return before.stream().anyMatch(last -> !last.sensors().equals(settings.sensors()));
+    }
+
+    /** Undoes the last move; returns whether there was one. */
+    public boolean undo() {
+        while (!before.isEmpty()) {
+            SceneSettings last = before.pop();
+            if (!last.sensors().equals(settings.sensors())) {
+                undone.push(settings);
+                settings = last;
+                listeners.forEach(Runnable::run);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether there is a move that was undone and can be redone. */
+    public boolean isRedoable() {
+        return !undone.isEmpty();
+    }
+
+    /** Redoes the move that was undone last; returns whether there was one. */
+    public boolean redo() {
+        if (undone.isEmpty()) {
+            return false;
+        }
+        before.push(settings);
+        settings = undone.pop();
+        listeners.forEach(Runnable::run);
+        return true;
+    }
+
+    /** Puts all sensors back to where the scene has them, which can be undone. */
+    public void reset() {
+        if (isThere() && !moved().isEmpty()) {
+            remember();
+            settings = original;
+            undone.clear();
+            listeners.forEach(Runnable::run);
+        }
+    }
+
+    /** The sensors that are not where the scene has them, or turned elsewhere. */
+    public Set<String> moved() {
+        Set<String> moved = new LinkedHashSet<>();
+        settings.sensors().forEach((id, sensor) -> {
+            if (!sensor.equals(original.sensors().get(id))) {
+                moved.add(id);
+            }
+        });
+        return moved;
+    }
+
+    /** A state of the site with the sensors as they are now: of those that were moved, no detection is known. */
+    public SiteState in(SiteState recorded, String note) {
+        Set<String> moved = moved();
+        if (moved.isEmpty()) {
+            return recorded;
+        }
+        List<SensorMark> marks = recorded.sensors().stream()
+                .map(mark -> moved.contains(mark.id())
+                        ? mark(mark, settings.sensors().get(mark.id()))
+                        : mark)
+                .toList();
+        return recorded.withSensors(marks, recorded.title() + note);
+    }
+
+    private static SensorMark mark(SensorMark before, SensorSettings<?> sensor) {
+        return new SensorMark(before.id(), before.kind(), sensor.position(), Outlined.outline(sensor), false);
+    }
+}
