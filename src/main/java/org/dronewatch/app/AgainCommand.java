@@ -11,6 +11,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import org.dronewatch.app.console.ExitCode;
+import org.dronewatch.app.console.Notes;
+import org.dronewatch.app.option.JsonOption;
+import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.RecordedCommand;
 import org.dronewatch.report.provenance.SameBytes;
@@ -91,7 +96,7 @@ final class AgainCommand implements Callable<Integer> {
         Map<String, SameBytes.State> states = SameBytes.compare(given.resolveSibling(""), target);
         boolean same = !states.isEmpty() && states.values().stream().allMatch(state -> state == SameBytes.State.SAME);
         json.print(() -> toJson(same, changed, states), out -> print(same, changed, states, out));
-        return same ? 0 : Main.FAILED;
+        return same ? 0 : ExitCode.FAILED;
     }
 
     private static void print(

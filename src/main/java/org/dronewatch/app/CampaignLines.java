@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.dronewatch.app.console.ExitCode;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.Expectation;
@@ -74,7 +75,7 @@ final class CampaignLines {
         CampaignWords.cutShort(summary).ifPresent(line -> err.println("warning: " + line));
         if (summary.isAllFailed()) {
             err.println("no case could be run: " + CampaignWords.mostFrequentFailure(summary));
-            return Main.FAILED;
+            return ExitCode.FAILED;
         }
         return 0;
     }
@@ -89,7 +90,7 @@ final class CampaignLines {
         for (Expectation one : plan.settings().expect()) {
             if (!one.isMet(plan, summary)) {
                 err.println("expectation not met: " + CampaignWords.missed(plan, one, summary));
-                code = Main.FAILED;
+                code = ExitCode.FAILED;
             }
         }
         return code;

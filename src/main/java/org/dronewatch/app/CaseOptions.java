@@ -3,6 +3,9 @@ package org.dronewatch.app;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dronewatch.app.console.ExitCode;
+import org.dronewatch.app.console.TaskProgress;
+import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CaseRun;
 import org.dronewatch.campaign.CaseScene;
@@ -70,7 +73,7 @@ final class CaseOptions {
         }
         SceneWindow window = new SceneWindow(threads, shown.err(), shown.notes());
         if (view && !window.canOpen()) {
-            return Main.NO_DISPLAY;
+            return ExitCode.NO_DISPLAY;
         }
         WholeFile target = picture == null ? null : new WholeFile("--picture", picture);
         List<CaseResult> results = (variant == null ? variants : List.of(variant))

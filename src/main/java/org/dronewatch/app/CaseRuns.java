@@ -1,6 +1,9 @@
 package org.dronewatch.app;
 
 import java.util.concurrent.CancellationException;
+import org.dronewatch.app.console.CaseProgress;
+import org.dronewatch.app.console.Interruption;
+import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CaseExecution;
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.dronewatch.app.console.ExitCode;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
@@ -41,11 +42,11 @@ final class CommandHelp {
                 command.parent() == null || command.name().equals("view") || command.findOption("--view") != null;
         Map<String, String> codes = new LinkedHashMap<>();
         codes.put("  0", "done");
-        codes.put("  " + Main.FAILED, VERDICTS.getOrDefault(command.name(), FAILED));
-        codes.put("  " + Main.BAD_INPUT, "wrong usage or bad input, described in one line on standard error");
+        codes.put("  " + ExitCode.FAILED, VERDICTS.getOrDefault(command.name(), FAILED));
+        codes.put("  " + ExitCode.BAD_INPUT, "wrong usage or bad input, described in one line on standard error");
         // 'render --view' draws a picture without a window.
         if (opensWindows && !command.name().equals("render")) {
-            codes.put("  " + Main.NO_DISPLAY, "there is no display for a window");
+            codes.put("  " + ExitCode.NO_DISPLAY, "there is no display for a window");
         }
         codes.put("130", "interrupted by Ctrl-C");
         codes.put("143", "terminated by SIGTERM");

@@ -2,6 +2,9 @@ package org.dronewatch.app;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.dronewatch.app.console.Notes;
+import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.bench.CostStudy;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.ModelLoader;

@@ -6,6 +6,11 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
+import org.dronewatch.app.console.ExitCode;
+import org.dronewatch.app.console.Interruption;
+import org.dronewatch.app.console.LoadingBars;
+import org.dronewatch.app.console.PlainPrinter;
+import org.dronewatch.app.console.QuietSwitch;
 import org.dronewatch.campaign.CampaignCluster;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.parallel.LongTask;
@@ -52,14 +57,7 @@ import picocli.CommandLine.Spec;
             CompletionCommand.class
         },
         footer = {"", "Example:", "  dronewatch run camera-range --out results"})
-public final class Main implements Runnable {
-    /** Exit code of wrong usage and bad input. */
-    static final int BAD_INPUT = 2;
-    /** Exit code of a command that needs a display where there is none. */
-    static final int NO_DISPLAY = 3;
-    /** Exit code of anything else that went wrong. */
-    static final int FAILED = 1;
-
+public final class Main implements Runnable, QuietSwitch {
     private static final String HEADLESS = "java.awt.headless";
 
     /** The words that request a window. */
@@ -123,7 +121,7 @@ public final class Main implements Runnable {
         }
         if (out.checkError()) {
             err.println("standard output could not be written completely");
-            code = code == 0 ? BAD_INPUT : code;
+            code = code == 0 ? ExitCode.BAD_INPUT : code;
         }
         // As soon as the hooks have run, this would end the process at once, with this code.
         if (code != 0 && !Interruption.isUnderWay()) {
@@ -156,7 +154,7 @@ public final class Main implements Runnable {
         CommandHelp.complete(commands);
         commands.setParameterExceptionHandler((problem, given) -> {
             plainErr.println(WrongUsage.message(problem));
-            return BAD_INPUT;
+            return ExitCode.BAD_INPUT;
         });
         commands.setExecutionExceptionHandler((problem, command, given) -> main.failed(problem, plainErr));
         commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed));
@@ -211,8 +209,8 @@ public final class Main implements Runnable {
         return interruption;
     }
 
-    /** Whether the user wants results, warnings and errors only. */
-    boolean isQuiet() {
+    @Override
+    public boolean isQuiet() {
         return quiet;
     }
 
@@ -231,7 +229,7 @@ public final class Main implements Runnable {
         if (verbose) {
             Failure.printTrace(problem, err);
         }
-        return problem instanceof InputException ? BAD_INPUT : FAILED;
+        return problem instanceof InputException ? ExitCode.BAD_INPUT : ExitCode.FAILED;
     }
 
     /** Fails, and lists the commands: none has been given. */

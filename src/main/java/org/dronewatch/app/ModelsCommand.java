@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.models.ModelCatalogue;
 import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.setting.InputException;

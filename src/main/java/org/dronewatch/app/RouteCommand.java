@@ -6,6 +6,17 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.app.console.ExitCode;
+import org.dronewatch.app.console.ProgressOptions;
+import org.dronewatch.app.console.TaskProgress;
+import org.dronewatch.app.option.DroneOption;
+import org.dronewatch.app.option.JsonOption;
+import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.RouteOptions;
+import org.dronewatch.app.option.SceneChoice;
+import org.dronewatch.app.option.SeedOption;
+import org.dronewatch.app.option.ThreadsOption;
+import org.dronewatch.app.search.RouteFinder;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.route.RouteDirectory;
@@ -116,7 +127,7 @@ final class RouteCommand implements Callable<Integer> {
                 runner,
                 new SceneWindow(threads.number(), spec.commandLine().getErr(), shown.notes()));
         if (view && !window.canOpen()) {
-            return Main.NO_DISPLAY;
+            return ExitCode.NO_DISPLAY;
         }
         Runnable watch;
         try (RouteDirectory target = out == null ? null : new RouteDirectory(PathWord.of("--out", out))) {

@@ -8,6 +8,16 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.dronewatch.app.console.ExitCode;
+import org.dronewatch.app.console.Interruption;
+import org.dronewatch.app.console.Notes;
+import org.dronewatch.app.console.Progress;
+import org.dronewatch.app.option.JsonOption;
+import org.dronewatch.app.option.LabelOptions;
+import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.SceneChoice;
+import org.dronewatch.app.option.SeedOption;
+import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.report.RayPaths;
 import org.dronewatch.report.ResultFile;
@@ -106,7 +116,7 @@ final class RunCommand implements Callable<Integer> {
         Optional<String> obstacle = view ? Viewer.obstacle() : Optional.empty();
         if (obstacle.isPresent()) {
             err.println(SceneWindow.noWindow(obstacle.get()));
-            return Main.NO_DISPLAY;
+            return ExitCode.NO_DISPLAY;
         }
         if (rays != null) {
             runner.listener(rayWriter());

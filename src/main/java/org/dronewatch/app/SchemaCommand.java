@@ -3,6 +3,7 @@ package org.dronewatch.app;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.dronewatch.app.console.Notes;
 import org.dronewatch.placement.plan.PlaceSettings;
 import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.scenario.PackagedTexts;

@@ -1,6 +1,11 @@
 package org.dronewatch.app;
 
 import java.util.concurrent.Callable;
+import org.dronewatch.app.console.ExitCode;
+import org.dronewatch.app.console.Notes;
+import org.dronewatch.app.option.SceneChoice;
+import org.dronewatch.app.option.SeedOption;
+import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.viewer.Viewer;
@@ -51,7 +56,7 @@ final class ViewCommand implements Callable<Integer> {
         SceneWindow window =
                 new SceneWindow(threads.number(), spec.commandLine().getErr(), Notes.of(spec));
         if (!window.canOpen()) {
-            return Main.NO_DISPLAY;
+            return ExitCode.NO_DISPLAY;
         }
         window.show(new Viewer.Subject(scene, runner, choice.sceneFile()), viewer -> {
             if (coverage) {

@@ -11,22 +11,22 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** The program as tests run it: here, or in a process. */
-final class Program {
+public final class Program {
     /** Where inputs are kept that once broke the program. */
     static final Path FUZZ = Path.of("src", "test", "resources", "fuzz");
 
     private Program() {}
 
     /** What a command left behind. */
-    record Outcome(int code, String out, String err) {
+    public record Outcome(int code, String out, String err) {
         /** What it said but for what it read. */
-        List<String> complaints() {
+        public List<String> complaints() {
             return err.lines().filter(line -> !line.startsWith("read ")).toList();
         }
     }
 
     /** Runs a command in this process. */
-    static Outcome run(String... arguments) {
+    public static Outcome run(String... arguments) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         int code = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
@@ -39,7 +39,7 @@ final class Program {
     }
 
     /** Starts a run in real time that lasts for minutes, and writes into {@code results}. */
-    static Child startLongRun(Path directory) throws IOException {
+    public static Child startLongRun(Path directory) throws IOException {
         String command = "run camera-range --real-time 1 --observations --set sensors.camera.fov=1 --out results";
         return start(directory, List.of("-Xmx1g"), command.split(" "));
     }
@@ -88,7 +88,7 @@ final class Program {
     }
 
     /** A command in a process. */
-    record Child(Process process, Path out, Path err) implements AutoCloseable {
+    public record Child(Process process, Path out, Path err) implements AutoCloseable {
         /** Waits until it has ended. */
         Outcome await() throws IOException, InterruptedException {
             if (!process.waitFor(120, TimeUnit.SECONDS)) {

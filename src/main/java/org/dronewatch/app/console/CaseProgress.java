@@ -1,0 +1,99 @@
+package org.dronewatch.app.console;
+
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+import me.tongfei.progressbar.ProgressBar;
+import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.setting.Counted;
+
+/** Shows how many cases of a campaign are done: as a bar on a terminal, otherwise as a line every ten seconds. */
+public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
+    private static final double NANO = 1e-9;
+    private static final double EVERY_SECONDS = 10.0;
+
+    private final int all;
+    private final PrintWriter err;
+    private final ProgressBar bar;
+    private final boolean statesEnd;
+    private final LongSupplier clock;
+    private final long start;
+    private double next = EVERY_SECONDS;
+    private int kept;
+    private int ran;
+
+    // The first cases also set up the site, which says nothing about how long the others take.
+    private int first;
+    private long firstEnd;
+
+    /**
+     * Nothing is done yet.
+     *
+     * @param all number of cases, those of earlier runs included
+     * @param bar null for lines
+     * @param statesEnd whether a line also states how many cases are done at the end
+     * @param clock gives the time, ns
+     */
+    CaseProgress(int all, PrintWriter err, ProgressBar bar, boolean statesEnd, LongSupplier clock) {
+        this.all = all;
+        this.err = err;
+        this.bar = bar;
+        this.statesEnd = statesEnd;
+        this.clock = clock;
+        this.start = clock.getAsLong();
+    }
+
+    /** Counts cases that took no time, which the rate does not include. */
+    @Override
+    public synchronized void kept(int cases) {
+        kept += cases;
+        show();
+    }
+
+    @Override
+    public synchronized void ran(int cases) {
+        ran += cases;
+        if (first == 0) {
+            first = ran;
+            firstEnd = clock.getAsLong();
+        }
+        show();
+    }
+
+    private void show() {
+        int done = kept + ran;
+        if (bar != null) {
+            bar.stepTo(done);
+            return;
+        }
+        double seconds = seconds();
+        if (seconds >= next && ran > 0 && done < all) {
+            next = seconds + EVERY_SECONDS;
+            err.printf(Locale.ROOT, "%,d of %,d cases%s%n", done, all, rate(all - done));
+        }
+    }
+
+    private double seconds() {
+        return NANO * (clock.getAsLong() - start);
+    }
+
+    /** How fast it is, and how long the cases that are left take; empty after the first ones. */
+    private String rate(int left) {
+        double seconds = NANO * (clock.getAsLong() - firstEnd);
+        if (ran == first || !(seconds > 0.0)) {
+            return "";
+        }
+        double rate = (ran - first) / seconds;
+        return String.format(Locale.ROOT, ", %.3g per second, %s left", rate, ProgressLines.duration(left / rate));
+    }
+
+    @Override
+    public synchronized void close() {
+        if (bar != null) {
+            bar.close();
+        } else if (statesEnd) {
+            String time = ProgressLines.duration(seconds());
+            err.printf(Locale.ROOT, "%,d of %s after %s%n", kept + ran, Counted.of(all, "case"), time);
+        }
+    }
+}

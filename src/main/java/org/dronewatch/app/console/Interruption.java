@@ -1,0 +1,88 @@
+package org.dronewatch.app.console;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Turns Ctrl-C and a request to terminate into an orderly end. The thread of the command is interrupted, so that it
+ * ends whatever it is doing, cleans up or writes what it has, and only then does the process end, with the exit code of
+ * the signal.
+ */
+public final class Interruption implements AutoCloseable {
+    private static final long PATIENCE_SECONDS = 60;
+
+    private final Thread command = Thread.currentThread();
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private final Thread hook = new Thread(this::stop, "interruption");
+    private boolean finishing;
+    private volatile boolean happened;
+
+    /** Watches over what the calling thread does from now on, until it is closed. */
+    public Interruption() {
+        try {
+            Runtime.getRuntime().addShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            // The process is already shutting down and does not wait.
+            happened = true;
+        }
+    }
+
+    /**
+     * Whether the process is already ending. Then Java knows the exit code of the signal, which a command's own must
+     * not replace.
+     */
+    public static boolean isUnderWay() {
+        Thread none = new Thread(() -> {});
+        try {
+            Runtime.getRuntime().addShutdownHook(none);
+            Runtime.getRuntime().removeShutdownHook(none);
+            return false;
+        } catch (IllegalStateException e) {
+            return true;
+        }
+    }
+
+    /** Whether the user has asked to stop. */
+    public boolean happened() {
+        return happened;
+    }
+
+    /** From now on the command only writes what it has and may finish: its thread is not interrupted again. */
+    public synchronized void letFinish() {
+        finishing = true;
+        if (happened) {
+            // The interrupt has done its work, and must not stop the writing.
+            Thread.interrupted();
+        }
+    }
+
+    private synchronized void interruptCommand() {
+        happened = true;
+        if (!finishing) {
+            command.interrupt();
+        }
+    }
+
+    private void stop() {
+        interruptCommand();
+        try {
+            if (!ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                System.err.println("stopped after waiting " + PATIENCE_SECONDS + " s for an orderly shutdown");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        letFinish();
+        ended.countDown();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            // The process is already shutting down: the hook is what waits for us.
+            happened = true;
+        }
+    }
+}

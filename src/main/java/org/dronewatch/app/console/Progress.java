@@ -1,0 +1,80 @@
+package org.dronewatch.app.console;
+
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+import org.dronewatch.run.Frame;
+import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.SceneListener;
+import org.dronewatch.run.Stage;
+import org.dronewatch.setting.PlainText;
+
+/** A progress bar on standard error, when that is a terminal. */
+public final class Progress implements SceneListener, AutoCloseable {
+    private static final int STEPS = 1000;
+
+    private final String task;
+    private final int only;
+    private final double until;
+    private ProgressBar bar;
+    private RunInfo run;
+
+    /** The progress of all runs of a scene. */
+    public Progress(String task) {
+        this(task, -1, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * The progress of one run alone, up to a time.
+     *
+     * @param only index of the run; negative for all runs
+     * @param until simulated time at which it ends, s
+     */
+    public Progress(String task, int only, double until) {
+        this.task = task;
+        this.only = only;
+        this.until = until;
+    }
+
+    /** A bar for a number of steps; none without a terminal. */
+    public static ProgressBar barOf(String task, long steps) {
+        return System.console() == null
+                ? null
+                : new ProgressBarBuilder()
+                        .setTaskName(PlainText.value(task))
+                        .setInitialMax(steps)
+                        .setStyle(ProgressBarStyle.ASCII)
+                        .setUpdateIntervalMillis(200)
+                        .build();
+    }
+
+    @Override
+    public void runStarted(RunInfo info, Stage stage) {
+        run = info;
+        if (bar == null) {
+            bar = barOf(task, (only < 0 ? info.runs() : 1L) * STEPS);
+        }
+    }
+
+    @Override
+    public void observed(Frame frame) {
+        if (bar != null) {
+            double end = Math.min(until, run.settings().run().duration());
+            double done = end > 0.0 ? frame.time() / end : 1.0;
+            bar.stepTo((long) (((only < 0 ? frame.run() : 0) + done) * STEPS));
+        }
+    }
+
+    /** Takes the bar away, so that what is printed next starts on a separate line; idempotent. */
+    public void finish() {
+        if (bar != null) {
+            bar.close();
+            bar = null;
+        }
+    }
+
+    @Override
+    public void close() {
+        finish();
+    }
+}

@@ -1,0 +1,86 @@
+package org.dronewatch.app.console;
+
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
+import java.util.function.LongConsumer;
+import me.tongfei.progressbar.ProgressBar;
+
+/**
+ * Shows how far the tasks of a command have come, and what it notes while it works.
+ *
+ * @param amount how much of this is shown
+ * @param err receives it
+ */
+public record TaskProgress(Amount amount, PrintWriter err) {
+    /** A number of steps that is not known. */
+    static final long UNKNOWN = -1;
+
+    /** How much is shown. */
+    enum Amount {
+        /** Warnings only. */
+        NOTHING,
+        /** Notes, and bars if there is a terminal. */
+        ON_A_TERMINAL,
+        /** The same, and lines if there is no terminal. */
+        EVERYWHERE
+    }
+
+    /** Whether only warnings are shown. */
+    private boolean isQuiet() {
+        return amount == Amount.NOTHING;
+    }
+
+    /** Receives notes and warnings for the user, a line each. */
+    public Consumer<String> notes() {
+        return Notes.to(err, isQuiet());
+    }
+
+    /**
+     * Does a task that reports how many steps it has done since the last time, from any thread.
+     *
+     * @param steps their approximate number
+     */
+    public <T> T during(String task, long steps, Function<IntConsumer, T> work) {
+        try (ProgressBar bar = bar(task, steps)) {
+            if (bar != null) {
+                return work.apply(total(bar::stepTo));
+            }
+            if (amount != Amount.EVERYWHERE) {
+                return work.apply(some -> {});
+            }
+            ProgressLines lines = new ProgressLines(task, steps, err, System::nanoTime);
+            T result = work.apply(total(lines::reached));
+            lines.ended();
+            return result;
+        }
+    }
+
+    /** Does a task of an unknown number of steps, which reports how many it has done since the last time. */
+    public <T> T during(String task, Function<IntConsumer, T> work) {
+        return during(task, UNKNOWN, work);
+    }
+
+    private static IntConsumer total(LongConsumer shown) {
+        AtomicLong done = new AtomicLong();
+        return some -> shown.accept(done.addAndGet(some));
+    }
+
+    /** A bar; null where none is shown. */
+    private ProgressBar bar(String task, long steps) {
+        return isQuiet() ? null : Progress.barOf(task, steps);
+    }
+
+    /**
+     * The progress of the cases of a campaign, which is also shown without a terminal unless the command is quiet.
+     *
+     * @param all number of cases, those of earlier runs included
+     */
+    public CaseProgress cases(String name, int all) {
+        PrintWriter target = isQuiet() ? new PrintWriter(Writer.nullWriter()) : err;
+        return new CaseProgress(all, target, bar(name, all), amount == Amount.EVERYWHERE, System::nanoTime);
+    }
+}

@@ -1,0 +1,24 @@
+package org.dronewatch.app.option;
+
+import org.dronewatch.analysis.field.FieldRequest;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.InputException;
+import picocli.CommandLine.Option;
+
+/** The option of commands that place one drone of the scene where they ask for it. */
+public final class DroneOption {
+    @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
+    private String drone;
+
+    /** Name of the drone, which the scene has. */
+    public String of(SceneSettings settings) {
+        String first =
+                FieldRequest.firstDrone(settings).orElseThrow(() -> new InputException("the scene has no drone"));
+        String id = drone == null ? first : drone;
+        if (!settings.individualDrones().containsKey(id)) {
+            throw new InputException(GivenOption.words("--drone", id) + ": no such drone; the scene has "
+                    + String.join(", ", settings.individualDrones().keySet()));
+        }
+        return id;
+    }
+}

@@ -1,0 +1,49 @@
+package org.dronewatch.app.option;
+
+import java.io.PrintWriter;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.core.json.JsonWriteFeature;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
+
+/** The option of commands whose tables programs may want to read. */
+public final class JsonOption {
+    /** Only ASCII: what a program reads must not depend on the console's character set. */
+    private static final JsonMapper MAPPER =
+            JsonMapper.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
+
+    @Option(
+            names = "--json",
+            description = "Prints a single JSON object on standard output instead of tables; everything else goes to"
+                    + " standard error.")
+    private boolean json;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    /** Whether an object is asked for. */
+    public boolean isAsked() {
+        return json;
+    }
+
+    /**
+     * Prints the results of the command, in the form that the user has chosen.
+     *
+     * @param object gives them as an object
+     * @param tables prints them for people
+     */
+    public void print(Supplier<ObjectNode> object, Consumer<PrintWriter> tables) {
+        PrintWriter out = command.commandLine().getOut();
+        if (json) {
+            out.println(MAPPER.writerWithDefaultPrettyPrinter()
+                    .writeValueAsString(object.get())
+                    .replace("\r\n", "\n"));
+        } else {
+            tables.accept(out);
+        }
+    }
+}

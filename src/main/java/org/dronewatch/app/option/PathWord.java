@@ -1,0 +1,28 @@
+package org.dronewatch.app.option;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import org.dronewatch.setting.InputException;
+
+/** A word of a command line that names a file or directory. */
+public final class PathWord {
+    private PathWord() {}
+
+    /**
+     * The path that a word names.
+     *
+     * @param option what it is for, such as {@code --out}; may be empty
+     * @throws InputException when it is empty, or this system cannot have such a path
+     */
+    public static Path of(String option, String word) {
+        if (word.isEmpty()) {
+            // Java takes it for the current directory; a user's variable was not set.
+            throw new InputException((option + " ''").strip() + ": the path is empty");
+        }
+        try {
+            return Path.of(word);
+        } catch (InvalidPathException e) {
+            throw new InputException(GivenOption.words(option, word) + ": not a path: " + e.getReason(), e);
+        }
+    }
+}

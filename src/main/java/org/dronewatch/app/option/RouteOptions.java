@@ -1,0 +1,202 @@
+package org.dronewatch.app.option;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.fusion.AreaZone;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.route.FlightMode;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
+import picocli.CommandLine.Option;
+
+/** The options of {@code route} that decide over which cells it searches, and from where. */
+public final class RouteOptions {
+    /** Heights above the ground at which a drone may fly, m. */
+    static final List<Double> HEIGHTS = List.of(10.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0);
+
+    private static final String LAUNCH = "--launch";
+    private static final String MODES = "--modes";
+    private static final String RESPONSE = "--response";
+    private static final String STOPPED = "--stopped";
+
+    @Option(
+            names = "--side",
+            paramLabel = "L",
+            description = "Length of a side of the area, centred on the protected zone or on the sensors; by"
+                    + " default the area extends 250 m farther on each side than the drone flies during the response.")
+    private String side;
+
+    @Option(
+            names = "--cell",
+            paramLabel = "L",
+            description = "Length of a cell's side; a hundredth of the area's side by default.")
+    private String cell;
+
+    @Option(
+            names = "--heights",
+            paramLabel = "H,H,...",
+            description =
+                    "Heights above the ground at which the drone may fly; 10, 20, 30, 45, 60, 90, 120 and 150 m by"
+                            + " default.")
+    private String heights;
+
+    @Option(
+            names = LAUNCH,
+            paramLabel = "AREA",
+            description = "Where the routes begin: a zone of the scene, or an area as scene files state it, such as"
+                    + " '{centre: [0, 900], radius: 50 m}'; anywhere on the edge by default.")
+    private String launch;
+
+    @Option(
+            names = RESPONSE,
+            paramLabel = "S",
+            description = "Time from a detection until the drone is stopped, in place of the scene's alert.response.")
+    private String response;
+
+    @Option(
+            names = STOPPED,
+            paramLabel = "P",
+            description = "Probability that a response in time stops the drone, 0 to 1; if it is given, the"
+                    + " probability that the drone is stopped is stated, too.")
+    private Double stopped;
+
+    @Option(
+            names = "--pointing",
+            paramLabel = "search|cued",
+            description =
+                    "Pointing of sensors on positioners: searching, or turned to the drone and zoomed in; search by"
+                            + " default, since nothing has cued them before the first detection.")
+    private String pointing;
+
+    @Option(
+            names = MODES,
+            paramLabel = "powered,glide",
+            description = "Modes in which the drone may fly: powered; glide, with its motors off; or powered,glide, so"
+                    + " that it may stop its motors once; by default, all in which it can fly.")
+    private String modes;
+
+    /** Checks what can be checked before anything is loaded, and passes on the response. */
+    public void apply(SceneRunner runner) {
+        heights();
+        length("side", side);
+        length("cell", cell);
+        pointing();
+        words();
+        if (stopped != null && !(stopped >= 0.0 && stopped <= 1.0)) {
+            throw new InputException(STOPPED + " " + Quantity.RATIO.inWords(stopped) + ": must be 0 to 1");
+        }
+        if (response != null) {
+            try {
+                runner.set("alert.response", response);
+                runner.settings();
+            } catch (InputException e) {
+                String asked = "--set alert.response=" + response + ": ";
+                String fault = e.getMessage();
+                if (fault.startsWith("--set ") && !fault.startsWith(asked)) {
+                    throw e;
+                }
+                throw new InputException(
+                        GivenOption.words(RESPONSE, response) + ": "
+                                + (fault.startsWith(asked) ? fault.substring(asked.length()) : fault),
+                        e);
+            }
+        }
+    }
+
+    /** The pointing of sensors on positioners. */
+    public FieldTerms.Turning pointing() {
+        return pointing == null
+                ? FieldTerms.Turning.SEARCH
+                : FieldOptions.word("--pointing", pointing, FieldTerms.Turning.values(), "search or cued");
+    }
+
+    /** The probability that a response in time stops the drone; empty if none was given. */
+    public Optional<Double> stopped(SceneSettings settings) {
+        if (stopped != null && settings.alert().response() == 0.0) {
+            throw new InputException(STOPPED + " " + Quantity.RATIO.inWords(stopped)
+                    + ": needs the time of a response: --response, or alert.response of the scene");
+        }
+        return Optional.ofNullable(stopped);
+    }
+
+    /** The modes in which a drone may fly, in the order in which it may change. */
+    public List<FlightMode> modes(DroneSettings drone) {
+        List<FlightMode> can = FlightMode.of(drone);
+        List<FlightMode> asked = words().orElse(can);
+        if (!can.containsAll(asked)) {
+            throw new InputException(MODES + " " + modes + ": the drone cannot glide; performance.glideRatio is 0");
+        }
+        return asked;
+    }
+
+    private Optional<List<FlightMode>> words() {
+        if (modes == null) {
+            return Optional.empty();
+        }
+        List<FlightMode> asked = Arrays.stream(modes.split(",", -1))
+                .map(word ->
+                        FieldOptions.word(MODES, word.strip(), FlightMode.values(), "powered, glide or powered,glide"))
+                .toList();
+        if (!asked.equals(asked.stream().distinct().sorted().toList())) {
+            throw new InputException(GivenOption.words(MODES, modes) + ": must be powered, glide or powered,glide");
+        }
+        return Optional.of(asked);
+    }
+
+    /**
+     * The cells.
+     *
+     * @param middle of the area, m
+     * @param usual length of its side unless another was given, m
+     */
+    public FieldGrid grid(Position middle, double usual) {
+        double across = length("side", side).orElse(usual);
+        double edge = length("cell", cell).orElse(across / FieldGrid.DEFAULT_CELLS);
+        FieldGrid grid;
+        try {
+            grid = new FieldGrid(middle.x(), middle.y(), across, edge, heights());
+        } catch (IllegalArgumentException e) {
+            throw new InputException("--cell: " + e.getMessage(), e);
+        }
+        if (grid.columns() < 2) {
+            throw new InputException(
+                    "--cell " + edge + " m: must be at most half the side of the area, " + across + " m");
+        }
+        return grid;
+    }
+
+    private static OptionalDouble length(String name, String text) {
+        return text == null
+                ? OptionalDouble.empty()
+                : OptionalDouble.of((double) FieldOptions.value(name, text, FieldGrid.class, name));
+    }
+
+    private List<Double> heights() {
+        return heights == null ? HEIGHTS : GridOptions.heights(heights);
+    }
+
+    /** The area from which the routes come, in plan view; empty for the edge. */
+    public Optional<AreaZone> launchArea(SceneRunner runner, SceneSettings settings) {
+        if (launch == null) {
+            return Optional.empty();
+        }
+        if (launch.strip().startsWith("{")) {
+            return Optional.of(new AreaZone("launch", runner.area(LAUNCH, launch, settings), 0.0, 0.0));
+        }
+        return Optional.of(AreaZone.inPlan(launch, settings.alert())
+                .orElseThrow(() -> new InputException(GivenOption.words(LAUNCH, launch)
+                        + ": neither a zone of the scene nor an area such as '{centre: [0, 900], radius: 50 m}'")));
+    }
+
+    /** The area from which the routes come as it was given. */
+    public Optional<String> launch() {
+        return Optional.ofNullable(launch);
+    }
+}

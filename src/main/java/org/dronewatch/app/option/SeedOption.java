@@ -1,0 +1,17 @@
+package org.dronewatch.app.option;
+
+import org.dronewatch.scene.SceneRunner;
+import picocli.CommandLine.Option;
+
+/** The option of commands that run a scene with another seed. */
+public final class SeedOption {
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
+    private Long seed;
+
+    /** Sets the seed of a runner if one was given. */
+    public void apply(SceneRunner runner) {
+        if (seed != null) {
+            runner.seed(seed);
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** The pictures and films of the command render. */
+package org.dronewatch.app.rendering;

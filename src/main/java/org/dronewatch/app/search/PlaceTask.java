@@ -1,0 +1,62 @@
+package org.dronewatch.app.search;
+
+import java.util.function.Function;
+import java.util.function.IntConsumer;
+import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.app.console.Interruption;
+import org.dronewatch.app.console.TaskProgress;
+import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.CheaperLayouts;
+import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.run.Stage;
+
+/**
+ * A placement that is to be found: what all objectives need.
+ *
+ * @param plan what is asked for
+ * @param stage of its scene
+ * @param store of assessments that were made before
+ * @param limits of each choice among candidates
+ * @param budgets greatest number of budgets, including the whole one
+ * @param interruption by the user
+ * @param shown shows how far it has come
+ */
+public record PlaceTask(
+        PlacePlan plan,
+        Stage stage,
+        LayerStore store,
+        SolverLimits limits,
+        int budgets,
+        Interruption interruption,
+        TaskProgress shown) {
+    /** A task whose stage and store are those of the plan's scene. */
+    public static PlaceTask of(
+            PlacePlan plan, SolverLimits limits, int budgets, Interruption interruption, TaskProgress shown) {
+        plan.runner().adviseOnConditions();
+        Stage stage = plan.runner().stage(plan.present());
+        LayerStore store =
+                LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
+        return new PlaceTask(plan, stage, store, limits, budgets, interruption, shown);
+    }
+
+    /** Solves problems with tables. */
+    PlacementSolver solver() {
+        return new ExactSolver();
+    }
+
+    /** Does a part of the work that reports how many steps it has done since the last time. */
+    <T> T during(String part, long steps, Function<IntConsumer, T> work) {
+        return shown.during(part, steps, work);
+    }
+
+    /** What lower budgets buy. */
+    <L extends PlacedLayout> BudgetFront<L> front(CheaperLayouts<L> cheaper) {
+        return shown.during("layouts for lower budgets", budgets - 1L, progress -> new FrontSearch<>(cheaper)
+                .found(budgets, limits, progress));
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronewatch.app.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import org.junit.jupiter.api.Test;
+
+/** How far a task is, in lines. */
+class ProgressLinesTest {
+    private static final long SECOND = 1_000_000_000L;
+
+    private long now = 7 * SECOND;
+
+    @Test
+    void aLineEveryFiveSecondsStatesPercentAndTimeLeft() {
+        StringWriter said = new StringWriter();
+        ProgressLines lines = new ProgressLines("field", 2_000, new PrintWriter(said, true), () -> now);
+        for (int second = 1; second <= 16; second++) {
+            now += SECOND;
+            lines.reached(10L * second);
+        }
+        now += 200 * SECOND;
+        lines.reached(2_100);
+        lines.ended();
+
+        assertThat(said.toString().lines())
+                .containsExactly(
+                        "field: 2 %, 3 min left",
+                        "field: 5 %, 3 min left", "field: 7 %, 3 min left", "field: done after 4 min");
+    }
+}
