@@ -10,7 +10,7 @@ import java.util.Optional;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.scenario.InputFiles;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Where the results of a campaign come from. */

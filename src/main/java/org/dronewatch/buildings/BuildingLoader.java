@@ -21,7 +21,7 @@ import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /**

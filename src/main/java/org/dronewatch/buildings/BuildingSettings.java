@@ -9,7 +9,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 
 /**
  * The buildings of a real place, from a map: OpenStreetMap (.osm, .osm.gz or .osm.pbf), outlines in GeoJSON, or a city

@@ -13,7 +13,7 @@ import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /** What all buildings of a map have in common: its place on the earth, its ground, and how features become solids. */

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.buildings.land.LandRaster;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * The buildings made from a map.

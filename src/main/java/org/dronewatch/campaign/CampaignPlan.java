@@ -22,7 +22,7 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsPath;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.world.SiteMemory;
 
 /**

@@ -15,9 +15,9 @@ import java.util.List;
 import java.util.Set;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.BoundedFile;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.input.BoundedFile;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.LinkOut;
 
 /** A table of values: the columns are paths of settings, the rows are cases. Immutable; for all threads. */
 final class FactorTable {

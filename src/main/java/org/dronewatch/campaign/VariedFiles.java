@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /** The files named by values that vary, so that results computed from other contents are recognised. For one thread. */
 final class VariedFiles {

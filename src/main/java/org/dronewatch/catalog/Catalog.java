@@ -19,10 +19,10 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Spelling;
-import org.dronewatch.setting.file.BoundedFile;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
 import org.dronewatch.setting.file.SettingsFile;
+import org.dronewatch.setting.input.BoundedFile;
 
 /**
  * Real sensors by name: those of the library, and those of the user, each a file {@code NAME.yaml} beside the scene

@@ -26,8 +26,8 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
-import org.dronewatch.setting.file.BoundedFile;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.BoundedFile;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * The flights of a run's {@code flights.csv}: one row for each leg of a flight and one for the flight's end, with

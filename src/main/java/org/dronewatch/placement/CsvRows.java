@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.BoundedFile;
+import org.dronewatch.setting.input.BoundedFile;
 
 /** The records of a CSV file with named columns. */
 final class CsvRows {

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * The input of a scene's run: the hash of its settings, and its files as they were when they were read.

@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.dronewatch.geo.features.Features;
-import org.dronewatch.setting.file.BoundedFile;
-import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.input.BoundedFile;
+import org.dronewatch.setting.input.LinkOut;
 
 /** The maps whose features a scene file refers to, each read once. */
 final class FeatureFiles implements Function<Optional<String>, Features> {

@@ -37,7 +37,7 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.BackgroundNoise;
 import org.dronewatch.terrain.TerrainSettings;

@@ -22,9 +22,9 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.SettingsFile;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.world.Places;
 
 /** A scene that is described in a YAML file instead of a class. */

@@ -6,7 +6,7 @@ import org.dronewatch.scene.SceneFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
-import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.input.LinkOut;
 
 /** The scene that a file names. */
 public final class SceneByName {

@@ -2,7 +2,7 @@ package org.dronewatch.terrain;
 
 import java.util.List;
 import org.dronewatch.geometry.TriangleMesh;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * A terrain made from elevation files.

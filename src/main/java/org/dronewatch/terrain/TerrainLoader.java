@@ -11,7 +11,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.terrain.io.ElevationFile;
 import org.dronewatch.terrain.io.ElevationFiles;
 import org.dronewatch.terrain.io.Window;

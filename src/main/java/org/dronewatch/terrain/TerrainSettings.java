@@ -12,7 +12,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 
 /**
  * The ground of a real place, from elevation files: GeoTIFF, SRTM tiles (.hgt, also compressed as .zip or .gz) or ESRI

@@ -4,7 +4,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.buildings.BuildingSettings;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.terrain.TerrainSettings;
 
 /**

@@ -21,7 +21,7 @@ import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignSite;
 import org.dronewatch.campaign.CaseRun;
 import org.dronewatch.report.campaign.RemoteChunks;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.spark.SparkHome.Outcome;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;

@@ -20,7 +20,7 @@ import org.dronewatch.run.store.StoreWriter;
 import org.dronewatch.run.store.StoredForm;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.CanonicalSettings;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * Keeps the assessments of each sensor at each height in the user's cache directory, where they are found again for an

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.dronewatch.geo.MapExtent;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import tools.jackson.databind.JsonNode;
 
 /**

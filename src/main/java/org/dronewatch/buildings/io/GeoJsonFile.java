@@ -11,7 +11,7 @@ import org.dronewatch.geo.MapExtent;
 import org.dronewatch.geo.features.GeoJsonSystem;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import tools.jackson.databind.JsonNode;
 
 /**

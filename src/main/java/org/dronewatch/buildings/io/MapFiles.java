@@ -18,12 +18,12 @@ import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.FileKind;
-import org.dronewatch.setting.file.HeapBudget;
-import org.dronewatch.setting.file.JsonText;
-import org.dronewatch.setting.file.LinkOut;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.FileKind;
+import org.dronewatch.setting.input.HeapBudget;
+import org.dronewatch.setting.input.JsonText;
+import org.dronewatch.setting.input.LinkOut;
+import org.dronewatch.setting.input.PackagedSite;
 import tools.jackson.databind.JsonNode;
 
 /** Reads map files; the format is recognised by the first bytes, not by the name. Text may be compressed with gzip. */

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.geo.MapExtent;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.input.HeapBudget;
 
 /**
  * Makes outlines of the elements of OpenStreetMap: closed ways, and multipolygons, whose ways are joined end to end.

@@ -3,7 +3,7 @@ package org.dronewatch.buildings.io;
 import java.util.Arrays;
 import java.util.Map;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.input.HeapBudget;
 
 /** The coordinates of nodes of OpenStreetMap by their identifiers, without an object for each. */
 final class OsmNodes {

@@ -2,7 +2,7 @@ package org.dronewatch.flight.file;
 
 import java.util.function.Consumer;
 import org.dronewatch.flight.FlightPath;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.world.Places;
 
 /** A flight file that has been read. Immutable. */

@@ -9,7 +9,7 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.file.BoundedFile;
+import org.dronewatch.setting.input.BoundedFile;
 
 /**
  * A mission planned with QGroundControl: take-off, waypoints, changes of speed, landing. The drone stops wherever its

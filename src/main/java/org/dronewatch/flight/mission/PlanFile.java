@@ -12,8 +12,8 @@ import java.util.TreeMap;
 import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.JsonText;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.JsonText;
 import tools.jackson.databind.JsonNode;
 
 /**

@@ -6,7 +6,7 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.flight.file.DroneSpeeds;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.Counted;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.world.Places;
 
 /** A mission as it was read. */

@@ -14,7 +14,7 @@ import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
-import org.dronewatch.setting.file.XmlText;
+import org.dronewatch.setting.input.XmlText;
 
 /** Reads a track or a route of a GPX file (1.0 or 1.1). */
 final class GpxFile {

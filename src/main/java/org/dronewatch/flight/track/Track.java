@@ -9,7 +9,7 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.file.BoundedFile;
+import org.dronewatch.setting.input.BoundedFile;
 
 /**
  * A flight recorded in a GPX track or a CSV log, and flown in a straight line and at constant speed from each point to

@@ -20,7 +20,7 @@ import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.world.Places;
 
 /** A track as it was read. */

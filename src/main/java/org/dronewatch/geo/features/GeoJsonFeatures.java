@@ -9,7 +9,7 @@ import org.dronewatch.geo.MapTransform;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.JsonText;
+import org.dronewatch.setting.input.JsonText;
 import tools.jackson.databind.JsonNode;
 
 /** Reads the features of GeoJSON (RFC 7946) that have a {@code name} among their properties. */

@@ -7,7 +7,7 @@ import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.XmlText;
+import org.dronewatch.setting.input.XmlText;
 
 /** Reads the placemarks of KML 2.2 that have a name. */
 final class KmlFeatures {

@@ -11,8 +11,8 @@ import java.util.Base64;
 import java.util.List;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.HeapBudget;
 import tools.jackson.databind.JsonNode;
 
 /**

@@ -12,7 +12,7 @@ import java.util.concurrent.CancellationException;
 import java.util.regex.Pattern;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import tools.jackson.databind.JsonNode;
 
 /** The nodes of a glTF file with their transforms, and the triangles of their meshes. */

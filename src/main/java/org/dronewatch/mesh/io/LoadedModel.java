@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.Counted;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * A model read from a file.

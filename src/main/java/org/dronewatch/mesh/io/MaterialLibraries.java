@@ -18,7 +18,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * The MTL files of a model: which materials they define, and their colours. A library that cannot be read is a warning:

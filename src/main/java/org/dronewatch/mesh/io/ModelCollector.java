@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.input.HeapBudget;
 
 /**
  * Collects the contents of a file for a {@link MeshReader}, and makes a model from them: places vertices, cuts polygons

@@ -17,8 +17,8 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.LinkOut;
 
 /**
  * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte

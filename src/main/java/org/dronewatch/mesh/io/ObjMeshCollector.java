@@ -13,7 +13,7 @@ import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.HeapBudget;
+import org.dronewatch.setting.input.HeapBudget;
 
 /** Takes what an OBJ file states, checks it while its line is still known, and makes a mesh of it. */
 final class ObjMeshCollector {

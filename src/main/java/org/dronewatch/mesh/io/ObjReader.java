@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Set;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, in fans where these

@@ -12,7 +12,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.input.LinkOut;
 
 /**
  * The airspace that is to be covered, and the terms on which a sensor covers it; these are as for the options of

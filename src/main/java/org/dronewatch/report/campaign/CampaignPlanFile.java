@@ -8,7 +8,7 @@ import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.report.provenance.ResultKind;
 import org.dronewatch.setting.CanonicalSettings;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.InputFiles;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * The provenance of results. It differs from run to run, unlike the results.

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Timing;
 import org.dronewatch.scenario.InputFiles;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;

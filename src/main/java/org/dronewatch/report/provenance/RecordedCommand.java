@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.BoundedFile;
+import org.dronewatch.setting.input.BoundedFile;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;

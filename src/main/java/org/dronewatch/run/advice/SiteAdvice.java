@@ -18,7 +18,7 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.setting.Switchable;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.terrain.ElevationSurface;
 import org.dronewatch.world.Clearance;
 import org.dronewatch.world.NoiseSource;

@@ -12,8 +12,8 @@ import org.dronewatch.flight.file.FlightFromFile;
 import org.dronewatch.flight.file.FlightSource;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.LinkOut;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.LinkOut;
 
 /** Reads each file of flights once. For the use of one thread at a time. */
 final class FlightFiles {

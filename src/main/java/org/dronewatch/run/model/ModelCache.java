@@ -29,7 +29,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.store.PreparedSites;
 import org.dronewatch.run.store.PreparedTerrain;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.world.Ground;

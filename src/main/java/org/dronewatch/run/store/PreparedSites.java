@@ -16,7 +16,7 @@ import org.dronewatch.kdtree.SahCost;
 import org.dronewatch.kdtree.TreeParts;
 import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.terrain.TerrainGround;

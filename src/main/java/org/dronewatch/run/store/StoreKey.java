@@ -9,7 +9,7 @@ import java.util.HexFormat;
 import java.util.List;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.SahCost;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 
 /**
  * The name of something prepared, with the SHA-256 of everything that it depends on: the bytes of files, settings, the

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.TreeParts;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.terrain.KnownGround;
 import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.terrain.TerrainGround;

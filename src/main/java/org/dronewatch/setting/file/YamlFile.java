@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.input.BoundedFile;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonToken;

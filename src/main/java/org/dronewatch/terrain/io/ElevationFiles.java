@@ -16,10 +16,10 @@ import java.util.zip.ZipInputStream;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
-import org.dronewatch.setting.file.FileHash;
-import org.dronewatch.setting.file.FileKind;
-import org.dronewatch.setting.file.LinkOut;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.FileHash;
+import org.dronewatch.setting.input.FileKind;
+import org.dronewatch.setting.input.LinkOut;
+import org.dronewatch.setting.input.PackagedSite;
 
 /**
  * Opens elevation files, whose format is recognised by their first bytes; only SRTM tiles are recognised by their

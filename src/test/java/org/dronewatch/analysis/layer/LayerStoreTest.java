@@ -30,7 +30,7 @@ import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.sensor.Cause;
-import org.dronewatch.setting.file.FileHash;
+import org.dronewatch.setting.input.FileHash;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;

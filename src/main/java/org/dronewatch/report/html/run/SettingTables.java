@@ -18,7 +18,7 @@ import org.dronewatch.report.html.SensorTables;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.file.PackagedSite;
+import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.sound.Wind;
 import org.dronewatch.world.WorldSettings;
 

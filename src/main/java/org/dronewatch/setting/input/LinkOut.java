@@ -1,4 +1,4 @@
-package org.dronewatch.setting.file;
+package org.dronewatch.setting.input;
 
 import java.io.IOException;
 import java.nio.file.Path;

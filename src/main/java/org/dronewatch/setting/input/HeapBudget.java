@@ -1,4 +1,4 @@
-package org.dronewatch.setting.file;
+package org.dronewatch.setting.input;
 
 import org.dronewatch.setting.InputException;
 

@@ -1,4 +1,4 @@
-package org.dronewatch.setting.file;
+package org.dronewatch.setting.input;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
