@@ -58,7 +58,7 @@ final class ControlBar extends JToolBar {
         speed.getAccessibleContext().setAccessibleName("speed");
         speed.addActionListener(e -> {
             if (!updating) {
-                playback.setSpeed(Playback.SPEEDS[speed.getSelectedIndex()]);
+                playback.setSpeed(Playback.SPEEDS.get(speed.getSelectedIndex()));
             }
         });
         add(speed);
@@ -104,8 +104,8 @@ final class ControlBar extends JToolBar {
         } else if (playback.run() != null && runs.getSelectedIndex() != known.indexOf(playback.run())) {
             runs.setSelectedIndex(known.indexOf(playback.run()));
         }
-        for (int i = 0; i < Playback.SPEEDS.length; i++) {
-            if (Playback.SPEEDS[i] == playback.speed() && speed.getSelectedIndex() != i) {
+        for (int i = 0; i < Playback.SPEEDS.size(); i++) {
+            if (Playback.SPEEDS.get(i) == playback.speed() && speed.getSelectedIndex() != i) {
                 speed.setSelectedIndex(i);
             }
         }

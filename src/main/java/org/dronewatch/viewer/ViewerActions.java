@@ -43,10 +43,10 @@ final class ViewerActions {
 
     private static void change(Playback playback, int by) {
         int now = 0;
-        while (Playback.SPEEDS[now] < playback.speed()) {
+        while (Playback.SPEEDS.get(now) < playback.speed()) {
             now++;
         }
-        playback.setSpeed(Playback.SPEEDS[Math.max(0, Math.min(Playback.SPEEDS.length - 1, now + by))]);
+        playback.setSpeed(Playback.SPEEDS.get(Math.max(0, Math.min(Playback.SPEEDS.size() - 1, now + by))));
     }
 
     /** An action with a name, an explanation, and a key that menus show. */

@@ -9,7 +9,8 @@ import java.util.List;
  */
 public final class Playback {
     /** Speeds to choose from; the last is as fast as possible. */
-    public static final double[] SPEEDS = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, Double.POSITIVE_INFINITY};
+    public static final List<Double> SPEEDS =
+            List.of(0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, Double.POSITIVE_INFINITY);
 
     private final List<Runnable> listeners = new ArrayList<>();
     private RecordedRun run;
