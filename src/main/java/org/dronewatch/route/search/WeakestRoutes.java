@@ -25,6 +25,14 @@ public final class WeakestRoutes {
     /** As many of them, the least exposed, are smoothed, until one of them reaches the lower bound. */
     private static final int SMOOTHED = 8;
 
+    /**
+     * The least price of time, 1/s, so that of several equally exposed routes the fastest is found. Any route that is
+     * missed because of it is less exposed by at most this price times the time that it takes longer: 3.6e-7 for an
+     * hour, less than the 1e-6 by which the probability of a single look is capped. It is still a million times the
+     * rounding error of an exposure of 1 per second of flight.
+     */
+    private static final double LEAST_PRICE = 1e-10;
+
     private final RouteProblem problem;
 
     /** The problem with the price of time. */
@@ -59,7 +67,7 @@ public final class WeakestRoutes {
     }
 
     /**
-     * Searches for routes to the goals.
+     * Searches for routes to the goals; of several equally exposed routes, for the fastest.
      *
      * @param reached the nodes of all cubes of the grid in which a route may end, for the lower bound; the goals
      *     themselves if routes end at nodes
@@ -70,11 +78,10 @@ public final class WeakestRoutes {
     }
 
     /**
-     * The same, but time has a price, so that the fastest of several equally exposed routes is found: without a price,
-     * a drone may fly about for hours where nothing detects it.
+     * The same, but time has a price, so that a route that is hardly more exposed, but faster, is preferred.
      *
      * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
-     *     more, 1/s
+     *     more, 1/s; less than 1e-10 counts as 1e-10
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price) {
         return of(problem, reached, price, RouteEnd.AT_NODE);
@@ -82,7 +89,7 @@ public final class WeakestRoutes {
 
     /** The same, but a route may arrive between nodes. */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
-        RouteProblem priced = problem.withField(problem.field().plus(price));
+        RouteProblem priced = priced(problem, price);
         return new WeakestRoutes(
                 problem,
                 priced,
@@ -109,7 +116,7 @@ public final class WeakestRoutes {
      * The same, but time has a price.
      *
      * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
-     *     more, 1/s
+     *     more, 1/s; less than 1e-10 counts as 1e-10
      */
     public static WeakestRoutes inTime(RouteProblem problem, BitSet reached, double response, double price) {
         return inTime(problem, reached, response, price, RouteEnd.AT_NODE);
@@ -124,7 +131,7 @@ public final class WeakestRoutes {
         Workers.both(
                 () -> times.set(RouteSearch.toGoals(fastest)),
                 () -> tooLate.set(ExposureBound.of(fastest, reached).within(response)));
-        RouteProblem priced = problem.withField(problem.field().plus(price));
+        RouteProblem priced = priced(problem, price);
         return new WeakestRoutes(
                 problem,
                 priced,
@@ -132,6 +139,10 @@ public final class WeakestRoutes {
                 Optional.of(times.get()),
                 new RouteFinish(fastest, arrival, response),
                 tooLate.get());
+    }
+
+    private static RouteProblem priced(RouteProblem problem, double price) {
+        return problem.withField(problem.field().plus(Math.max(LEAST_PRICE, price)));
     }
 
     /** A field whose exposure is the time, s. */
