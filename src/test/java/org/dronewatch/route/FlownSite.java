@@ -1,5 +1,6 @@
 package org.dronewatch.route;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -31,6 +32,9 @@ record FlownSite(
     private static final Map<String, String> NEITHER =
             Map.of("sensors.microphone.enabled", "false", "sensors.radio.enabled", "false");
 
+    /** At the camera, which otherwise leaves nothing to chance. */
+    private static final Map<String, String> OBSERVER = observer("camera");
+
     /** Of the build. */
     static final FlownSite SHORT =
             new FlownSite("meadow", "scenes/meadow.yaml", NO_RECEIVER, "intruder", 3000, 150, 0.01);
@@ -43,11 +47,19 @@ record FlownSite(
             new FlownSite("multi-sensor-observers", "multi-sensor", observers(), "quadrotor", 400, 10, 0.01),
             new FlownSite("meadow", "scenes/meadow.yaml", NO_RECEIVER, "intruder", 3000, 100, 0.01),
             new FlownSite("glider", "scenes/glider.yaml", Map.of(), "glider", 1200, 40, 1e-4),
+            new FlownSite("palace", "scenes/palace.yaml", Map.of(), "intruder", 2400, 80, 1e-3),
+            new FlownSite("birds", "scenes/birds.yaml", Map.of(), "intruder", 1200, 40, 1e-3),
+            new FlownSite("false-alarms", "scenes/false-alarms.yaml", Map.of(), "intruder", 1200, 40, 1e-3),
+            new FlownSite("radar-clutter", "scenes/radar-clutter.yaml", Map.of(), "coming", 1200, 40, 1e-2),
+            new FlownSite("camera-range", "camera-range", OBSERVER, "quadrotor", 500, 20, 0.01),
             monaco("monaco", NO_MICROPHONE, 2400, 80),
             monaco("monaco-without-receiver", NEITHER, 2400, 80));
 
-    /** A microphone alone, only for random flights. */
-    static final FlownSite MICROPHONE = monaco("monaco-microphone", others(), 1200, 300);
+    /** With a microphone, only for a few random flights. */
+    static final List<FlownSite> HEARD = List.of(
+            monaco("monaco-microphone", others(), 1200, 300),
+            new FlownSite("acoustic-range", "acoustic-range", Map.of(), "quadrotor", 500, 50, 0.01),
+            new FlownSite("multi-sensor-microphone", "multi-sensor", noCameras(), "quadrotor", 300, 30, 0.01));
 
     private static FlownSite monaco(String name, Map<String, String> overrides, double side, double cell) {
         return new FlownSite(name, "scenes/monaco.yaml", overrides, "from-the-sea", side, cell, 1e-4);
@@ -65,13 +77,32 @@ record FlownSite(
     /** At each of the twelve cameras, which otherwise leave nothing to chance. */
     private static Map<String, String> observers() {
         Map<String, String> overrides = new LinkedHashMap<>(NO_MICROPHONE);
+        cameras().forEach(camera -> overrides.putAll(observer(camera)));
+        return overrides;
+    }
+
+    private static Map<String, String> noCameras() {
+        Map<String, String> overrides = new LinkedHashMap<>();
+        cameras().forEach(camera -> overrides.put("sensors." + camera + ".enabled", "false"));
+        return overrides;
+    }
+
+    /** The names of those of {@code multi-sensor}. */
+    private static List<String> cameras() {
+        List<String> cameras = new ArrayList<>();
         for (String corner : List.of("north-east", "south-east", "south-west", "north-west")) {
             for (int camera = 1; camera <= 3; camera++) {
-                String detection = "sensors." + corner + "-" + camera + ".detection";
-                overrides.put(detection, "target-task");
-                overrides.put(detection + ".task", "identification");
+                cameras.add(corner + "-" + camera);
             }
         }
+        return cameras;
+    }
+
+    private static Map<String, String> observer(String camera) {
+        String detection = "sensors." + camera + ".detection";
+        Map<String, String> overrides = new LinkedHashMap<>();
+        overrides.put(detection, "target-task");
+        overrides.put(detection + ".task", "identification");
         return overrides;
     }
 

@@ -1,7 +1,6 @@
 package org.dronewatch.route;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,9 +17,7 @@ import org.dronewatch.sensor.Draws;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -60,9 +57,10 @@ class PackagedRouteTest {
         if (!LongForm.IS_ON) {
             return List.of(FlownSite.SHORT);
         }
-        List<String> known = new ArrayList<>(List.of(FlownSite.MICROPHONE.name()));
-        FlownSite.LONG.forEach(site -> known.add(site.name()));
-        assertThat(known).containsAll(CHOSEN);
+        assertThat(Stream.of(FlownSite.LONG, FlownSite.HEARD)
+                        .flatMap(List::stream)
+                        .map(FlownSite::name))
+                .containsAll(CHOSEN);
         return FlownSite.LONG.stream().filter(PackagedRouteTest::isChosen).toList();
     }
 
@@ -101,35 +99,34 @@ class PackagedRouteTest {
                 sayWithCues(weakest.get(i), flights, proof);
             }
         }
-        fly(site, RANDOM, true, flights);
+        SplittableRandom random = new SplittableRandom(seed);
+        for (int i = 0; i < RANDOM; i++) {
+            SceneSettings flight = flights.random(random, i % 2 == 0);
+            prove(site + ", random flight " + (i + 1), flight, flights);
+        }
         return true;
     }
 
-    /** Only its looks: they take some 20 ms each. By its level, the drone is detected at a place or is not. */
-    @Test
-    @EnabledIfSystemProperty(named = "dronewatch.long", matches = "true")
-    void soDoRunsPastAMicrophone() {
-        FlownSite site = FlownSite.MICROPHONE;
-        assumeTrue(isChosen(site));
+    static List<FlownSite> heard() {
+        return LongForm.IS_ON
+                ? FlownSite.HEARD.stream().filter(PackagedRouteTest::isChosen).toList()
+                : List.of();
+    }
+
+    /** Few flights: looks take up to some 20 ms each. By its level, the drone is detected at a place or is not. */
+    @ParameterizedTest(name = "{0}", allowZeroInvocations = true)
+    @MethodSource("heard")
+    void soDoRunsPastAMicrophone(FlownSite site) {
         say("%s, seed %d", site, seed);
         try (Workers workers = new Workers(2)) {
             workers.call(() -> {
-                fly(site, HEARD, false, new PackagedFlights(site));
+                PackagedFlights flights = new PackagedFlights(site);
+                SplittableRandom random = new SplittableRandom(seed);
+                for (int i = 0; i < HEARD; i++) {
+                    prove(site + ", random flight " + (i + 1), flights.random(random, false), flights);
+                }
                 return true;
             });
-        }
-    }
-
-    /**
-     * Random flights.
-     *
-     * @param isTakingTurns whether on every other flight only the radars are on
-     */
-    private void fly(FlownSite site, int count, boolean isTakingTurns, PackagedFlights flights) {
-        SplittableRandom random = new SplittableRandom(seed);
-        for (int i = 0; i < count; i++) {
-            SceneSettings flight = flights.random(random, isTakingTurns && i % 2 == 0);
-            prove(site + ", random flight " + (i + 1), flight, flights);
         }
     }
 

@@ -31,7 +31,7 @@ final class CauseWords {
 
     private static String silent(RadioLink link) {
         return link.emits()
-                ? "radio-silent in the receiver's band"
+                ? "without an emission that the receiver can recognise"
                 : "radio-silent (" + Choices.name(link.control().name()) + ")";
     }
 }

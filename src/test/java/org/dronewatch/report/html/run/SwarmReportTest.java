@@ -147,5 +147,10 @@ class SwarmReportTest {
                 .contains("130 pairs of sensor and drone without a detection are not shown.")
                 .contains("70 more pairs of sensor and drone are not shown.");
         assertThat(texts(none, "td")).contains("always radio-silent (fibre); the closest approach was 50 m");
+
+        Files.writeString(file, scene.toString().replace("RADIO", ", radio: {emission: cellular}"));
+        Document other = parsed(report(new SceneFile(file), List.of()));
+        assertThat(texts(other, "td"))
+                .contains("always without an emission that the receiver can recognise; the closest approach was 50 m");
     }
 }
