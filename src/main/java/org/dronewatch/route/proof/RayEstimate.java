@@ -15,6 +15,12 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
     /** A level this many standard errors or fewer from its threshold may be on the other side of it with other rays. */
     private static final double STANDARD_ERRORS = 8.0;
 
+    /**
+     * So does a level at most this far from it, dB, if it depends on random rays at all: a rare ray that arrives in one
+     * look of a thousand raises the level by more than the standard errors that other looks state.
+     */
+    private static final double RARE_RAY = 0.5;
+
     /** The number of traces in one estimate by the level model, of which each detects the drone or not. */
     private static final double TRACES = 32.0;
 
@@ -25,7 +31,8 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
 
     /** The first estimate of a look, if it depends on its rays; otherwise its exact probability. */
     static RayEstimate first(Assessment look) {
-        boolean isNear = Math.abs(look.margin()) < STANDARD_ERRORS * look.standardError();
+        double error = look.standardError();
+        boolean isNear = error > 0.0 && Math.abs(look.margin()) < Math.max(STANDARD_ERRORS * error, RARE_RAY);
         return isNear || look.probabilityError() > 0.0 ? one(look) : exact(look.probability());
     }
 
