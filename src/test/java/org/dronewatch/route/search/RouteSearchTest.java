@@ -219,9 +219,8 @@ class RouteSearchTest {
         assertThat(reachable).isGreaterThan(20_000);
     }
 
-    /** The path that is given has the exposure that is stated, and its smoothed form no more. */
     @Test
-    void theBoundIsBelowAndTheSmoothedRouteNotAboveTheOneOverNodes() {
+    void theBoundIsAboveNeitherTheRouteOverNodesNorTheSmoothedOne() {
         long seed = 4712;
         SplittableRandom random = new SplittableRandom(seed);
         int found = 0;
