@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.IntPredicate;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.exposure.LegMotion;
@@ -23,6 +24,13 @@ class RouteSearchTest {
         static Table random(RouteGrid grid, PlanDirections directions, SplittableRandom random) {
             int[] rates = new int[2 * directions.count() * grid.size()];
             Arrays.setAll(rates, i -> random.nextInt(4) == 0 ? 0 : random.nextInt(256));
+            return new Table(grid, directions, rates);
+        }
+
+        /** A rate of 1/s everywhere: exposure is time. */
+        static Table even(RouteGrid grid, PlanDirections directions) {
+            int[] rates = new int[2 * directions.count() * grid.size()];
+            Arrays.fill(rates, 64);
             return new Table(grid, directions, rates);
         }
 
@@ -177,10 +185,14 @@ class RouteSearchTest {
 
     /** Bellman and Ford's algorithm: legs are tried until nothing changes. */
     private static double[] brute(RouteProblem problem) {
+        return brute(
+                problem, state -> problem.goals().get(state % problem.grid().size()));
+    }
+
+    /** The same to states that need not be goals. */
+    private static double[] brute(RouteProblem problem, IntPredicate isEnd) {
         double[] cost = new double[problem.states()];
-        for (int state = 0; state < cost.length; state++) {
-            cost[state] = problem.goals().get(state % problem.grid().size()) ? 0.0 : Double.POSITIVE_INFINITY;
-        }
+        Arrays.setAll(cost, state -> isEnd.test(state) ? 0.0 : Double.POSITIVE_INFINITY);
         List<Leg> legs = legs(problem);
         boolean isChanged = true;
         while (isChanged) {
@@ -204,19 +216,44 @@ class RouteSearchTest {
         for (int i = 0; i < 1000; i++) {
             RouteProblem problem = smallProblem(random);
             double[] expected = brute(problem);
-            RouteTree found = RouteSearch.toGoals(problem);
-            for (int state = 0; state < expected.length; state++) {
-                if (expected[state] < Double.POSITIVE_INFINITY) {
-                    assertThat(found.costOfState(state))
-                            .as("seed %d, problem %d, state %d", seed, i, state)
-                            .isCloseTo(expected[state], within(1e-9 * (1.0 + expected[state])));
-                    reachable++;
-                } else {
-                    assertThat(found.costOfState(state)).isEqualTo(expected[state]);
-                }
-            }
+            reachable += compare(RouteSearch.toGoals(problem), expected, "seed " + seed + ", problem " + i);
         }
         assertThat(reachable).isGreaterThan(20_000);
+    }
+
+    /** Only exposure that leaves enough time for a response counts: up to states from which a goal is that near. */
+    @Test
+    void soDoThousandInTime() {
+        long seed = 4713;
+        SplittableRandom random = new SplittableRandom(seed);
+        int reachable = 0;
+        for (int i = 0; i < 1000; i++) {
+            RouteProblem problem = smallProblem(random);
+            RouteProblem fastest = problem.withField(Table.even(problem.grid(), problem.directions()));
+            // No time of a route is this one.
+            double response = 0.25 * (1 + random.nextInt(8)) + 1e-3;
+            double[] times = brute(fastest);
+            double[] expected = brute(problem, state -> times[state] <= response);
+            RouteTree found = RouteSearch.toStates(problem, RouteSearch.toGoals(fastest), response);
+            reachable += compare(found, expected, "seed " + seed + ", problem " + i);
+        }
+        assertThat(reachable).isGreaterThan(20_000);
+    }
+
+    /** The number of states from which there is a route. */
+    private static int compare(RouteTree found, double[] expected, String problem) {
+        int reachable = 0;
+        for (int state = 0; state < expected.length; state++) {
+            if (expected[state] < Double.POSITIVE_INFINITY) {
+                assertThat(found.costOfState(state))
+                        .as("%s, state %d", problem, state)
+                        .isCloseTo(expected[state], within(1e-9 * (1.0 + expected[state])));
+                reachable++;
+            } else {
+                assertThat(found.costOfState(state)).isEqualTo(expected[state]);
+            }
+        }
+        return reachable;
     }
 
     @Test
