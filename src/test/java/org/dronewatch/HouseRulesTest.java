@@ -30,16 +30,21 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.fusion.AlertLog;
+import org.dronewatch.fusion.ForecastLog;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.positioner.Positioner;
+import org.dronewatch.run.AlertWatch;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Detection;
 import org.dronewatch.sensor.GroundTruth;
+import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.optics.CameraObject;
+import org.dronewatch.tracking.AssessedLook;
 import org.dronewatch.tracking.ContactLook;
+import org.dronewatch.tracking.ContactMatcher;
 import org.dronewatch.tracking.PerfectAssociation;
 import org.dronewatch.world.Visibility;
 import org.jogamp.vecmath.Tuple3d;
@@ -187,15 +192,55 @@ class HouseRulesTest {
 
     /**
      * What hands contacts on, and whoever receives them: neither a field nor a parameter nor a result leads to the
-     * truth, through however many types.
+     * truth, nor to what only scoring may know, through however many types.
      */
     @ArchTest
     static final ArchRule NO_PATH_LEADS_FROM_A_CONTACT_TO_THE_TRUTH = classes()
             .that()
             .haveFullyQualifiedName(DISPATCH)
             .or()
-            .belongToAnyOf(AlertLog.class, Positioner.class, ContactLook.class)
-            .should(new NotReach(Set.of(GroundTruth.class, Observation.class, Detection.class, Drone.class)));
+            .belongToAnyOf(AlertLog.class, Positioner.class, ContactLook.class, ContactMatcher.class)
+            .should(new NotReach(Set.of(
+                    GroundTruth.class,
+                    Observation.class,
+                    Detection.class,
+                    Drone.class,
+                    PerfectAssociation.class,
+                    AssessedLook.class,
+                    ForecastLog.class)));
+
+    /**
+     * A number or a flag can tell the truth as well as an object that holds it, and no path of types would show it: a
+     * look has nothing but its contact, its sensor, its time and what the sensor measured.
+     */
+    @ArchTest
+    static void aContactLookHasNothingButMeasurements(JavaClasses house) {
+        assertThat(house.get(ContactLook.class).getFields())
+                .extracting(field -> field.getType().getName() + " " + field.getName())
+                .containsExactlyInAnyOrder(
+                        "int contact",
+                        "java.lang.String sensor",
+                        "double time",
+                        "java.util.List<" + Measurement.class.getName() + "> measurements");
+    }
+
+    /** How likely a look was to detect a drone that it did not detect, no sensor knows: only scores depend on it. */
+    @ArchTest
+    static final ArchRule ONLY_SCORES_DEPEND_ON_ASSESSMENTS = classes()
+            .that()
+            .belongToAnyOf(AssessedLook.class)
+            .should()
+            .onlyHaveDependentClassesThat()
+            .belongToAnyOf(AssessedLook.class, PerfectAssociation.class, ForecastLog.class);
+
+    /** The forecast is a score. */
+    @ArchTest
+    static final ArchRule ONLY_THE_WATCH_OVER_ALERTS_FORECASTS = classes()
+            .that()
+            .belongToAnyOf(ForecastLog.class)
+            .should()
+            .onlyHaveDependentClassesThat()
+            .belongToAnyOf(ForecastLog.class, AlertWatch.class);
 
     /**
      * Positioners and alert rules are informed by contacts alone. Trials of other rules are scores: they change nothing

@@ -6,33 +6,43 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.tracking.ConfirmedContact;
 import org.dronewatch.tracking.ContactLook;
+import org.dronewatch.tracking.ContactMatcher;
 
 /**
  * A log of the alerts of one run: applies the alert rule to the looks at contacts, in order of time, and records the
- * first alert for each contact. A loose contact ({@link ContactLook#isLoose}) belongs to one sensor alone: a rule that
- * requires several sensors therefore combines loose contacts that agree in time and bearing.
+ * first alert for each contact. It treats all contacts in the same way: which of them are one object is decided by the
+ * association. A rule that forecasts alerts ({@link ForecastLog}) is not applied here, and raises none.
  */
 public final class AlertLog {
-    private final AlertSettings settings;
+    private final Confirmation confirm;
+    private final Optional<AlertRule.Decision> rule;
+    private final ContactMatcher matcher;
     private final Map<Integer, Map<String, SensorTrack>> tracks = new LinkedHashMap<>();
     private final Map<Integer, Alert> alerts = new LinkedHashMap<>();
-    private final Optional<LooseContacts> loose;
 
-    /** A log of a run at its start. */
-    public AlertLog(AlertSettings settings) {
-        this.settings = settings;
-        this.loose = settings.rule() instanceof AlertRule.SeveralSensors several
-                ? Optional.of(new LooseContacts(several))
-                : Optional.empty();
+    /**
+     * A log of a run at its start.
+     *
+     * @param settings the rule and its confirmation
+     * @param association decides which contacts of different sensors are one object
+     */
+    public AlertLog(AlertSettings settings, ContactMatcher.Source association) {
+        this.confirm = settings.confirm();
+        this.rule = settings.rule().decision();
+        this.matcher = rule.map(decision -> decision.matcher(association)).orElse(ContactMatcher.NONE);
     }
 
     /**
      * Adds the looks that the sensors took at one time.
      *
-     * @return the alerts that they raise. An alert for several loose contacts has the number of the latest of them
+     * @return the alerts that they raise. An alert for several contacts has the number of the latest of them
      */
     public List<Alert> add(List<ContactLook> looks) {
+        if (rule.isEmpty()) {
+            return List.of();
+        }
         for (ContactLook look : looks) {
             if (!alerts.containsKey(look.contact())) {
                 follow(look);
@@ -41,7 +51,7 @@ public final class AlertLog {
         List<Alert> raised = new ArrayList<>();
         for (ContactLook look : looks) {
             if (!alerts.containsKey(look.contact())) {
-                decide(look).ifPresent(raised::add);
+                decide(look, rule.get()).ifPresent(raised::add);
             }
         }
         return raised;
@@ -49,40 +59,41 @@ public final class AlertLog {
 
     private void follow(ContactLook look) {
         SensorTrack track = tracks.computeIfAbsent(look.contact(), contact -> new LinkedHashMap<>())
-                .computeIfAbsent(look.sensor(), sensor -> new SensorTrack(sensor, settings.confirm()));
-        track.add(look);
-        if (loose.isPresent() && track.isConfirmedWithin(0.0, look.time()) && look.isLoose()) {
-            loose.get().confirmed(look.contact(), track, look.time());
+                .computeIfAbsent(look.sensor(), sensor -> new SensorTrack(confirm));
+        if (track.add(look)) {
+            track.confirmed().ifPresent(matcher::confirm);
         }
     }
 
-    private Optional<Alert> decide(ContactLook look) {
-        int contact = look.contact();
-        double time = look.time();
-        if (loose.isPresent() && look.isLoose()) {
-            List<LooseContact> together = loose.get().takeTogether(contact, time);
-            return raise(
-                    contact, time, together.stream().map(LooseContact::sensor).toList(), together);
-        }
-        List<SensorTrack> carriers =
-                settings.rule().carriers(tracks.get(contact).values(), time);
-        return raise(contact, time, carriers.stream().map(SensorTrack::sensor).toList(), List.of());
+    private Optional<Alert> decide(ContactLook look, AlertRule.Decision decision) {
+        Map<String, SensorTrack> bySensor = tracks.get(look.contact());
+        List<ConfirmedContact> together = new ArrayList<>();
+        bySensor.get(look.sensor())
+                .confirmed()
+                .filter(own -> own.time() == look.time())
+                .ifPresent(own -> together.addAll(matcher.others(own)));
+        bySensor.values().forEach(track -> track.confirmed().ifPresent(together::add));
+        List<ConfirmedContact> carriers = decision.carriers(together, look.time());
+        return carriers.isEmpty() ? Optional.empty() : Optional.of(raise(look, carriers));
     }
 
-    private Optional<Alert> raise(int contact, double time, List<String> sensors, List<LooseContact> others) {
-        if (sensors.isEmpty()) {
-            return Optional.empty();
+    private Alert raise(ContactLook look, List<ConfirmedContact> carriers) {
+        List<String> sensors = carriers.stream().map(ConfirmedContact::sensor).toList();
+        Alert alert = new Alert(look.contact(), look.time(), sensors);
+        end(look.contact(), alert);
+        for (ConfirmedContact carrier : carriers) {
+            // What has ended has been forgotten already, and will not be seen again.
+            if (tracks.containsKey(carrier.contact())) {
+                end(carrier.contact(), alert);
+            }
+            matcher.remove(carrier.contact());
         }
-        Alert alert = new Alert(contact, time, sensors);
+        return alert;
+    }
+
+    private void end(int contact, Alert alert) {
         alerts.put(contact, alert);
         tracks.remove(contact);
-        for (LooseContact other : others) {
-            // What has ended has been forgotten already, and will not be seen again.
-            if (tracks.remove(other.contact()) != null) {
-                alerts.put(other.contact(), alert);
-            }
-        }
-        return Optional.of(alert);
     }
 
     /** The alert for a contact, if there has been one. */
@@ -92,7 +103,7 @@ public final class AlertLog {
 
     /** How many contacts it remembers at present. */
     int size() {
-        return tracks.size() + alerts.size() + loose.map(LooseContacts::size).orElse(0);
+        return tracks.size() + alerts.size() + matcher.size();
     }
 
     /**

@@ -1,34 +1,51 @@
 package org.dronewatch.fusion;
 
-import java.util.ArrayList;
-import java.util.Collection;
-import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Minor;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.tracking.ConfirmedContact;
+import org.dronewatch.tracking.ContactMatcher;
 
-/** A rule that determines when the sensors' looks at a contact raise an alert. */
-public sealed interface AlertRule {
+/** A rule that determines when there is an alert for a contact. */
+public sealed interface AlertRule
+        permits AlertRule.SeveralSensors, AlertRule.AnySensor, AlertRule.UnionOfProbabilities {
 
-    /**
-     * The sensors whose looks justify an alert now; empty if there is no alert.
-     *
-     * @param tracks the record of each sensor's looks at the contact
-     * @param time the present time, s
-     */
-    List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time);
+    /** How the sensors' looks raise an alert; empty for a rule that forecasts alerts instead ({@link ForecastLog}). */
+    default Optional<Decision> decision() {
+        return Optional.empty();
+    }
+
+    /** A rule that a system can follow, since it decides by measurements alone. */
+    interface Decision {
+        /**
+         * The confirmations that justify an alert now; empty if there is no alert.
+         *
+         * @param confirmed the last confirmation of an object by each sensor that has confirmed it
+         * @param time the present time, s
+         */
+        List<ConfirmedContact> carriers(List<ConfirmedContact> confirmed, double time);
+
+        /** How contacts of different sensors are matched for this rule. */
+        default ContactMatcher matcher(ContactMatcher.Source association) {
+            return ContactMatcher.NONE;
+        }
+    }
 
     /** An alert as soon as any sensor detects the drone, with the confirmation required. */
-    record AnySensor() implements AlertRule {
+    record AnySensor() implements AlertRule, Decision {
         @Override
-        public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
-            return tracks.stream()
-                    .filter(track -> track.isConfirmedWithin(0.0, time))
-                    .toList();
+        public Optional<Decision> decision() {
+            return Optional.of(this);
+        }
+
+        @Override
+        public List<ConfirmedContact> carriers(List<ConfirmedContact> confirmed, double time) {
+            return confirmed.stream().filter(one -> one.time() >= time).toList();
         }
     }
 
@@ -44,7 +61,7 @@ public sealed interface AlertRule {
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
             @In(value = Quantity.DURATION, from = 0, to = 3600) double within,
             @Minor @In(value = Quantity.ANGLE, from = 0, to = Math.PI) double gate)
-            implements AlertRule {
+            implements AlertRule, Decision {
         private static final double USUAL_GATE = Math.toRadians(10.0);
 
         /** Checks the limits. */
@@ -72,19 +89,31 @@ public sealed interface AlertRule {
         }
 
         @Override
-        public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
-            List<SensorTrack> confirmed = tracks.stream()
-                    .filter(track -> track.isConfirmedWithin(within, time))
+        public Optional<Decision> decision() {
+            return Optional.of(this);
+        }
+
+        @Override
+        public List<ConfirmedContact> carriers(List<ConfirmedContact> confirmed, double time) {
+            List<ConfirmedContact> recent = confirmed.stream()
+                    .filter(one -> one.time() >= time - within)
                     .toList();
-            return confirmed.size() >= count ? confirmed : List.of();
+            return recent.size() >= count ? recent : List.of();
+        }
+
+        @Override
+        public ContactMatcher matcher(ContactMatcher.Source association) {
+            return association.matcher(gate, within);
         }
     }
 
     /**
      * An alert as soon as {@code 1 - (1-p1)(1-p2)...}, the probability that at least one of the sensors detects the
-     * drone in its last look, is high enough. This assumes that the sensors' misses are independent; if one hill or one
-     * bank of fog hides the drone from all of them, the rule is too optimistic. The probability of a sensor with a
-     * fixed threshold is 0 or 1.
+     * drone in its last look, is high enough. This is a forecast for scoring ({@link ForecastLog}), not a rule that a
+     * system could follow: looks that detect nothing count with their probabilities, which only the simulation knows.
+     * It assumes that the sensors' misses are independent; if one hill or one bank of fog hides the drone from all of
+     * them, it is too optimistic. The probability of a sensor with a fixed threshold is 0 or 1, and that of a false
+     * alarm is 1.
      *
      * @param probability the combined probability that raises the alert, above 0 and at most 1
      * @param within how long a look remains valid, 0 to 3600 s
@@ -102,22 +131,6 @@ public sealed interface AlertRule {
         @Defaults("probability")
         public static UnionOfProbabilities of(double probability) {
             return new UnionOfProbabilities(probability, 2.0);
-        }
-
-        /** {@inheritDoc} Those with the highest probabilities come first; there are as many as necessary. */
-        @Override
-        public List<SensorTrack> carriers(Collection<SensorTrack> tracks, double time) {
-            List<SensorTrack> likeliest = new ArrayList<>(tracks);
-            likeliest.sort(Comparator.comparingDouble(track -> -track.probabilityWithin(within, time)));
-            double missed = 1.0;
-            for (int i = 0; i < likeliest.size(); i++) {
-                missed *= 1.0 - likeliest.get(i).probabilityWithin(within, time);
-                // Rounding must not keep certain sensors from being certain together.
-                if (1.0 - missed >= probability - 1e-12) {
-                    return List.copyOf(likeliest.subList(0, i + 1));
-                }
-            }
-            return List.of();
         }
     }
 }

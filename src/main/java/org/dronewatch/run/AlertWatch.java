@@ -13,6 +13,7 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.fusion.AlertSettings;
+import org.dronewatch.fusion.ForecastLog;
 import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
@@ -23,8 +24,8 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 
 /**
- * Scores the alerts of one run: the time at which each drone could first have been seen, the time of its alert, and the
- * warning time.
+ * Scores the alerts of one run, which its rule raises or forecasts: the time at which each drone could first have been
+ * seen, the time of its alert, and the warning time.
  */
 public final class AlertWatch {
     private final int run;
@@ -33,6 +34,7 @@ public final class AlertWatch {
     private final Protection protection;
     private final PerfectAssociation association;
     private final AlertLog log;
+    private final Optional<ForecastLog> forecast;
     private final ConfirmationTrials trials;
     private final Map<String, Long> falseAlarms = new LinkedHashMap<>();
     private final Map<String, Long> falseAlarmsOfBirds = new LinkedHashMap<>();
@@ -56,6 +58,7 @@ public final class AlertWatch {
         this.protection = stage.protection();
         this.association = stage.association();
         this.log = stage.alerts();
+        this.forecast = ForecastLog.of(settings.alert());
         this.trials = new ConfirmationTrials(settings, association);
     }
 
@@ -70,12 +73,15 @@ public final class AlertWatch {
                 .filter(FalseAlarmSource::isNew)
                 .filter(Observation::isDetected)
                 .forEach(alarm -> falseAlarms.merge(alarm.sensor(), 1L, Long::sum));
-        stage.raised().forEach(this::count);
+        forecast.map(alerts -> alerts.add(association.assessed()))
+                .orElse(stage.raised())
+                .forEach(this::count);
         trials.add(stage.contactLooks());
         if (placesAtAlert.size() < frame.drones().size()) {
             addPlaces(frame, stage.contactLooks());
         }
         log.forget(association.ended());
+        forecast.ifPresent(alerts -> alerts.forget(association.ended()));
     }
 
     /** Counts a bird that a sensor begins to detect as a false alarm. */
@@ -84,6 +90,10 @@ public final class AlertWatch {
             falseAlarms.merge(event.observation().sensor(), 1L, Long::sum);
             falseAlarmsOfBirds.merge(event.observation().sensor(), 1L, Long::sum);
         }
+    }
+
+    private Optional<Alert> alert(int contact) {
+        return forecast.map(alerts -> alerts.alert(contact)).orElseGet(() -> log.alert(contact));
     }
 
     /** Counts an alert for something that is not a drone. */
@@ -117,7 +127,7 @@ public final class AlertWatch {
     private void addPlaces(Frame frame, List<ContactLook> looks) {
         Map<String, Drone> drones = byName(frame);
         for (ContactLook look : looks) {
-            if (log.alert(look.contact()).isPresent()) {
+            if (alert(look.contact()).isPresent()) {
                 association
                         .droneOf(look.contact())
                         .ifPresent(drone -> placesAtAlert.computeIfAbsent(
@@ -158,7 +168,7 @@ public final class AlertWatch {
 
     private AlertResult result(Drone drone, Stage stage, double simulated) {
         OptionalInt contact = association.contactOf(drone.id());
-        Optional<Alert> alert = contact.isPresent() ? log.alert(contact.getAsInt()) : Optional.empty();
+        Optional<Alert> alert = contact.isPresent() ? alert(contact.getAsInt()) : Optional.empty();
         AlertSettings wanted = settings.alert();
         Optional<Position> position = Optional.ofNullable(placesAtAlert.get(drone.id()));
         OptionalDouble distance = OptionalDouble.empty();

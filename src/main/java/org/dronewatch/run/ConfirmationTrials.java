@@ -32,7 +32,7 @@ final class ConfirmationTrials {
         this.association = association;
         for (Confirmation confirm : of(settings)) {
             AlertSettings changed = settings.alert().withConfirmation(confirm.hits(), confirm.looks());
-            logs.put(confirm, new AlertLog(changed));
+            logs.put(confirm, new AlertLog(changed, association::matcher));
         }
     }
 
@@ -52,11 +52,12 @@ final class ConfirmationTrials {
         return all;
     }
 
-    /** Adds the sensors' looks of one time, except those at loose contacts, none of which is a drone. */
+    /** Adds the sensors' looks of one time, except those at false contacts. */
     void add(List<ContactLook> looks) {
         if (!logs.isEmpty()) {
-            List<ContactLook> atDrones =
-                    looks.stream().filter(look -> !look.isLoose()).toList();
+            List<ContactLook> atDrones = looks.stream()
+                    .filter(look -> association.droneOf(look.contact()).isPresent())
+                    .toList();
             logs.values().forEach(log -> log.add(atDrones));
         }
     }

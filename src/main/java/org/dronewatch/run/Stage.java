@@ -106,7 +106,7 @@ public final class Stage {
         }
         this.runSeed = runSeed;
         this.association = association;
-        this.dispatch = new ContactDispatch(new AlertLog(settings.alert()));
+        this.dispatch = new ContactDispatch(new AlertLog(settings.alert(), association::matcher));
         FlightPaths paths = new FlightPaths(
                 new Places(site, world::newGround), settings.run().duration(), models);
         settings.individualDrones().forEach((id, drone) -> {

@@ -46,7 +46,7 @@ final class LiveAlarms {
                 all.remove();
                 ended.accept(live.contact);
             } else if (!live.isSeen) {
-                missed.accept(new ContactLook(live.contact, sensor, time, 0.0, List.of(), true));
+                missed.accept(new ContactLook(live.contact, sensor, time, List.of()));
             }
             live.isSeen = false;
         }

@@ -19,13 +19,17 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * It takes the place of a tracker, which this library does not have, and is an upper bound on the performance of one.
  * False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as
  * long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 in the
- * order in which they appear; the numbers carry no information about drones. A false contact is loose. One per run.
+ * order in which they appear; the numbers carry no information about drones. One per run.
+ *
+ * <p>False contacts of different sensors are matched by time and bearing, as by a tracker ({@link #matcher}); a drone's
+ * contact, which all sensors share, matches no other.
  */
 public class PerfectAssociation {
     private final Map<String, Integer> contacts = new HashMap<>();
     private final Map<Integer, String> drones = new HashMap<>();
     private final Map<String, LiveAlarms> alarms = new LinkedHashMap<>();
     private final List<Integer> ended = new ArrayList<>();
+    private final List<AssessedLook> assessed = new ArrayList<>();
     private final int patience;
     private int last;
 
@@ -65,6 +69,7 @@ public class PerfectAssociation {
      */
     public List<ContactLook> associate(List<Observation> observations, Collection<String> looked, double time) {
         ended.clear();
+        assessed.clear();
         Map<List<Object>, List<Observation>> looks = new LinkedHashMap<>();
         for (Observation observation : observations) {
             List<Object> key = List.of(observation.sensor(), contact(observation));
@@ -102,16 +107,33 @@ public class PerfectAssociation {
         return alarms.computeIfAbsent(sensor, unseen -> new LiveAlarms(patience));
     }
 
-    private static ContactLook look(int contact, List<Observation> observations) {
+    private ContactLook look(int contact, List<Observation> observations) {
         Observation first = observations.get(0);
         double probability = observations.stream()
                 .mapToDouble(Observation::probability)
                 .max()
                 .orElse(0.0);
+        assessed.add(new AssessedLook(contact, first.sensor(), first.arrival(), probability));
         List<Measurement> measurements = observations.stream()
                 .flatMap(one -> one.measurements().stream())
                 .toList();
-        return new ContactLook(contact, first.sensor(), first.arrival(), probability, measurements, first.isFalse());
+        return new ContactLook(contact, first.sensor(), first.arrival(), measurements);
+    }
+
+    /**
+     * A matcher of confirmed contacts: false ones of different sensors match if they agree in time and bearing.
+     *
+     * @param gate maximum difference between the bearings of two contacts, 0 to pi, rad; a contact without a bearing
+     *     agrees with any
+     * @param within time within which both must be confirmed, 0 or more, s
+     */
+    public ContactMatcher matcher(double gate, double within) {
+        return new BearingMatcher(drones::containsKey, gate, within);
+    }
+
+    /** How likely each of the last looks was to detect its contact, for scoring. */
+    public List<AssessedLook> assessed() {
+        return List.copyOf(assessed);
     }
 
     /** The contact of a drone, for scoring; empty when no sensor has looked at it. */

@@ -15,8 +15,10 @@ import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.LookId;
 import org.dronewatch.sensor.Measurement;
+import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.tracking.ContactLook;
+import org.dronewatch.tracking.PerfectAssociation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,18 +30,17 @@ class AlertLogTest {
     private static ContactLook look(String sensor, double time, double value) {
         Measurement measured = new Measurement(
                 new LookId(sensor, "camera", 0, time), new Reading(value, 12.0, "px"), Optional.empty());
-        boolean detected = measured.isDetected();
-        return new ContactLook(
-                CONTACT, sensor, time, detected ? 1.0 : 0.0, detected ? List.of(measured) : List.of(), false);
+        return new ContactLook(CONTACT, sensor, time, measured.isDetected() ? List.of(measured) : List.of());
     }
 
-    private static ContactLook likely(String sensor, double time, double probability) {
-        return new ContactLook(CONTACT, sensor, time, probability, List.of(), false);
+    /** A log in a run in which all contacts are false, unless several sensors share them. */
+    private static AlertLog log(AlertSettings settings) {
+        return new AlertLog(settings, new PerfectAssociation()::matcher);
     }
 
     @Test
     void theFirstDetectionOfAnySensorIsAnAlertUnlessTheSettingsSayOtherwise() {
-        AlertLog log = new AlertLog(AlertSettings.DEFAULT);
+        AlertLog log = log(AlertSettings.DEFAULT);
         log.add(List.of(look("a", 0, 11.9), look("b", 0, 3)));
         assertThat(log.alert(CONTACT)).isEmpty();
         log.add(List.of(look("a", 1, 2), look("b", 1, 12)));
@@ -54,7 +55,7 @@ class AlertLogTest {
         AlertSettings settings = AlertSettings.DEFAULT.withConfirmation(3, 4);
         // hit, miss, hit, miss: two of four. hit: three of the last four would need one more.
         double[] values = {20, 1, 20, 1, 20, 20, 1};
-        AlertLog log = new AlertLog(settings);
+        AlertLog log = log(settings);
         List<Optional<Alert>> after = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {
             log.add(List.of(look("a", i, values[i])));
@@ -66,7 +67,7 @@ class AlertLogTest {
 
     @Test
     void looksThatAreTooOldAreForgotten() {
-        AlertLog log = new AlertLog(AlertSettings.DEFAULT.withConfirmation(2, 2));
+        AlertLog log = log(AlertSettings.DEFAULT.withConfirmation(2, 2));
         double[] values = {20, 1, 20, 1, 20, 1};
         for (int i = 0; i < values.length; i++) {
             log.add(List.of(look("a", i, values[i])));
@@ -83,7 +84,7 @@ class AlertLogTest {
         int trials = 200_000;
         int alerts = 0;
         for (int trial = 0; trial < trials; trial++) {
-            AlertLog log = new AlertLog(AlertSettings.DEFAULT.withConfirmation(3, 4));
+            AlertLog log = log(AlertSettings.DEFAULT.withConfirmation(3, 4));
             for (int look = 0; look < 4; look++) {
                 log.add(List.of(look("a", look, random.nextDouble() < 0.9 ? 12 : 0)));
             }
@@ -95,40 +96,24 @@ class AlertLogTest {
     @Test
     void severalSensorsMustAgreeWithinATime() {
         AlertSettings two = AlertSettings.DEFAULT.withRule(new AlertRule.SeveralSensors(2, 5.0));
-        AlertLog late = new AlertLog(two);
+        AlertLog late = log(two);
         late.add(List.of(look("a", 0, 20), look("b", 0, 0)));
         late.add(List.of(look("a", 5.5, 0), look("b", 5.5, 20)));
         assertThat(late.alert(CONTACT)).isEmpty();
 
-        AlertLog early = new AlertLog(two);
+        AlertLog early = log(two);
         early.add(List.of(look("a", 0, 20), look("b", 0, 0)));
         early.add(List.of(look("a", 4.5, 0), look("b", 4.5, 20)));
         assertThat(early.alert(CONTACT)).contains(new Alert(CONTACT, 4.5, List.of("a", "b")));
     }
 
-    /** 1 - 0.4 * 0.5 * 0.7 = 0.86. */
+    /** A rule that forecasts alerts decides nothing. */
     @Test
-    void probabilitiesOfIndependentSensorsJoin() {
-        List<ContactLook> looks = List.of(likely("a", 0, 0.6), likely("b", 0, 0.5), likely("c", 0, 0.3));
-        for (double probability : new double[] {0.8599, 0.86}) {
-            AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(probability)));
-            log.add(looks);
-            assertThat(log.alert(CONTACT).orElseThrow().sensors()).containsExactly("a", "b", "c");
-        }
-        AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(0.8601)));
-        log.add(looks);
+    void noAlertIsRaisedByAForecast() {
+        AlertLog log = log(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(0.1)));
+        assertThat(log.add(List.of(look("a", 0, 20)))).isEmpty();
         assertThat(log.alert(CONTACT)).isEmpty();
-        // A look of long ago does not count.
-        log.add(List.of(likely("c", 3, 0.8)));
-        assertThat(log.alert(CONTACT)).isEmpty();
-    }
-
-    @Test
-    void anAlertRestsOnTheLikeliestAlone() {
-        AlertLog log = new AlertLog(AlertSettings.DEFAULT.withRule(AlertRule.UnionOfProbabilities.of(0.9)));
-        log.add(List.of(likely("faint", 0, 0.01), likely("sure", 0, 0.95), likely("fair", 0, 0.5)));
-
-        assertThat(log.alert(CONTACT).orElseThrow().sensors()).containsExactly("sure");
+        assertThat(log.size()).isZero();
     }
 
     @Test
@@ -170,32 +155,32 @@ class AlertLogTest {
                 .hasMessageStartingWith("confirm 2 of 3 looks has no meaning with union-of-probabilities");
     }
 
-    private static ContactLook loose(int contact, String sensor, double time, double bearing) {
+    private static ContactLook single(int contact, String sensor, double time, double bearing) {
         Sighting seen = new Sighting(
                 new Position(0, 0, 0), new Direction(Math.toRadians(bearing), 0.1), OptionalDouble.empty());
         Measurement measured =
                 new Measurement(new LookId(sensor, "camera", 0, time), new Reading(20, 12.0, "px"), Optional.of(seen));
-        return new ContactLook(contact, sensor, time, 1.0, List.of(measured), true);
+        return new ContactLook(contact, sensor, time, List.of(measured));
     }
 
     private static ContactLook withoutABearing(int contact, String sensor, double time) {
         ContactLook seen = look(sensor, time, 50);
-        return new ContactLook(contact, sensor, time, seen.probability(), seen.measurements(), true);
+        return new ContactLook(contact, sensor, time, seen.measurements());
     }
 
     /** Across north, too: 355 and 3 degrees are 8 degrees apart. */
     @Test
-    void looseContactsOfTwoSensorsCountTogetherIfTheyAgree() {
-        AlertLog log = new AlertLog(two(10));
-        assertThat(log.add(List.of(loose(1, "a", 0, 355)))).isEmpty();
-        assertThat(log.add(List.of(loose(2, "a", 1, 356)))).isEmpty();
-        assertThat(log.add(List.of(loose(3, "b", 2, 20)))).isEmpty();
-        assertThat(log.add(List.of(loose(4, "b", 3, 3)))).containsExactly(new Alert(4, 3.0, List.of("a", "b")));
+    void contactsOfTwoSensorsCountTogetherIfTheyAgree() {
+        AlertLog log = log(two(10));
+        assertThat(log.add(List.of(single(1, "a", 0, 355)))).isEmpty();
+        assertThat(log.add(List.of(single(2, "a", 1, 356)))).isEmpty();
+        assertThat(log.add(List.of(single(3, "b", 2, 20)))).isEmpty();
+        assertThat(log.add(List.of(single(4, "b", 3, 3)))).containsExactly(new Alert(4, 3.0, List.of("a", "b")));
         // The nearest of the first sensor has been used up, its other one not.
         assertThat(log.alert(2)).isPresent();
-        assertThat(log.add(List.of(loose(5, "b", 4, 1)))).hasSize(1);
+        assertThat(log.add(List.of(single(5, "b", 4, 1)))).hasSize(1);
         assertThat(log.alert(1)).contains(new Alert(5, 4.0, List.of("a", "b")));
-        assertThat(log.add(List.of(loose(6, "b", 5, 1)))).isEmpty();
+        assertThat(log.add(List.of(single(6, "b", 5, 1)))).isEmpty();
     }
 
     private static AlertSettings two(double gateDegrees) {
@@ -204,53 +189,58 @@ class AlertLogTest {
     }
 
     @Test
-    void looseContactsDoNotConfirmADrone() {
-        AlertLog log = new AlertLog(two(10));
-        assertThat(log.add(List.of(look("a", 0, 50), loose(1, "b", 0, 7)))).isEmpty();
-        assertThat(log.add(List.of(look("a", 1, 50), loose(2, "a", 1, 7))))
+    void falseContactsDoNotConfirmADrone() {
+        PerfectAssociation association = new PerfectAssociation();
+        Observation drone =
+                new Observation(new LookId("a", "camera", 0, 0), "intruder", 100.0, new Reading(50, 12.0, "px"));
+        int intruder = association.associate(List.of(drone)).get(0).contact();
+        AlertLog log = new AlertLog(two(10), association::matcher);
+        assertThat(log.add(List.of(single(intruder, "a", 0, 7), single(8, "b", 0, 7))))
+                .isEmpty();
+        assertThat(log.add(List.of(single(intruder, "a", 1, 7), single(9, "a", 1, 7))))
                 .extracting(Alert::contact)
-                .containsExactly(2);
-        assertThat(log.alert(CONTACT)).isEmpty();
+                .containsExactly(9);
+        assertThat(log.alert(intruder)).isEmpty();
     }
 
     @Test
-    void looseContactsWithoutABearingAgreeWithAllAndLateOnesWithNone() {
-        AlertLog log = new AlertLog(two(10));
+    void contactsWithoutABearingAgreeWithAllAndLateOnesWithNone() {
+        AlertLog log = log(two(10));
         log.add(List.of(withoutABearing(CONTACT, "radio", 0)));
-        assertThat(log.add(List.of(loose(1, "a", 5, 123))))
+        assertThat(log.add(List.of(single(1, "a", 5, 123))))
                 .extracting(Alert::time)
                 .containsExactly(5.0);
-        AlertLog late = new AlertLog(two(10));
+        AlertLog late = log(two(10));
         late.add(List.of(withoutABearing(CONTACT, "radio", 0)));
-        assertThat(late.add(List.of(loose(1, "a", 5.1, 123)))).isEmpty();
+        assertThat(late.add(List.of(single(1, "a", 5.1, 123)))).isEmpty();
     }
 
     /** A contact that nothing confirms at present does not bring together two others, which do not agree. */
     @Test
     void twoOnEitherSideOfAThirdDoNotAgree() {
-        AlertLog log = new AlertLog(two(10).withConfirmation(2, 2));
+        AlertLog log = log(two(10).withConfirmation(2, 2));
         for (int time = 0; time < 3; time++) {
             assertThat(log.add(List.of(
-                            loose(1, "a", time, 92),
-                            loose(2, "b", time, 108),
-                            time == 1 ? missed(3, "c", time) : loose(3, "c", time, 100))))
+                            single(1, "a", time, 92),
+                            single(2, "b", time, 108),
+                            time == 1 ? missed(3, "c", time) : single(3, "c", time, 100))))
                     .isEmpty();
         }
-        assertThat(log.add(List.of(loose(3, "c", 3, 100))))
+        assertThat(log.add(List.of(single(3, "c", 3, 100))))
                 .extracting(Alert::sensors)
                 .containsExactly(List.of("a", "b", "c"));
     }
 
     private static ContactLook missed(int contact, String sensor, double time) {
-        return new ContactLook(contact, sensor, time, 0.0, List.of(), true);
+        return new ContactLook(contact, sensor, time, List.of());
     }
 
     @Test
     void whatHasEndedIsForgottenButCountsWithOthersForAWhile() {
-        AlertLog log = new AlertLog(two(10));
-        log.add(List.of(loose(1, "a", 0, 90)));
+        AlertLog log = log(two(10));
+        log.add(List.of(single(1, "a", 0, 90)));
         log.forget(List.of(1, 99));
-        assertThat(log.add(List.of(loose(2, "b", 4, 91)))).containsExactly(new Alert(2, 4.0, List.of("a", "b")));
+        assertThat(log.add(List.of(single(2, "b", 4, 91)))).containsExactly(new Alert(2, 4.0, List.of("a", "b")));
         log.forget(List.of(2));
         assertThat(log.alert(1)).isEmpty();
         assertThat(log.alert(2)).isEmpty();
@@ -290,12 +280,12 @@ class AlertLogTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {0.003, 1, 10, 90, 180})
-    void looseContactsAgreeAsIfEachWereComparedWithAll(double gate) {
+    void contactsAgreeAsIfEachWereComparedWithAll(double gate) {
         long seed = 20_261_125;
         System.out.println("seed " + seed);
         SplittableRandom random = new SplittableRandom(seed);
         AllPairs reference = new AllPairs();
-        AlertLog log = new AlertLog(two(gate));
+        AlertLog log = log(two(gate));
         int alerts = 0;
         double time = 0.0;
         for (int contact = 1; contact <= 20_000; contact++) {
@@ -303,7 +293,7 @@ class AlertLogTest {
             // Many more of one sensor than of the other, so that they wait; and the seam at south.
             String sensor = random.nextInt(5) == 0 ? "a" : "b";
             double bearing = random.nextInt(3) == 0 ? 178.0 + 4.0 * random.nextDouble() : 360.0 * random.nextDouble();
-            List<Alert> raised = log.add(List.of(loose(contact, sensor, time, bearing)));
+            List<Alert> raised = log.add(List.of(single(contact, sensor, time, bearing)));
             List<Integer> expected = reference.add(new AllPairs.Seen(contact, sensor, time, bearing), gate);
             assertThat(raised).as("contact %d", contact).hasSize(expected.isEmpty() ? 0 : 1);
             for (int used : expected) {
@@ -319,9 +309,9 @@ class AlertLogTest {
      * take some 2e10 comparisons; in the long form, a million and 1e11. Nothing is remembered longer than it counts.
      */
     @Test
-    void manyLooseContactsTakeSeconds() {
+    void manyContactsTakeSeconds() {
         int waiting = 100_000;
-        AlertLog log = new AlertLog(two(0.001));
+        AlertLog log = log(two(0.001));
         SplittableRandom random = new SplittableRandom(9);
         int most = 0;
         long alerts = 0;
@@ -330,7 +320,7 @@ class AlertLogTest {
             boolean isWest = contact % 2 == 0;
             double bearing = (isWest ? 180.0 : 0.0) + 180.0 * random.nextDouble();
             double time = contact * 5.0 / waiting;
-            alerts += log.add(List.of(loose(contact, isWest ? "a" : "b", time, bearing)))
+            alerts += log.add(List.of(single(contact, isWest ? "a" : "b", time, bearing)))
                     .size();
             log.forget(List.of(contact));
             most = Math.max(most, log.size());
@@ -341,10 +331,10 @@ class AlertLogTest {
 
     /** A sensor alone, whose contacts nobody asks for, does not fill the memory either. */
     @Test
-    void looseContactsOfOneSensorAloneAreForgotten() {
-        AlertLog log = new AlertLog(two(10));
+    void contactsOfOneSensorAloneAreForgotten() {
+        AlertLog log = log(two(10));
         for (int contact = 1; contact <= 10_000; contact++) {
-            log.add(List.of(loose(contact, "a", contact * 0.1, 7)));
+            log.add(List.of(single(contact, "a", contact * 0.1, 7)));
             log.forget(List.of(contact));
         }
         assertThat(log.size()).isBetween(40, 60);

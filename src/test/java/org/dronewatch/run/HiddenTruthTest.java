@@ -14,6 +14,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.UnaryOperator;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings.Approach;
+import org.dronewatch.fusion.Alert;
+import org.dronewatch.fusion.AlertRule;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.PositionerSettings;
@@ -29,8 +31,11 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.radar.LinkBudget;
+import org.dronewatch.sensor.radar.RadarDetection;
+import org.dronewatch.sensor.radar.RadarFalseAlarms;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
@@ -38,10 +43,15 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Everything but scoring is the same whatever the truth beside the measurements says, as long as association can read
- * which of them belong together: a radar cues two cameras on positioners, and alerts are raised.
+ * which of them belong together: a radar cues two cameras on positioners, and alerts are raised, with false alarms and
+ * by every rule.
  */
 class HiddenTruthTest {
     private static final Position MAST = new Position(0, 0, 30);
+    private static final AlertSettings ANY = AlertSettings.DEFAULT;
+    private static final AlertSettings TWO =
+            ANY.withRule(AlertRule.SeveralSensors.of(2)).withConfirmation(2, 3);
+    private static final AlertSettings UNION = ANY.withRule(AlertRule.UnionOfProbabilities.of(0.2));
 
     /** What becomes of a sensor's observations after each look. */
     @FunctionalInterface
@@ -98,9 +108,14 @@ class HiddenTruthTest {
 
     /**
      * Takes the truth from observations, so that whoever reads it fails, and gives it back for the association alone.
+     * That of false alarms, which are added to what a sensor observes, remains.
      */
     private static final class TruthForAssociation extends PerfectAssociation implements Disguise {
         private final Map<LookId, List<GroundTruth>> truths = new ConcurrentHashMap<>();
+
+        TruthForAssociation(AlertSettings rule) {
+            super(rule.confirm().looks());
+        }
 
         @Override
         public List<Observation> of(List<Observation> seen) {
@@ -118,7 +133,9 @@ class HiddenTruthTest {
             truths.forEach((look, ofLook) -> left.put(look, ofLook.iterator()));
             truths.clear();
             List<Observation> restored = observations.stream()
-                    .map(one -> withTruth(one, left.get(one.look()).next()))
+                    .map(one -> one.truth() != null
+                            ? one
+                            : withTruth(one, left.get(one.look()).next()))
                     .toList();
             return super.associate(restored, looked, time);
         }
@@ -127,9 +144,11 @@ class HiddenTruthTest {
     private static final class Site extends FloorScene {
         private static final long serialVersionUID = 1L;
 
+        private final transient AlertSettings alert;
         private final transient Disguise disguise;
 
-        Site(Disguise disguise) {
+        Site(AlertSettings alert, Disguise disguise) {
+            this.alert = alert;
             this.disguise = disguise;
         }
 
@@ -141,14 +160,18 @@ class HiddenTruthTest {
             RadarSettings radar = RadarSettings.at(MAST, LinkBudget.DataSheet.of(150, 0.01))
                     .withFieldOfView(2.5, 1.5)
                     .withSpeeds(0, 100)
+                    .withDetection(new RadarDetection.Chance(1e-6, 1))
+                    .withFalseAlarms(RadarFalseAlarms.DEFAULT.withCells(100_000))
                     .withRate(2.0);
             PositionerSettings cued = PositionerSettings.DEFAULT.withCues("radar");
-            CameraSettings camera =
-                    CameraSettings.at(MAST).withResolution(640, 360).withRate(5.0);
+            CameraSettings camera = CameraSettings.at(MAST)
+                    .withResolution(640, 360)
+                    .withFalseAlarms(new FalseAlarms(5000, 1000, 0.4))
+                    .withRate(5.0);
             put("radar", radar);
             put("first", camera.withPositioner(cued));
             put("second", camera.withHorizontalFov(0.1).withPositioner(cued));
-            setAlert(AlertSettings.DEFAULT);
+            setAlert(alert);
             setRun(RunSettings.DEFAULT.withDuration(8.0).withSeed(11));
         }
 
@@ -168,9 +191,13 @@ class HiddenTruthTest {
     private record Outputs(List<String> measured, List<String> pointed, Map<String, String> alerts) {}
 
     private Outputs outputs(Disguise disguise) {
+        return outputs(ANY, disguise);
+    }
+
+    private Outputs outputs(AlertSettings rule, Disguise disguise) {
         List<String> measured = new ArrayList<>();
         List<String> pointed = new ArrayList<>();
-        SceneResult result = new SceneRunner(new Site(disguise))
+        SceneResult result = new SceneRunner(new Site(rule, disguise))
                 .onFrame((Frame frame) -> {
                     frame.observations().forEach(seen -> measured.add(seen.measurements() + " " + seen.figures()));
                     pointed.add(frame.time() + " " + frame.pointings());
@@ -184,9 +211,16 @@ class HiddenTruthTest {
                         "far", result.alert("far").alert().toString()));
     }
 
+    /**
+     * What a stage does without scoring.
+     *
+     * @param raised all alerts, false ones among them
+     */
+    private record Unscored(Outputs outputs, List<Alert> raised) {}
+
     /** The same without scoring: the looks of the stage, what positioners do, and the alerts. */
-    private Outputs unscored(Disguise disguise, PerfectAssociation association) {
-        SceneSettings settings = new Site(disguise).describe();
+    private Unscored unscored(AlertSettings rule, Disguise disguise, PerfectAssociation association) {
+        SceneSettings settings = new Site(rule, disguise).describe();
         Stage stage = new Stage(
                 settings,
                 new ModelCache(FloorScene.MODELS, note -> {}),
@@ -194,16 +228,18 @@ class HiddenTruthTest {
                 association);
         List<String> measured = new ArrayList<>();
         List<String> pointed = new ArrayList<>();
+        List<Alert> raised = new ArrayList<>();
         LookTimes times = new LookTimes();
         for (double time = 0.0; time <= settings.run().duration(); time = stage.nextLook()) {
             stage.look(time, stage.dronesAt(time), times)
                     .forEach(seen -> measured.add(seen.measurements() + " " + seen.figures()));
             pointed.add(time + " " + stage.pointings());
+            raised.addAll(stage.raised());
         }
-        return new Outputs(
-                measured,
-                pointed,
-                Map.of("near", alert(stage, association, "near"), "far", alert(stage, association, "far")));
+        Map<String, String> alerts = Map.of(
+                "near", alert(stage, association, "near"),
+                "far", alert(stage, association, "far"));
+        return new Unscored(new Outputs(measured, pointed, alerts), raised);
     }
 
     private static String alert(Stage stage, PerfectAssociation association, String drone) {
@@ -212,18 +248,45 @@ class HiddenTruthTest {
 
     @Test
     void aTruthThatThrowsWhenItIsReadOutsideAssociationChangesNothing() {
-        Outputs told = outputs(Disguise.NONE);
-        assertThat(unscored(Disguise.NONE, new PerfectAssociation())).isEqualTo(told);
-
-        TruthForAssociation hidden = new TruthForAssociation();
+        TruthForAssociation hidden = new TruthForAssociation(ANY);
         Observation unreadable = hidden.of(List.of(new Observation(
                         new LookId("radar", "radar", 0, 0.0), "near", 1.0, new Reading(1.0, 0.0, "dB"))))
                 .get(0);
         assertThatThrownBy(unreadable::drone).isInstanceOf(NullPointerException.class);
         assertThatThrownBy(unreadable::isFalse).isInstanceOf(NullPointerException.class);
 
-        TruthForAssociation association = new TruthForAssociation();
-        assertThat(unscored(association, association)).isEqualTo(told);
+        for (AlertSettings rule : List.of(ANY, TWO)) {
+            Unscored told = unscored(rule, Disguise.NONE, association(rule));
+            assertThat(told.outputs()).isEqualTo(outputs(rule, Disguise.NONE));
+            assertThat(told.raised()).as("false alerts, too").hasSizeGreaterThan(3);
+
+            TruthForAssociation association = new TruthForAssociation(rule);
+            assertThat(unscored(rule, association, association)).isEqualTo(told);
+        }
+    }
+
+    /**
+     * How likely a look was to detect a drone that it did not detect, no sensor knows: the alerts that follow from it
+     * are scores, which a stage does not have.
+     */
+    @Test
+    void whatIsKnownOfLooksThatDetectNothingRaisesNoAlertOfTheSystem() {
+        Outputs scored = outputs(UNION, Disguise.NONE);
+        assertThat(scored.alerts().values()).noneMatch(alert -> alert.contains("empty"));
+
+        Unscored told = unscored(UNION, Disguise.NONE, association(UNION));
+        assertThat(told.raised()).isEmpty();
+        assertThat(told.outputs().pointed()).isEqualTo(scored.pointed());
+        Unscored unassessed = unscored(
+                UNION,
+                seen -> seen.stream().map(one -> one.withFigures(Map.of())).toList(),
+                association(UNION));
+        assertThat(unassessed.outputs().pointed()).isEqualTo(told.outputs().pointed());
+        assertThat(unassessed.raised()).isEmpty();
+    }
+
+    private static PerfectAssociation association(AlertSettings rule) {
+        return new PerfectAssociation(rule.confirm().looks());
     }
 
     @Test

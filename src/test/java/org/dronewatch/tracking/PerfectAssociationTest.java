@@ -78,7 +78,6 @@ class PerfectAssociationTest {
         assertThat(all)
                 .extracting(ContactLook::isDetected)
                 .containsExactly(true, false, false, true, false, false, true);
-        assertThat(all).allMatch(ContactLook::isLoose);
     }
 
     @Test
@@ -90,7 +89,6 @@ class PerfectAssociationTest {
                 8.0);
         assertThat(first).extracting(ContactLook::contact).containsExactly(1, 2, 3, 4);
         assertThat(first.get(0).measurements()).hasSize(2);
-        assertThat(first).extracting(ContactLook::isLoose).containsExactly(true, true, true, false);
         // Only one of the sensors looks: the other's contacts wait.
         List<ContactLook> second = association.associate(List.of(inCell("b", 1)), List.of("b"), 9.0);
         assertThat(second).extracting(ContactLook::contact).containsExactly(3);
@@ -117,6 +115,44 @@ class PerfectAssociationTest {
         assertThat(looks.get(0).measurements()).hasSize(3);
         assertThat(looks.get(0).isDetected()).isTrue();
         assertThat(looks.get(1).isDetected()).isFalse();
+    }
+
+    /** A drone detected, missed and detected again, and false alarms in one cell with equal measurements. */
+    @Test
+    void aLookAtAFalseContactCannotBeToldFromALookAtADrone() {
+        PerfectAssociation ofDrone = new PerfectAssociation(3);
+        PerfectAssociation ofNothing = new PerfectAssociation(3);
+        boolean[] hits = {true, false, true, true, false, false, true};
+        for (int i = 0; i < hits.length; i++) {
+            Observation missed = new Observation(new LookId("a", "radar", i, i), "x", 9.0, new Reading(1, 12, "dB"))
+                    .withFigures(Map.of(Observation.PROBABILITY, 0.4));
+            Observation hit = new Observation(new LookId("a", "radar", i, i), "x", 9.0, new Reading(20, 12, "dB"))
+                    .withFigures(Map.of(Observation.PROBABILITY, 0.6))
+                    .withSighting(SIGHTING);
+            Observation alarm = Observation.ofNothing(hit.look(), hit.reading(), SIGHTING)
+                    .withFigures(Map.of(FalseAlarmSource.CELL, 5.0));
+            assertThat(ofNothing.associate(hits[i] ? List.of(alarm) : List.of(), List.of("a"), i))
+                    .isEqualTo(ofDrone.associate(List.of(hits[i] ? hit : missed), List.of("a"), i))
+                    .hasSize(1);
+        }
+    }
+
+    /** How likely a look was is for scoring, of looks that detected nothing, too. */
+    @Test
+    void theAssessmentOfALookIsKeptForScoring() {
+        PerfectAssociation association = new PerfectAssociation();
+        association.associate(List.of(
+                look("a", "x", 1).withFigures(Map.of(Observation.PROBABILITY, 0.4)),
+                look("a", "x", 1).withFigures(Map.of(Observation.PROBABILITY, 0.3)),
+                look("b", "x", 20),
+                nothing("b")));
+        assertThat(association.assessed())
+                .containsExactly(
+                        new AssessedLook(1, "a", 8.0, 0.4),
+                        new AssessedLook(1, "b", 8.0, 1.0),
+                        new AssessedLook(2, "b", 8.0, 1.0));
+        association.associate(List.of());
+        assertThat(association.assessed()).isEmpty();
     }
 
     /** Neither the drone's name nor its distance, nor anything that holds them, hangs on a look at a contact. */
