@@ -101,7 +101,10 @@ public record Assessment(Signal signal, Explanation explanation) {
         return explanation.obstacle();
     }
 
-    /** The limit of range, m, or of radial speed, m/s, that the drone violates, for causes that have such a limit. */
+    /**
+     * The limit of range, m, of radial speed, m/s, or of the carrier's frequency, Hz, that the drone violates, for
+     * causes that have such a limit.
+     */
     public OptionalDouble limit() {
         return explanation.limit();
     }

@@ -11,7 +11,8 @@ import org.dronewatch.world.Obstacle;
  * @param obstacle the obstacle that hides it; present if and only if the cause is
  *     {@link Cause#isHidden() that the drone is hidden}
  * @param limit the limit that it violates: range in m where it is out of range, radial speed in m/s where it is too
- *     slow or too fast; empty for other causes, and where the limit is unknown
+ *     slow or too fast, frequency in Hz where it is silent only because the sensor does not receive its carrier; empty
+ *     for other causes, and where the limit is unknown
  */
 public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDouble limit) {
     /** The explanation for a drone that is detected. */
@@ -42,7 +43,7 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
     /**
      * The explanation for a drone beyond a limit.
      *
-     * @param limit the limit, m or m/s
+     * @param limit the limit, m, m/s or Hz
      */
     public static Explanation beyond(Cause cause, double limit) {
         return new Explanation(cause, Optional.empty(), OptionalDouble.of(limit));

@@ -93,7 +93,7 @@ public final class RfSensor implements AssessableSensor {
         enter(world);
         RadioLink link = drone.settings().radio();
         if (!settings.hears(link)) {
-            return Explanation.of(Cause.SILENT);
+            return settings.silence(link);
         }
         double onAxis = inTheOpen(link, drone.origin(), link.power());
         double pilotOnAxis = link.pilot()

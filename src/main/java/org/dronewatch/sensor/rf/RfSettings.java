@@ -9,6 +9,8 @@ import org.dronewatch.drone.RadioLink;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
+import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
@@ -233,10 +235,22 @@ public record RfSettings(
 
     /** Whether a link transmits what this receiver can recognise as a drone's, on a frequency that it receives. */
     boolean hears(RadioLink link) {
-        return link.emits()
-                && recognised.contains(link.emission())
-                && link.frequency() >= minFrequency
-                && link.frequency() <= maxFrequency;
+        return link.emits() && recognised.contains(link.emission()) && receives(link.frequency());
+    }
+
+    private boolean receives(double frequency) {
+        return frequency >= minFrequency && frequency <= maxFrequency;
+    }
+
+    /**
+     * Why this receiver does not hear a link: it transmits nothing, on a frequency that is not received, then with the
+     * limit of the frequencies that are, or nothing that can be recognised as a drone's.
+     */
+    Explanation silence(RadioLink link) {
+        if (!link.emits() || receives(link.frequency())) {
+            return Explanation.of(Cause.SILENT);
+        }
+        return Explanation.beyond(Cause.SILENT, link.frequency() < minFrequency ? minFrequency : maxFrequency);
     }
 
     /** Power of the noise of the receiver alone, dBm. */

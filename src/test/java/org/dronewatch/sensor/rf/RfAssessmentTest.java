@@ -74,6 +74,9 @@ class RfAssessmentTest {
         Drone drone = emitting(new Position(0, 100, 0), RadioLink.DEFAULT.withControl(control));
 
         assertThat(assess(RECEIVER, open(), drone).cause()).isEqualTo(Cause.SILENT);
+        assertThat(assess(RECEIVER.withFrequencies(5e9, 6e9), open(), drone).limit())
+                .as("on no frequency would it be received")
+                .isEmpty();
         assertThat(assess(RECEIVER, behind(wall(50, -9, 9), ModelRole.TERRAIN), drone)
                         .cause())
                 .isEqualTo(Cause.SILENT);
@@ -84,8 +87,11 @@ class RfAssessmentTest {
         Drone drone = emitting(new Position(0, 100, 0), RadioLink.DEFAULT.withFrequency(433e6));
 
         assertThat(assess(RECEIVER, open(), drone).cause()).isEqualTo(Cause.DETECTED);
-        assertThat(assess(RECEIVER.withFrequencies(2e9, 6e9), open(), drone).cause())
-                .isEqualTo(Cause.SILENT);
+        Assessment above = assess(RECEIVER.withFrequencies(2e9, 6e9), open(), drone);
+        assertThat(above.cause()).isEqualTo(Cause.SILENT);
+        assertThat(above.limit()).hasValue(2e9);
+        assertThat(assess(RECEIVER.withFrequencies(1e8, 4e8), open(), drone).limit())
+                .hasValue(4e8);
     }
 
     @ParameterizedTest

@@ -73,7 +73,7 @@ public final class CoverageTable {
             case UNKNOWN -> "unknown";
             case OUT_OF_RANGE -> "out of range";
             case OUT_OF_VIEW -> "out of view";
-            case SILENT -> "radio-silent";
+            case SILENT -> "no recognised emission";
             case TOO_SLOW -> "too slow";
             case TOO_FAST -> "too fast";
             case HIDDEN_BY_TERRAIN -> "hidden by terrain";

@@ -20,7 +20,7 @@ final class CauseWords {
             case UNKNOWN -> "unknown: the line of sight leaves the known ground";
             case OUT_OF_RANGE -> "out of range";
             case OUT_OF_VIEW -> "out of its field of view";
-            case SILENT -> silent(drone.settings().radio());
+            case SILENT -> silent(drone.settings().radio(), explanation);
             case TOO_SLOW -> "too slow for the sensor";
             case TOO_FAST -> "too fast for the sensor";
             case HIDDEN_BY_TERRAIN, HIDDEN_BY_BUILDING, HIDDEN_BY_VEGETATION, HIDDEN_BY_OTHER ->
@@ -29,9 +29,12 @@ final class CauseWords {
         };
     }
 
-    private static String silent(RadioLink link) {
-        return link.emits()
-                ? "without an emission that the receiver can recognise"
-                : "radio-silent (" + Choices.name(link.control().name()) + ")";
+    private static String silent(RadioLink link, Explanation explanation) {
+        if (!link.emits()) {
+            return "radio-silent (" + Choices.name(link.control().name()) + ")";
+        }
+        return explanation.limit().isPresent()
+                ? "transmitting outside the receiver's frequency range"
+                : "without an emission that the receiver can recognise";
     }
 }

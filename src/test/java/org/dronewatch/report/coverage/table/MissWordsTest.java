@@ -125,6 +125,6 @@ class MissWordsTest {
         for (Cause cause : List.of(Cause.OUT_OF_VIEW, Cause.SILENT, Cause.HIDDEN_BY_TERRAIN)) {
             plain.add(words(Map.of(cause, 1)).inWords());
         }
-        assertThat(plain).containsExactly("out of view", "radio-silent", "hidden by terrain");
+        assertThat(plain).containsExactly("out of view", "no recognised emission", "hidden by terrain");
     }
 }

@@ -152,5 +152,10 @@ class SwarmReportTest {
         Document other = parsed(report(new SceneFile(file), List.of()));
         assertThat(texts(other, "td"))
                 .contains("always without an emission that the receiver can recognise; the closest approach was 50 m");
+
+        Files.writeString(file, scene.toString().replace("RADIO", ", radio: {frequency: 10 GHz}"));
+        Document elsewhere = parsed(report(new SceneFile(file), List.of()));
+        assertThat(texts(elsewhere, "td"))
+                .contains("always transmitting outside the receiver's frequency range; the closest approach was 50 m");
     }
 }
