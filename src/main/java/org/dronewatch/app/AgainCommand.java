@@ -15,10 +15,12 @@ import org.dronewatch.app.console.ExitCode;
 import org.dronewatch.app.console.Notes;
 import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.RecordedCommand;
 import org.dronewatch.report.provenance.SameBytes;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.Command;
@@ -86,6 +88,9 @@ final class AgainCommand implements Callable<Integer> {
         words.add("--threads=" + threads.number());
         if (Notes.areOff(spec)) {
             words.add("--quiet");
+        }
+        if (StoreSwitch.of(spec).equals(StorePlace.NONE)) {
+            words.add("--no-cache");
         }
         int code = Main.execute(
                 new PrintWriter(Writer.nullWriter()), spec.commandLine().getErr(), words.toArray(String[]::new));

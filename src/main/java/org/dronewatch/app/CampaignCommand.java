@@ -15,17 +15,20 @@ import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.PathWord;
 import org.dronewatch.app.option.SetOption;
 import org.dronewatch.app.option.ShellWord;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignScenes;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.SensitivityCases;
 import org.dronewatch.campaign.outcome.Shard;
 import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.CampaignFiles;
 import org.dronewatch.report.file.WholeFile;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
@@ -121,7 +124,7 @@ final class CampaignCommand implements Callable<Integer> {
         boolean isSingle = single.isAsked();
         TaskProgress shown = display.on(spec.commandLine().getErr());
         return threads.call(() -> {
-            CampaignPlan plan = plan(shown.notes());
+            CampaignPlan plan = plan(StoreSwitch.of(spec), shown.notes());
             if (!part.isAll() && plan.settings().until().isPresent()) {
                 throw new InputException("--shard " + part
                         + ": a campaign with 'until' cannot be divided, because the results of the"
@@ -139,13 +142,18 @@ final class CampaignCommand implements Callable<Integer> {
         }
     }
 
-    /** Reads the campaign and loads its models. */
-    CampaignPlan plan(Consumer<String> notes) {
+    /**
+     * Reads the campaign and loads its models.
+     *
+     * @param store where prepared sites are kept
+     */
+    CampaignPlan plan(StorePlace store, Consumer<String> notes) {
         Path given = PathWord.of("campaign file", file);
         LoadingNotes loaded = new LoadingNotes(notes);
         CampaignSettings settings = settings(given);
         try {
-            CampaignPlan plan = new CampaignPlan(settings, directory(given), loaded::note);
+            CampaignScenes scenes = CampaignScenes.beside(directory(given)).withStore(store);
+            CampaignPlan plan = new CampaignPlan(settings, directory(given), scenes, loaded::note);
             loaded.done();
             return plan;
         } catch (InputException e) {

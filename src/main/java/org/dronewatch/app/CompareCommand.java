@@ -10,15 +10,18 @@ import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.PathWord;
 import org.dronewatch.app.option.SceneChoice;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
 import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignScenes;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.campaign.SummedCases;
 import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.CampaignFiles;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -88,7 +91,8 @@ final class CompareCommand implements Callable<Integer> {
         }
         boolean isSingle = single.isAsked();
         TaskProgress shown = display.on(spec.commandLine().getErr());
-        CampaignSettings settings = scenes.settings();
+        StorePlace store = StoreSwitch.of(spec);
+        CampaignSettings settings = scenes.settings(store);
         settings.vary().forEach((path, variation) -> shown.notes().accept("varies: " + path));
         if (settings.vary().isEmpty() && settings.table().isEmpty()) {
             shown.notes()
@@ -97,7 +101,8 @@ final class CompareCommand implements Callable<Integer> {
         }
         return threads.call(() -> {
             LoadingNotes loading = new LoadingNotes(shown.notes());
-            CampaignPlan plan = new CampaignPlan(settings, directory(), SceneChoice::named, loading::note);
+            CampaignScenes named = CampaignScenes.of(SceneChoice::named).withStore(store);
+            CampaignPlan plan = new CampaignPlan(settings, directory(), named, loading::note);
             loading.done();
             return isSingle ? single.run(plan, threads.number(), json, shown) : run(plan, shown);
         });

@@ -14,6 +14,7 @@ import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.variation.Uniform;
 import org.dronewatch.campaign.variation.Variation;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -68,15 +69,16 @@ final class ComparedScenes {
     /**
      * The campaign.
      *
+     * @param store where prepared sites are kept
      * @throws InputException in one line when anything is wrong
      */
-    CampaignSettings settings() {
+    CampaignSettings settings(StorePlace store) {
         if (second == null && changes.isEmpty()) {
             throw new InputException(
                     "compare needs a second scene, or --with PATH=VALUE for each setting that differs");
         }
         CampaignSettings settings = file().map(path -> CampaignReader.read(path).forScene(first))
-                .orElseGet(() -> CampaignSettings.of(first).withVary(allBearings()));
+                .orElseGet(() -> CampaignSettings.of(first).withVary(allBearings(store)));
         Map<String, String> both = SetOption.parsed("--set", common);
         Map<String, String> other = new LinkedHashMap<>(both);
         if (second != null) {
@@ -99,8 +101,9 @@ final class ComparedScenes {
     }
 
     /** Every bearing is equally likely for each drone whose flight has one, except for birds. */
-    private Map<String, Variation> allBearings() {
-        SceneSettings scene = new SceneRunner(SceneChoice.named(first)).settings();
+    private Map<String, Variation> allBearings(StorePlace store) {
+        SceneSettings scene =
+                new SceneRunner(SceneChoice.named(first)).store(store).settings();
         Variation any = Variation.of(new Uniform("0 deg", "360 deg"));
         Map<String, Variation> bearings = new LinkedHashMap<>();
         for (String drone : scene.drones().keySet()) {

@@ -204,7 +204,7 @@ final class CoverageCommand implements Callable<Integer> {
                         .map(one -> new FieldCondition(one.name(), () -> under(one, request, runner)))
                         .toList();
                 long looks = request.looks() + conditions.size() * request.looksOfField();
-                SiteStore kept = LayerStore.standard(shown.notes());
+                SiteStore kept = LayerStore.standard(runner.store(), shown.notes());
                 Function<SceneSettings, LayerStore> stores =
                         one -> LayerStore.of(one, runner.inputs().models(), kept);
                 FieldSurvey survey = shown.during(

@@ -11,6 +11,7 @@ import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.LoadingBars;
 import org.dronewatch.app.console.PlainPrinter;
 import org.dronewatch.app.console.QuietSwitch;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.campaign.CampaignCluster;
 import org.dronewatch.mesh.io.MeshReaders;
 import org.dronewatch.parallel.LongTask;
@@ -57,7 +58,7 @@ import picocli.CommandLine.Spec;
             CompletionCommand.class
         },
         footer = {"", "Example:", "  dronewatch run camera-range --out results"})
-public final class Main implements Runnable, QuietSwitch {
+public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     private static final String HEADLESS = "java.awt.headless";
 
     /** The words that request a window. */
@@ -179,10 +180,6 @@ public final class Main implements Runnable, QuietSwitch {
         } catch (InputException e) {
             return failed(e, commands.getErr());
         }
-        String before = System.getProperty(StorePlace.PROPERTY);
-        if (withoutStore) {
-            System.setProperty(StorePlace.PROPERTY, StorePlace.OFF);
-        }
         if (!quiet) {
             LoadingBars.show();
         }
@@ -191,16 +188,6 @@ public final class Main implements Runnable, QuietSwitch {
             return new CommandLine.RunLast().execute(parsed);
         } finally {
             LongTask.watch(null);
-            restore(before);
-        }
-    }
-
-    /** The process may execute other commands. */
-    private static void restore(String place) {
-        if (place == null) {
-            System.clearProperty(StorePlace.PROPERTY);
-        } else {
-            System.setProperty(StorePlace.PROPERTY, place);
         }
     }
 
@@ -212,6 +199,11 @@ public final class Main implements Runnable, QuietSwitch {
     @Override
     public boolean isQuiet() {
         return quiet;
+    }
+
+    @Override
+    public StorePlace store() {
+        return withoutStore ? StorePlace.NONE : StorePlace.ofProcess();
     }
 
     /** Runs the cases of campaigns. */

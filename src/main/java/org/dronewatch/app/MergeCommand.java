@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.dronewatch.app.console.Notes;
 import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
@@ -60,7 +61,7 @@ final class MergeCommand implements Callable<Integer> {
     public Integer call() {
         Path first = PathWord.of("", parts.get(0)).resolve(ProvenanceFile.NAME);
         Replay part = new Replay(first, RecordedCommand.read(first));
-        return threads.call(() -> merge(part, part.campaign().plan(Notes.of(spec))));
+        return threads.call(() -> merge(part, part.campaign().plan(StoreSwitch.of(spec), Notes.of(spec))));
     }
 
     private int merge(Replay part, CampaignPlan plan) {

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.dronewatch.app.console.Notes;
 import org.dronewatch.app.create.NewScene;
 import org.dronewatch.app.create.NewSiteFiles;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -207,11 +208,13 @@ final class NewCommand implements Callable<Integer> {
 
     /** The world of a scene as it is so far; what is read is reported once. */
     private World world(Path file, boolean isFirst) {
-        SceneRunner runner = new SceneRunner(new SceneFile(file)).notes(note -> {
-            if (isFirst) {
-                Notes.of(spec).accept(note);
-            }
-        });
+        SceneRunner runner = new SceneRunner(new SceneFile(file))
+                .store(StoreSwitch.of(spec))
+                .notes(note -> {
+                    if (isFirst) {
+                        Notes.of(spec).accept(note);
+                    }
+                });
         SceneSettings settings = runner.settings();
         return runner.stage(settings).world();
     }

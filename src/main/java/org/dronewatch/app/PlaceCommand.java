@@ -13,6 +13,7 @@ import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.PathWord;
 import org.dronewatch.app.option.SeedOption;
 import org.dronewatch.app.option.SetOption;
+import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.app.search.PlaceFinder;
 import org.dronewatch.app.search.PlaceTask;
@@ -164,6 +165,7 @@ final class PlaceCommand implements Callable<Integer> {
     }
 
     private void configure(SceneRunner runner) {
+        runner.store(StoreSwitch.of(spec));
         SetOption.parsed("--set", overrides).forEach(runner::set);
         seed.apply(runner);
     }

@@ -37,7 +37,7 @@ final class RouteWindow {
         Optional<SceneSettings> together = scenes.together(survey);
         if (together.isPresent()) {
             Scene routes = new GivenScene(scene.name() + ": weakest routes", scene.directory(), together.get());
-            SceneRunner flights = new SceneRunner(routes).share(runner.load(together.get()));
+            SceneRunner flights = new SceneRunner(routes).store(runner.store()).share(runner.load(together.get()));
             window.show(
                     new Viewer.Subject(routes, flights, Optional.empty()),
                     viewer -> viewer.showLines(RouteLines.of(survey)));

@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.dronewatch.campaign.outcome.Cases;
 import org.dronewatch.campaign.outcome.SensitivitySettings;
 import org.dronewatch.campaign.outcome.UntilSettings;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.GivenScene;
@@ -40,6 +40,7 @@ public final class CampaignPlan implements Cases {
     private static final int MEMORY_SHARE = 4;
 
     private final CampaignSettings settings;
+    private final StorePlace store;
     private final FactorTable table;
     private final SiteMemory memory = new SiteMemory(Runtime.getRuntime().maxMemory() / MEMORY_SHARE);
     private final Map<String, CampaignVariant> variants = new LinkedHashMap<>();
@@ -55,20 +56,20 @@ public final class CampaignPlan implements Cases {
      * @throws InputException when anything is wrong, with a message of one line
      */
     public CampaignPlan(CampaignSettings settings, Path directory, Consumer<String> notes) {
-        this(settings, directory, name -> CampaignVariant.scene(directory, name), notes);
+        this(settings, directory, CampaignScenes.beside(directory), notes);
     }
 
     /**
-     * The same with scenes from elsewhere.
+     * The same with scenes, or a store, from elsewhere.
      *
      * @param directory directory of the table
      * @param scenes supplies a scene by its name
      * @param notes receives a line for each file read, and each warning
      * @throws InputException when anything is wrong, with a message of one line
      */
-    public CampaignPlan(
-            CampaignSettings settings, Path directory, Function<String, Scene> scenes, Consumer<String> notes) {
+    public CampaignPlan(CampaignSettings settings, Path directory, CampaignScenes scenes, Consumer<String> notes) {
         this.settings = settings;
+        this.store = scenes.store();
         this.table =
                 settings.table().map(name -> FactorTable.read(directory, name)).orElse(FactorTable.NONE);
         checkPaths();
@@ -234,6 +235,11 @@ public final class CampaignPlan implements Cases {
         return settings(this, number, variant);
     }
 
+    /** Where the prepared sites of its scenes are kept. */
+    public StorePlace store() {
+        return store;
+    }
+
     /**
      * A case as a scene.
      *
@@ -242,7 +248,7 @@ public final class CampaignPlan implements Cases {
     public CaseScene scene(int number, String variant) {
         CampaignVariant of = variants.get(variant);
         Scene scene = new GivenScene(name(number, variant), of.described().directory(), settings(number, variant));
-        return new CaseScene(scene, new SceneRunner(scene).share(of.models()));
+        return new CaseScene(scene, new SceneRunner(scene).store(store).share(of.models()));
     }
 
     /** The name of a case in pictures: {@code palace, case 10 (spotter)}. */

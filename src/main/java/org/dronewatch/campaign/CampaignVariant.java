@@ -1,15 +1,12 @@
 package org.dronewatch.campaign;
 
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.scenes.SceneByName;
 import org.dronewatch.setting.InputException;
 
 /**
@@ -36,14 +33,14 @@ record CampaignVariant(
      */
     static CampaignVariant of(
             String name,
-            Function<String, Scene> scenes,
+            CampaignScenes scenes,
             String scene,
             Map<String, String> changes,
             Optional<CampaignVariant> first,
             Consumer<String> notes) {
         String named = changes.getOrDefault(CampaignSettings.SCENE, scene);
-        Scene described = scenes.apply(named);
-        SceneRunner runner = new SceneRunner(described).notes(notes);
+        Scene described = scenes.byName().apply(named);
+        SceneRunner runner = scenes.runner(described).notes(notes);
         first.filter(other -> other.scene().equals(named)).ifPresent(other -> runner.share(other.models()));
         changes.forEach((path, value) -> {
             if (!path.equals(CampaignSettings.SCENE)) {
@@ -53,11 +50,6 @@ record CampaignVariant(
         SceneSettings settings = runner.settings().withoutSweep();
         runner.checkPilot(settings);
         return new CampaignVariant(name, named, described, settings, runner, runner.load(settings));
-    }
-
-    /** Not a class by its name: no code is loaded from data. */
-    static Scene scene(Path directory, String name) {
-        return SceneByName.of(directory, name, "campaign file");
     }
 
     /** The settings with another value, as a sweep writes it. */

@@ -11,6 +11,7 @@ import java.util.function.Predicate;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.flight.Steered;
 import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.Overrides;
 import org.dronewatch.scenario.SceneSettings;
@@ -30,6 +31,7 @@ final class ConfiguredScene {
 
     private FormerNames formerNames = new FormerNames();
     private Path directory;
+    private StorePlace store = StorePlace.ofProcess();
     private Catalog catalog;
 
     ConfiguredScene(Scene scene) {
@@ -52,9 +54,18 @@ final class ConfiguredScene {
         return directory;
     }
 
+    /** Sets where prepared sites are kept. */
+    void store(StorePlace place) {
+        this.store = place;
+    }
+
+    StorePlace store() {
+        return store;
+    }
+
     /** The models of its runs. */
     ModelCache models(Consumer<String> notes) {
-        return scene.models(directory, notes);
+        return scene.models(directory, store, notes);
     }
 
     /** Settings of the scene as a scene file. */
@@ -137,7 +148,7 @@ final class ConfiguredScene {
     }
 
     private SceneSettings described() {
-        scene.prepare(overrides, directory);
+        scene.prepare(overrides, directory, store);
         try {
             return scene.describe();
         } catch (IllegalArgumentException e) {

@@ -27,6 +27,7 @@ import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.RunSession;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scenario.PriceSettings;
 import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scenario.SceneBuilder;
@@ -277,8 +278,9 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      *
      * @param overrides values by path
      * @param names directory of relative file names
+     * @param store where prepared sites are kept
      */
-    void prepare(Map<String, String> overrides, Path names) {}
+    void prepare(Map<String, String> overrides, Path names, StorePlace store) {}
 
     /** The maps to which the scene may refer: none unless the scene itself is a file. */
     Function<Optional<String>, Features> maps() {
@@ -288,8 +290,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /** The models of the scene's runs, some of which may have been loaded when it was described. */
-    ModelCache models(Path names, Consumer<String> notes) {
-        return new ModelCache(names, notes);
+    ModelCache models(Path names, StorePlace store, Consumer<String> notes) {
+        return new ModelCache(names, store, notes);
     }
 
     /**
@@ -357,7 +359,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     private RunSession openSession() {
         RunInfo info = session == null ? new RunInfo(0, 1, describe().withoutSweep()) : session.info();
         if (models == null) {
-            models = models(directory(), note -> {});
+            models = models(directory(), StorePlace.ofProcess(), note -> {});
         }
         if (session != null) {
             session.close();

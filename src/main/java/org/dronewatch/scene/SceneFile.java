@@ -16,6 +16,7 @@ import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.geo.features.Features;
 import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scenario.PlaceForms;
 import org.dronewatch.scenario.SceneSettings;
@@ -92,16 +93,16 @@ public final class SceneFile extends Scene {
     }
 
     @Override
-    void prepare(Map<String, String> changes, Path names) {
+    void prepare(Map<String, String> changes, Path names, StorePlace store) {
         overrides = new LinkedHashMap<>(changes);
-        places = places.filter(known -> known.directory().equals(names)).or(() -> Optional.of(new ScenePlaces(names)));
+        places = places.filter(known -> known.isFor(names, store)).or(() -> Optional.of(new ScenePlaces(names, store)));
     }
 
     @Override
-    ModelCache models(Path names, Consumer<String> notes) {
-        return places.filter(known -> known.directory().equals(names))
+    ModelCache models(Path names, StorePlace store, Consumer<String> notes) {
+        return places.filter(known -> known.isFor(names, store))
                 .flatMap(known -> known.models(notes))
-                .orElseGet(() -> super.models(names, notes));
+                .orElseGet(() -> super.models(names, store, notes));
     }
 
     @Override
@@ -119,7 +120,7 @@ public final class SceneFile extends Scene {
         Catalog catalog = Catalog.beside(directory());
         formerNames = catalog.formerNames();
         Kinds kinds = SensorKinds.kinds(catalog);
-        ScenePlaces site = places.orElseGet(() -> new ScenePlaces(directory()));
+        ScenePlaces site = places.orElseGet(() -> new ScenePlaces(directory(), StorePlace.ofProcess()));
         places = Optional.of(site);
         FeatureFiles maps = new FeatureFiles(file);
         PlacedOnce placed = new PlacedOnce(() -> site.of(file, kinds, overrides));

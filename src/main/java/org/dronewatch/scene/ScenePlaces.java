@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
@@ -31,14 +32,22 @@ final class ScenePlaces {
     private static final List<String> WITHOUT = List.of("noiseSources");
 
     private final Path directory;
+    private final StorePlace store;
     private final HeldNotes notes = new HeldNotes();
     private final ModelCache models;
     private boolean loaded;
     private boolean handedOver;
 
-    ScenePlaces(Path directory) {
+    /**
+     * Places on a site that has not been loaded.
+     *
+     * @param directory of relative file names
+     * @param store where prepared sites are kept
+     */
+    ScenePlaces(Path directory, StorePlace store) {
         this.directory = directory;
-        this.models = new ModelCache(directory, notes);
+        this.store = store;
+        this.models = new ModelCache(directory, store, notes);
     }
 
     /** Keeps lines until somebody wants them. */
@@ -58,8 +67,9 @@ final class ScenePlaces {
         }
     }
 
-    Path directory() {
-        return directory;
+    /** Whether they were made with these arguments. */
+    boolean isFor(Path names, StorePlace place) {
+        return directory.equals(names) && store.equals(place);
     }
 
     /**

@@ -24,6 +24,7 @@ import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
 import org.dronewatch.run.Timing;
 import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.run.time.LookTimes;
 import org.dronewatch.run.time.Pace;
 import org.dronewatch.scenario.InputFiles;
@@ -96,6 +97,20 @@ public final class SceneRunner {
     public SceneRunner directory(Path path) {
         configured.directory(path);
         return this;
+    }
+
+    /**
+     * Sets where prepared sites are kept, which never changes results; the {@link StorePlace#ofProcess() place of the
+     * process} unless set. To be called before anything is loaded.
+     */
+    public SceneRunner store(StorePlace place) {
+        configured.store(place);
+        return this;
+    }
+
+    /** Where prepared sites are kept. */
+    public StorePlace store() {
+        return configured.store();
     }
 
     /** Sets the pace; as fast as possible unless set. */

@@ -13,6 +13,7 @@ import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.render.canvas.SiteLines;
 import org.dronewatch.run.SceneListener;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.viewer.run.Recording;
@@ -129,12 +130,10 @@ public final class Viewer implements AutoCloseable {
     }
 
     private ViewerPane paneOf(Subject subject) {
-        return new ViewerPane(
-                subject.scene().name(),
-                recording,
-                threads,
-                settings ->
-                        LayerStore.of(settings, subject.runner().inputs().models(), LayerStore.standard(this::note)));
+        SceneRunner shown = subject.runner();
+        Function<SceneSettings, LayerStore> stores = settings ->
+                LayerStore.of(settings, shown.inputs().models(), LayerStore.standard(shown.store(), this::note));
+        return new ViewerPane(subject.scene().name(), recording, threads, stores);
     }
 
     /**

@@ -21,6 +21,7 @@ import org.dronewatch.setting.SettingsPath;
  * @param variants the changes of each variant, with those of the command line
  * @param seed that of the campaign, which the command line may state
  * @param runs number of cases, which the command line may state; 0 if it is not stated at all
+ * @param isStored whether executors may keep prepared sites, each where its own process does
  * @param isSensitivity whether the chunks are those of the cases that show which settings matter
  */
 record ChunkOrder(
@@ -31,6 +32,7 @@ record ChunkOrder(
         LinkedHashMap<String, LinkedHashMap<String, String>> variants,
         long seed,
         int runs,
+        boolean isStored,
         boolean isSensitivity)
         implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -61,6 +63,7 @@ record ChunkOrder(
                 variants,
                 plan.settings().seed(),
                 plan.settings().runs().orElse(0),
+                plan.store().directory().isPresent(),
                 run.cases() != plan);
     }
 }

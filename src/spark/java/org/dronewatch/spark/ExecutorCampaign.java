@@ -11,9 +11,11 @@ import org.apache.spark.broadcast.Broadcast;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignScenes;
 import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.campaign.outcome.Cases;
 import org.dronewatch.report.campaign.RemoteChunks;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -51,7 +53,9 @@ final class ExecutorCampaign {
         Path file = order.isShared() ? Path.of(order.file()) : unpacked(archive).resolve(order.file());
         Path directory =
                 Objects.requireNonNull(file.toAbsolutePath().normalize().getParent());
-        CampaignPlan plan = new CampaignPlan(order.applyTo(CampaignReader.read(file)), directory, note -> {});
+        CampaignScenes beside = CampaignScenes.beside(directory);
+        CampaignScenes scenes = order.isStored() ? beside : beside.withStore(StorePlace.NONE);
+        CampaignPlan plan = new CampaignPlan(order.applyTo(CampaignReader.read(file)), directory, scenes, note -> {});
         ExecutorCampaign campaign = new ExecutorCampaign(plan, directory, order.directory());
         if (!campaign.hash.equals(order.hash())) {
             throw new InputException(PlainText.value(file) + ": the campaign, its scene, a model or the version of"

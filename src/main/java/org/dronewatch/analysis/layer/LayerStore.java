@@ -15,6 +15,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.store.SiteStore;
 import org.dronewatch.run.store.StoreKey;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.run.store.StoreReader;
 import org.dronewatch.run.store.StoreWriter;
 import org.dronewatch.run.store.StoredForm;
@@ -55,7 +56,7 @@ public final class LayerStore {
     }
 
     /**
-     * The store of this process for a scene.
+     * A store for a scene.
      *
      * @param files the files that were read for it, by their names in the settings
      */
@@ -87,9 +88,9 @@ public final class LayerStore {
         return store.isEmpty() ? this : new LayerStore(store, world + grid + courses);
     }
 
-    /** The store of this process, which keeps whatever takes more than 50 ms to compute. */
-    public static SiteStore standard(Consumer<String> notes) {
-        return SiteStore.standard(WORTH, notes);
+    /** A store that keeps whatever takes more than 50 ms to compute. */
+    public static SiteStore standard(StorePlace place, Consumer<String> notes) {
+        return SiteStore.standard(place, WORTH, notes);
     }
 
     /**

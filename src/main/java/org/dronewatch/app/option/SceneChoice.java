@@ -18,8 +18,10 @@ import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** Which scene, and what to change in it: the part that several commands share. */
 public final class SceneChoice {
@@ -35,6 +37,9 @@ public final class SceneChoice {
             paramLabel = "PATH=VALUE",
             description = "Overrides a setting by its path, with a unit or without: --set sensors.camera.fov='40 deg'.")
     private List<String> overrides = new ArrayList<>();
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
 
     /** What a shell offers for the scene, beside files. */
     static final class PackagedNames implements Iterable<String> {
@@ -85,7 +90,7 @@ public final class SceneChoice {
 
     /** A runner of a scene with the overrides. */
     public SceneRunner runner(Scene scene) {
-        SceneRunner runner = new SceneRunner(scene);
+        SceneRunner runner = new SceneRunner(scene).store(StoreSwitch.of(command));
         for (String override : overrides) {
             int equals = override.indexOf('=');
             if (equals < 1) {

@@ -39,8 +39,10 @@ public record PlaceTask(
             PlacePlan plan, SolverLimits limits, int budgets, Interruption interruption, TaskProgress shown) {
         plan.runner().adviseOnConditions();
         Stage stage = plan.runner().stage(plan.present());
-        LayerStore store =
-                LayerStore.of(plan.present(), plan.runner().inputs().models(), LayerStore.standard(shown.notes()));
+        LayerStore store = LayerStore.of(
+                plan.present(),
+                plan.runner().inputs().models(),
+                LayerStore.standard(plan.runner().store(), shown.notes()));
         return new PlaceTask(plan, stage, store, limits, budgets, interruption, shown);
     }
 

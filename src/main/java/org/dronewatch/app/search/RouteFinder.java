@@ -76,7 +76,8 @@ public final class RouteFinder {
     private List<ModeField> fields(List<FlightMode> modes) {
         SceneSettings settings = inputs.settings();
         Drone drone = DetectionField.droneOf(stage, inputs.drone());
-        LayerStore store = LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(shown.notes()));
+        LayerStore store =
+                LayerStore.of(settings, runner.inputs().models(), LayerStore.standard(runner.store(), shown.notes()));
         List<FieldRequest> requests = modes.stream()
                 .map(mode -> new FieldRequest(
                         settings,

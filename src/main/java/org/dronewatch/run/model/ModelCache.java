@@ -28,6 +28,7 @@ import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.run.store.PreparedSites;
 import org.dronewatch.run.store.PreparedTerrain;
+import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.terrain.KnownGround;
@@ -67,15 +68,26 @@ public final class ModelCache {
     private double buildSeconds;
 
     /**
-     * An empty cache.
+     * An empty cache; prepared sites are kept in the place of this process.
      *
      * @param directory directory against which relative paths are resolved
      * @param notes receives a line for each file read, and each warning
      */
     public ModelCache(Path directory, Consumer<String> notes) {
+        this(directory, StorePlace.ofProcess(), notes);
+    }
+
+    /**
+     * An empty cache.
+     *
+     * @param directory directory against which relative paths are resolved
+     * @param place where prepared sites are kept
+     * @param notes receives a line for each file read, and each warning
+     */
+    public ModelCache(Path directory, StorePlace place, Consumer<String> notes) {
         this.loader = new ModelLoader(directory);
         this.notes = notes;
-        this.sites = new PreparedSites(directory, notes);
+        this.sites = new PreparedSites(directory, place, notes);
         this.flightFiles = new FlightFiles(directory, (name, hash) -> files.put(name, List.of(hash)), notes);
     }
 

@@ -46,13 +46,14 @@ public final class PreparedSites {
     private final Consumer<String> progress;
 
     /**
-     * Uses the store of this process; see {@link StorePlace}.
+     * Prepares sites.
      *
      * @param directory directory against which relative paths are resolved
+     * @param place where they are kept
      * @param progress receives a line before each step that takes seconds, and one if the store cannot be written
      */
-    public PreparedSites(Path directory, Consumer<String> progress) {
-        this(directory, SiteStore.standard(progress), TreeMemory.SHARED, SMALL, progress);
+    public PreparedSites(Path directory, StorePlace place, Consumer<String> progress) {
+        this(directory, SiteStore.standard(place, progress), TreeMemory.SHARED, SMALL, progress);
     }
 
     /**

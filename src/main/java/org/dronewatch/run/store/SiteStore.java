@@ -81,19 +81,19 @@ public final class SiteStore {
         this.reported = reported;
     }
 
-    /** The store of this process. */
-    static SiteStore standard(Consumer<String> notes) {
-        return standard(WORTH, notes);
+    /** A store of standard size for sites. */
+    static SiteStore standard(StorePlace place, Consumer<String> notes) {
+        return standard(place, WORTH, notes);
     }
 
     /**
-     * The store of this process; see {@link StorePlace}.
+     * A store of standard size.
      *
      * @param worth what takes less time than this to prepare is not kept, s
      * @param notes receives a line when a file cannot be written, unless a store of this process has said so before
      */
-    public static SiteStore standard(double worth, Consumer<String> notes) {
-        return new SiteStore(StorePlace.directory(), MOST_BYTES, worth, notes, REPORTED);
+    public static SiteStore standard(StorePlace place, double worth, Consumer<String> notes) {
+        return new SiteStore(place.directory(), MOST_BYTES, worth, notes, REPORTED);
     }
 
     /** Whether anything is kept. */

@@ -9,27 +9,32 @@ import java.util.Optional;
 import java.util.Properties;
 
 /**
- * Where prepared sites are kept: the directory named by the system property {@value #PROPERTY}, or else by the
- * environment variable {@value #VARIABLE}, either of which may also be {@value #OFF}; if neither is set, the cache
- * directory of the platform.
+ * Where prepared sites are kept.
+ *
+ * @param directory created when it is first needed; empty to keep nothing
  */
-public final class StorePlace {
+public record StorePlace(Optional<Path> directory) {
+    /** Nothing is kept. */
+    public static final StorePlace NONE = new StorePlace(Optional.empty());
+
     /** The system property that names the directory, or turns the store off. */
     public static final String PROPERTY = "dronewatch.cache";
 
     /** The environment variable with the same meaning. */
     public static final String VARIABLE = "DRONEWATCH_CACHE";
 
-    /** The value that turns the store off: nothing is kept. */
-    public static final String OFF = "off";
+    /** The value that turns the store off. */
+    private static final String OFF = "off";
 
     private static final String NAME = "dronewatch";
 
-    private StorePlace() {}
-
-    /** The directory of this process; empty if nothing is to be kept, or the user has no home. */
-    static Optional<Path> directory() {
-        return directory(System.getProperties(), System.getenv());
+    /**
+     * The place that the user has chosen for this process: the directory named by the system property
+     * {@value #PROPERTY}, or else by the environment variable {@value #VARIABLE}, either of which may also be
+     * {@code off}; if neither is set, the cache directory of the platform; nothing is kept if the user has no home.
+     */
+    public static StorePlace ofProcess() {
+        return new StorePlace(directory(System.getProperties(), System.getenv()));
     }
 
     static Optional<Path> directory(Properties properties, Map<String, String> environment) {

@@ -329,19 +329,10 @@ class PreparedSitesTest {
     @Test
     void oneLineSaysSoForAllStoresOfAProcess() throws IOException {
         Path file = Files.writeString(place.resolve("file"), "no directory");
-        String before = System.getProperty(StorePlace.PROPERTY);
-        System.setProperty(StorePlace.PROPERTY, file.resolve("cache").toString());
-        try {
-            for (int i = 0; i < 2; i++) {
-                StoreKey key = new StoreKey("tree", String.valueOf(i).repeat(64));
-                SiteStore.standard(0.0, notes::add).keep(() -> key, StoredForms.TREE, TreeParts.of(tree), 1.0);
-            }
-        } finally {
-            if (before == null) {
-                System.clearProperty(StorePlace.PROPERTY);
-            } else {
-                System.setProperty(StorePlace.PROPERTY, before);
-            }
+        StorePlace shared = new StorePlace(Optional.of(file.resolve("cache")));
+        for (int i = 0; i < 2; i++) {
+            StoreKey key = new StoreKey("tree", String.valueOf(i).repeat(64));
+            SiteStore.standard(shared, 0.0, notes::add).keep(() -> key, StoredForms.TREE, TreeParts.of(tree), 1.0);
         }
         assertThat(notes).singleElement().asString().contains("are not kept for the next start");
     }
