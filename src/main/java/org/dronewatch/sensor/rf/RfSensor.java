@@ -16,7 +16,7 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
-import org.dronewatch.sensor.radio.Polarisation;
+import org.dronewatch.sensor.radio.LinearPolarisation;
 import org.dronewatch.sensor.radio.RadioPath;
 import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.world.Obstacle;
@@ -191,7 +191,7 @@ public final class RfSensor implements AssessableSensor {
 
     /** What the reflection from the ground adds, dB; 0 unless it is set. */
     private double groundReflection(RadioLink link, Position from) {
-        boolean isVertical = settings.polarisation() == Polarisation.VERTICAL;
+        boolean isVertical = settings.polarisation() == LinearPolarisation.VERTICAL;
         double gain = beamGain(from);
         return rays.map(two -> two.weighted(
                         settings.position(),

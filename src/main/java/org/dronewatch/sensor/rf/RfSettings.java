@@ -19,7 +19,7 @@ import org.dronewatch.sensor.alarm.FalseAlarming;
 import org.dronewatch.sensor.alarm.FalseAlarms;
 import org.dronewatch.sensor.radio.AntennaPattern;
 import org.dronewatch.sensor.radio.GroundReflecting;
-import org.dronewatch.sensor.radio.Polarisation;
+import org.dronewatch.sensor.radio.LinearPolarisation;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Formerly;
@@ -67,7 +67,7 @@ public record RfSettings(
         @In(value = Quantity.LEVEL, from = 0, to = 50) double noiseFigure,
         @In(value = Quantity.LEVEL, from = 0, to = 100) double clutter,
         @In(value = Quantity.LEVEL, from = -50, to = 100) double threshold,
-        @Minor Polarisation polarisation,
+        @Minor LinearPolarisation polarisation,
         @Minor Optional<ReflectingGround> groundReflection,
         @Minor boolean clutterIncludesEdges,
         @Minor Optional<ManMadeNoise> environment,
@@ -144,7 +144,7 @@ public record RfSettings(
                 6.0,
                 0.0,
                 6.0,
-                Polarisation.VERTICAL,
+                LinearPolarisation.VERTICAL,
                 Optional.empty(),
                 false,
                 Optional.empty(),
@@ -196,7 +196,7 @@ public record RfSettings(
     }
 
     /** These settings with reflecting ground and another polarisation. */
-    public RfSettings withGroundReflection(ReflectingGround ground, Polarisation other) {
+    public RfSettings withGroundReflection(ReflectingGround ground, LinearPolarisation other) {
         return SettingsForm.with(this, Map.of("groundReflection", Optional.of(ground), "polarisation", other));
     }
 

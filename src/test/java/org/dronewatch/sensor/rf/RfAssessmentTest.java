@@ -22,7 +22,7 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.sensor.radio.Polarisation;
+import org.dronewatch.sensor.radio.LinearPolarisation;
 import org.dronewatch.sensor.radio.RadioPath;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.sensor.radio.TwoRays;
@@ -207,7 +207,7 @@ class RfAssessmentTest {
                 new float[] {-9000, -9000, -10, 9000, -9000, -10, 9000, 9000, -10, -9000, 9000, -10},
                 new int[] {0, 1, 2, 0, 2, 3}));
         ReflectingGround ground = new ReflectingGround(15, 0, 0);
-        RfSettings receiver = RECEIVER.withGroundReflection(ground, Polarisation.HORIZONTAL);
+        RfSettings receiver = RECEIVER.withGroundReflection(ground, LinearPolarisation.HORIZONTAL);
         TwoRays rays = new TwoRays(flat, ground);
         for (double north = 1000; north < 1100; north += 10) {
             Drone drone = emitting(new Position(0, north, 40));

@@ -21,7 +21,7 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.radio.AntennaPattern;
-import org.dronewatch.sensor.radio.Polarisation;
+import org.dronewatch.sensor.radio.LinearPolarisation;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.sensor.radio.TwoRays;
 import org.dronewatch.setting.SettingsForm;
@@ -85,7 +85,7 @@ class RfBeamTest {
                 new int[] {0, 1, 2, 0, 2, 3}));
         ReflectingGround ground = new ReflectingGround(15, 0, 0);
         RfSettings receiver = EAST.withAim(new Aim.Direction(Math.toRadians(90), Math.toRadians(8)))
-                .withGroundReflection(ground, Polarisation.HORIZONTAL);
+                .withGroundReflection(ground, LinearPolarisation.HORIZONTAL);
         TwoRays rays = new TwoRays(flat, ground);
         for (double elevation = 3; elevation < 12; elevation += 0.5) {
             Drone drone = at(90, elevation, 300);

@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.radio;
 
-/** The polarisation of a wave that the ground reflects. */
-public enum Polarisation {
+/** The polarisation of a wave whose electric field keeps its direction. */
+public enum LinearPolarisation {
     /** Horizontal electric field. */
     HORIZONTAL,
     /** Vertical electric field, as from a vertical rod antenna. */
