@@ -25,9 +25,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.dronewatch.House.Storey;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.SoundEmission;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.fusion.ForecastLog;
@@ -41,6 +43,7 @@ import org.dronewatch.sensor.Detection;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.tracking.AssessedLook;
 import org.dronewatch.tracking.ContactLook;
@@ -134,6 +137,25 @@ class HouseRulesTest {
     private static boolean hasSource(JavaClass type) {
         return Files.exists(Path.of("src", "main", "java", type.getName().replace('.', '/') + ".java"))
                 && !type.getSimpleName().equals("package-info");
+    }
+
+    /**
+     * Kinds of sensors and emissions, which users may add, are asked for their capabilities, not for their class; only
+     * a packaged scene knows the kinds that it has itself chosen.
+     */
+    @ArchTest
+    static void nobodyTestsForAKind(JavaClasses house) {
+        List<String> tests = house.stream()
+                .filter(type -> !type.getPackageName().equals("org.dronewatch.scenes"))
+                .flatMap(type -> type.getInstanceofChecks().stream())
+                .filter(check -> Stream.of(SensorSettings.class, SoundEmission.class)
+                        .anyMatch(kind -> check.getRawType().isAssignableTo(kind)))
+                .filter(check -> !check.getRawType()
+                        .getPackageName()
+                        .equals(check.getOwner().getOwner().getPackageName()))
+                .map(Object::toString)
+                .toList();
+        assertThat(tests).isEmpty();
     }
 
     @ArchTest

@@ -17,7 +17,6 @@ import org.dronewatch.catalog.CatalogEntry.Basis;
 import org.dronewatch.catalog.CatalogEntry.PublishedRange;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.drone.DroneSettings;
-import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
@@ -120,14 +119,14 @@ public record CalibratedEntry(
 
     /**
      * The settings of a drone's sound by which the sensor hears it; none if it does not listen. All of them decide
-     * where the emission is not steady, because it may use any of them.
+     * where they do not state it alone, because the emission may use any of them.
      */
     private List<String> heard(DroneSettings flying) {
         SensorSettings<?> fitted = fit.sensor();
         if (fitted.as(SoundTracing.class).isEmpty()) {
             return List.of();
         }
-        if (flying.emission() instanceof SteadyEmission) {
+        if (flying.emission().isStatedBySettings()) {
             return soundsBut(fitted.description().ignoredConditions().keySet());
         }
         List<String> all = new ArrayList<>(soundsBut(Set.of()));

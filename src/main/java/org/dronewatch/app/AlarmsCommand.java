@@ -19,8 +19,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
 import org.dronewatch.sensor.alarm.FalseAlarming;
-import org.dronewatch.sensor.radar.RadarDetection;
-import org.dronewatch.sensor.radar.RadarSettings;
+import org.dronewatch.sensor.alarm.NoiseAlarming;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
@@ -174,20 +173,16 @@ final class AlarmsCommand implements Callable<Integer> {
             throw new InputException(given + "no such sensor; "
                     + Spelling.closestMatches(sensor, settings.sensors().keySet()));
         }
-        if (!(named instanceof RadarSettings radar)) {
-            throw new InputException(given + "is of kind " + named.kind()
-                    + ", whose rate is set, not computed: only a radar has a false-alarm probability");
-        }
+        NoiseAlarming noisy = named.as(NoiseAlarming.class)
+                .orElseThrow(() -> new InputException(given + "is of kind " + named.kind()
+                        + ", whose rate is set, not computed: only a radar has a false-alarm probability"));
         double probability;
         try {
-            probability = radar.falseAlarmProbability(perHour);
+            probability = noisy.falseAlarmProbability(perHour);
         } catch (IllegalArgumentException e) {
             throw new InputException(given + e.getMessage(), e);
         }
-        String setting = "sensors." + sensor
-                + (radar.detection() instanceof RadarDetection.Chance
-                        ? ".detection.falseAlarm"
-                        : ".falseAlarms.probability");
+        String setting = "sensors." + sensor + "." + noisy.falseAlarmSetting();
         String value = String.format(Locale.ROOT, "%.3e", probability);
         checkSettable(setting, value);
         return Map.entry(setting, value);

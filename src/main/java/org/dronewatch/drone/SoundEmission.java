@@ -16,6 +16,15 @@ import org.dronewatch.sound.Tone;
 public interface SoundEmission {
 
     /**
+     * Whether the drone's settings alone state its sound, however it flies, but for the motors, which may be off. False
+     * unless overridden: the sound may depend on the place, the velocity, the attitude, and on settings of the emission
+     * itself.
+     */
+    default boolean isStatedBySettings() {
+        return false;
+    }
+
+    /**
      * Sound power levels by octave band without weighting, dB re 1e-12 W, for the energy model.
      *
      * @param drone as it was when the sound left it

@@ -12,6 +12,11 @@ public record SteadyEmission() implements SoundEmission {
     public static final SteadyEmission DEFAULT = new SteadyEmission();
 
     @Override
+    public boolean isStatedBySettings() {
+        return true;
+    }
+
+    @Override
     public BandLevels soundPower(Drone drone) {
         return BandLevels.of(drone.settings().soundPower(drone.settings().soundPowerLevel() - quieter(drone)));
     }

@@ -3,7 +3,6 @@ package org.dronewatch.scenes;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
-import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.flight.FlightPathSettings.Approach;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.RunSettings;
@@ -55,7 +54,8 @@ public final class AcousticRange extends Scene {
         DroneSettings drone = settings.drones().get("quadrotor");
         double margin =
                 drone.soundLevel() - microphone.detectionLevel(settings.world().backgroundNoise());
-        return microphone.propagation() instanceof LevelModel model && drone.emission() instanceof SteadyEmission
+        return microphone.propagation() instanceof LevelModel model
+                        && drone.emission().isStatedBySettings()
                 ? OptionalDouble.of(margin / model.attenuation())
                 : OptionalDouble.empty();
     }

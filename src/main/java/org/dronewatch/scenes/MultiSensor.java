@@ -2,7 +2,6 @@ package org.dronewatch.scenes;
 
 import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
-import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.flight.FlightPathSettings.Inbound;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.RunSettings;
@@ -82,7 +81,7 @@ public final class MultiSensor extends Scene {
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {
         if (settings.sensors().get(sensor) instanceof AcousticSettings microphone
                 && microphone.propagation() instanceof LevelModel model
-                && settings.drones().get("quadrotor").emission() instanceof SteadyEmission) {
+                && settings.drones().get("quadrotor").emission().isStatedBySettings()) {
             double margin = settings.drones().get("quadrotor").soundLevel()
                     - microphone.detectionLevel(settings.world().backgroundNoise());
             return OptionalDouble.of(margin / model.attenuation());

@@ -24,7 +24,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;
-import org.dronewatch.sensor.acoustic.AcousticSettings;
+import org.dronewatch.sensor.SoundTracing;
 
 /**
  * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
@@ -159,8 +159,9 @@ public record InboundWarnings(
         List<SensorLayer> layers = new ArrayList<>();
         List<Map.Entry<String, SensorSettings<?>>> sensors =
                 new ArrayList<>(settings.enabledSensors().entrySet());
-        // Microphones cost most by far: they need not listen where others have already detected the drone.
-        sensors.sort(Comparator.comparing(sensor -> sensor.getValue() instanceof AcousticSettings));
+        // Sensors that trace sound cost most by far: they need not listen where others have already detected the drone.
+        sensors.sort(Comparator.comparing(
+                sensor -> sensor.getValue().as(SoundTracing.class).isPresent()));
         for (Map.Entry<String, SensorSettings<?>> sensor : sensors) {
             FieldColumns paths =
                     new FieldColumns(stage.world(), flights.steps(), BEARINGS, heights, flights.upTo(last));

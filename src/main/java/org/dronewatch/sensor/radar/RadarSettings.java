@@ -18,7 +18,7 @@ import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.AzimuthSpan;
 import org.dronewatch.sensor.alarm.FalseAlarmRate;
-import org.dronewatch.sensor.alarm.FalseAlarming;
+import org.dronewatch.sensor.alarm.NoiseAlarming;
 import org.dronewatch.sensor.radio.GroundReflecting;
 import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.Defaults;
@@ -86,7 +86,7 @@ public record RadarSettings(
                 Aimed,
                 Outlined,
                 DirectionFinding,
-                FalseAlarming,
+                NoiseAlarming,
                 GroundReflecting,
                 CrossingBlind {
 
@@ -308,16 +308,15 @@ public record RadarSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(noise));
     }
 
-    /**
-     * The false-alarm probability per cell and scan that yields a given rate, for {@code detection} or
-     * {@code falseAlarms}.
-     *
-     * @param perHour desired number of false alarms per hour, above 0
-     * @throws IllegalArgumentException when the number of cells is not known
-     */
+    @Override
     public double falseAlarmProbability(double perHour) {
         double cells = falseAlarms.orElse(RadarFalseAlarms.DEFAULT).cells(cells(), budget);
         return perHour / (3600.0 * rate * cells);
+    }
+
+    @Override
+    public String falseAlarmSetting() {
+        return detection instanceof RadarDetection.Chance ? "detection.falseAlarm" : "falseAlarms.probability";
     }
 
     @Override

@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
-import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.scenario.SceneSettings;
@@ -58,7 +57,7 @@ final class DroneRows {
     private static String sound(DroneSettings drone) {
         String levels = ReadableNumbers.number(drone.soundPowerLevel()) + " dB(A) sound power; "
                 + ReadableNumbers.number(drone.soundLevel()) + " dB in the level model";
-        return drone.emission().equals(SteadyEmission.DEFAULT)
+        return drone.emission().isStatedBySettings()
                 ? levels
                 : levels + "; emission " + Choices.nameOf(drone.emission().getClass());
     }

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Curve;
 import org.dronewatch.sensor.RayRecorder;
@@ -196,7 +195,7 @@ public final class EnergyHearing implements SoundTracer {
     public boolean isSameAtAllHeadings(Drone drone) {
         boolean hearsLines =
                 model.criterion() == Criterion.NARROW_BAND && !drone.tones().isEmpty();
-        return drone.settings().emission() instanceof SteadyEmission && !hearsLines;
+        return drone.settings().emission().isStatedBySettings() && !hearsLines;
     }
 
     @Override

@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SteadyEmission;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
@@ -104,7 +103,7 @@ public final class LevelHearing implements SoundTracer {
     /** The level model does not depend on direction; an emission of another kind may depend on the state of flight. */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {
-        return drone.settings().emission() instanceof SteadyEmission;
+        return drone.settings().emission().isStatedBySettings();
     }
 
     /** The level that would arrive directly from a drone without obstructions, dB. */
