@@ -1,15 +1,12 @@
 package org.dronewatch.viewer;
 
 import java.awt.event.KeyEvent;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.viewer.part.QuickItem;
 import org.dronewatch.viewer.part.QuickToggle;
@@ -20,43 +17,27 @@ final class ViewerMenus {
     private static final double STRIDE = 0.06;
 
     private final ViewerPane pane;
-    private final Exports exports;
+    private final FileMenu file;
     private final Consumer<Boolean> darkChosen;
-    private final Runnable closeChosen;
-    private final FilmExport films;
-    private final SceneSaving saving;
-    private final Optional<SceneOpening> opening;
     private final Runnable keysChosen;
 
     /**
      * The menus of a pane.
      *
-     * @param saving writes the scene
-     * @param opening opens other scenes; empty where the run is fixed
+     * @param file the menu that opens and writes
+     * @param darkChosen receives whether the dark theme is chosen
      * @param keysChosen opens the page of keys
      */
-    ViewerMenus(
-            ViewerPane pane,
-            Exports exports,
-            FilmExport films,
-            SceneSaving saving,
-            Optional<SceneOpening> opening,
-            Consumer<Boolean> darkChosen,
-            Runnable keysChosen,
-            Runnable closeChosen) {
+    ViewerMenus(ViewerPane pane, FileMenu file, Consumer<Boolean> darkChosen, Runnable keysChosen) {
         this.pane = pane;
-        this.exports = exports;
+        this.file = file;
         this.darkChosen = darkChosen;
-        this.closeChosen = closeChosen;
-        this.films = films;
-        this.saving = saving;
-        this.opening = opening;
         this.keysChosen = keysChosen;
     }
 
     JMenuBar bar(boolean dark) {
         JMenuBar bar = new JMenuBar();
-        bar.add(file());
+        bar.add(file.menu());
         bar.add(run());
         bar.add(view());
         bar.add(PlaceMenu.of(pane.placing()));
@@ -67,79 +48,6 @@ final class ViewerMenus {
 
     static JMenuItem item(String name, String explanation, KeyStroke key, Runnable work) {
         return new QuickItem(ViewerActions.action(name, explanation, key, work));
-    }
-
-    private JMenu file() {
-        JMenu menu = new JMenu("File");
-        menu.setMnemonic('F');
-        opening.ifPresent(scenes -> addOpening(menu, scenes));
-        menu.add(item(
-                "Save scene as ...",
-                "Writes the settings of the displayed run, with the sensors as you placed them, as a scene file",
-                null,
-                saving::ask));
-        menu.add(item(
-                "Save site view ...",
-                "Writes the 3D view as a PNG image",
-                ViewerActions.menuKey(KeyEvent.VK_S),
-                () -> exports.savePicture(pane.world(), "site")));
-        menu.add(item(
-                "Save camera views ...",
-                "Writes the displayed camera views as a PNG image",
-                null,
-                () -> exports.savePicture(pane.cameras(), "cameras")));
-        menu.add(item(
-                "Save timeline ...",
-                "Writes the timeline as a PNG image",
-                null,
-                () -> exports.savePicture(pane.timeLine(), "time-line")));
-        menu.add(item(
-                "Save window ...",
-                "Writes the whole window as a PNG image",
-                ViewerActions.shiftedMenuKey(KeyEvent.VK_S),
-                () -> exports.savePicture(pane, "window")));
-        menu.add(item(
-                "Export image sequence ...",
-                "Exports the whole run as numbered images of the site",
-                ViewerActions.menuKey(KeyEvent.VK_E),
-                exports::saveRun));
-        menu.add(item(
-                "Export site video ...",
-                "Exports the run as an MP4 video from the current viewpoint",
-                ViewerActions.menuKey(KeyEvent.VK_M),
-                films::saveSite));
-        menu.add(item(
-                "Export camera video ...",
-                "Exports the selected camera's view of the run as an MP4 video",
-                ViewerActions.shiftedMenuKey(KeyEvent.VK_M),
-                films::saveCamera));
-        menu.addSeparator();
-        menu.add(item("Close", "Closes the window", ViewerActions.menuKey(KeyEvent.VK_W), closeChosen));
-        return menu;
-    }
-
-    private void addOpening(JMenu menu, SceneOpening scenes) {
-        menu.add(item(
-                "Open ...",
-                "Opens another scene file in this window",
-                ViewerActions.menuKey(KeyEvent.VK_O),
-                () -> scenes.ask(pane)));
-        JMenu recent = new JMenu("Open recent");
-        scenes.list(recent);
-        menu.addMenuListener(new MenuListener() {
-            @Override
-            public void menuSelected(MenuEvent e) {
-                scenes.list(recent);
-            }
-
-            @Override
-            public void menuDeselected(MenuEvent e) {}
-
-            @Override
-            public void menuCanceled(MenuEvent e) {}
-        });
-        menu.add(recent);
-        menu.addSeparator();
     }
 
     private JMenu help() {

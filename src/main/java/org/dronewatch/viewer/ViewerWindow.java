@@ -88,8 +88,8 @@ final class ViewerWindow {
                 pane.placing().layoutOfSensors(), saving::ask, moved -> UnsavedMoves.ask(frame, moved));
         pane.placing().onLeaving(unsaved::mayLeave);
         opening.ifPresent(scenes -> scenes.onLeaving(unsaved::mayLeave));
-        ViewerMenus menus = new ViewerMenus(
-                pane, exports, films, saving, opening, this::setDark, () -> KeysPage.open(frame), this::leave);
+        FileMenu file = new FileMenu(pane, exports, films, saving, opening, this::leave);
+        ViewerMenus menus = new ViewerMenus(pane, file, this::setDark, () -> KeysPage.open(frame));
         frame.setJMenuBar(menus.bar(layout.isDark()));
         frame.setContentPane(pane);
     }
