@@ -1,12 +1,10 @@
 package org.dronewatch.app;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.viewer.Viewer;
 
@@ -50,8 +48,8 @@ final class SceneWindow {
      */
     void show(Viewer.Subject first, Consumer<Viewer> begun) {
         Optional<RuntimeException> failure = Optional.empty();
-        try (Viewer viewer =
-                Viewer.open(first, threads, file -> read(file, first.runner().store()))) {
+        try (Viewer viewer = Viewer.open(
+                first, threads, scene -> runner(scene, first.runner().store()))) {
             begun.accept(viewer);
             for (Optional<Viewer.Subject> shown = Optional.of(first); shown.isPresent(); shown = viewer.awaitNext()) {
                 failure = run(viewer, shown.get().runner());
@@ -62,12 +60,9 @@ final class SceneWindow {
         }
     }
 
-    /** Another scene that the user opens in the window: as it is described, without the overrides of the first. */
-    private Viewer.Subject read(Path file, StorePlace store) {
-        Scene scene = new SceneFile(file);
-        SceneRunner runner = new SceneRunner(scene).store(store).threads(threads);
-        runner.settings();
-        return new Viewer.Subject(scene, runner, Optional.of(file));
+    /** The runner of another scene that the user opens: as it is described, without the overrides of the first. */
+    private SceneRunner runner(Scene scene, StorePlace store) {
+        return new SceneRunner(scene).store(store).threads(threads);
     }
 
     /** Runs a scene for a window; returns the error, unless the window is closed. */

@@ -1,13 +1,15 @@
 package org.dronewatch.app;
 
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.app.console.ExitCode;
 import org.dronewatch.app.console.Notes;
-import org.dronewatch.app.option.SceneChoice;
+import org.dronewatch.app.option.OptionalSceneChoice;
 import org.dronewatch.app.option.SeedOption;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.GalleryWindow;
 import org.dronewatch.viewer.Viewer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -21,17 +23,19 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Opens a window with the site in 3D, all cameras' pictures, sound rays, a timeline of detections and tables.",
+            "Without a scene, shows the packaged ones to choose from.",
             "Needs a display; 'render' draws the same pictures without one."
         },
         footer = {
             "",
             "Examples:",
+            "  dronewatch view",
             "  dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg",
             "  dronewatch view scenes/hill-radar.yaml --coverage"
         })
 final class ViewCommand implements Callable<Integer> {
     @Mixin
-    private SceneChoice choice;
+    private OptionalSceneChoice choice;
 
     @Mixin
     private SeedOption seed = new SeedOption();
@@ -49,20 +53,31 @@ final class ViewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Scene scene = choice.create();
-        SceneRunner runner = choice.runner(scene).threads(threads.number());
-        seed.apply(runner);
-        runner.settings();
+        Optional<Viewer.Subject> named = choice.isNamed() ? Optional.of(named()) : Optional.empty();
         SceneWindow window =
                 new SceneWindow(threads.number(), spec.commandLine().getErr(), Notes.of(spec));
         if (!window.canOpen()) {
             return ExitCode.NO_DISPLAY;
         }
-        window.show(new Viewer.Subject(scene, runner, choice.sceneFile()), viewer -> {
-            if (coverage) {
-                viewer.showCoverage();
-            }
-        });
+        named.or(() -> GalleryWindow.choose(this::runner))
+                .ifPresent(first -> window.show(first, viewer -> {
+                    if (coverage) {
+                        viewer.showCoverage();
+                    }
+                }));
         return 0;
+    }
+
+    private Viewer.Subject named() {
+        Scene scene = choice.create();
+        SceneRunner runner = runner(scene);
+        runner.settings();
+        return new Viewer.Subject(scene, runner, choice.sceneFile());
+    }
+
+    private SceneRunner runner(Scene scene) {
+        SceneRunner runner = choice.runner(scene).threads(threads.number());
+        seed.apply(runner);
+        return runner;
     }
 }

@@ -2,7 +2,9 @@ package org.dronewatch.viewer;
 
 import java.awt.event.KeyEvent;
 import java.util.Optional;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
+import javax.swing.SwingUtilities;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 
@@ -74,6 +76,11 @@ record FileMenu(
                 "Opens another scene file in this window",
                 ViewerActions.menuKey(KeyEvent.VK_O),
                 () -> scenes.ask(pane)));
+        menu.add(ViewerMenus.item(
+                "Open packaged scene ...",
+                "Shows the packaged scenes to choose from",
+                ViewerActions.menuKey(KeyEvent.VK_G),
+                () -> scenes.showGallery((JFrame) SwingUtilities.getWindowAncestor(pane))));
         JMenu recent = new JMenu("Open recent");
         scenes.list(recent);
         menu.addMenuListener(new MenuListener() {

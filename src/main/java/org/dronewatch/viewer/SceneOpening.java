@@ -3,20 +3,31 @@ package org.dronewatch.viewer;
 import java.awt.Component;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JFileChooser;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
+import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import org.dronewatch.scene.Scene;
+import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.viewer.gallery.ScenePictures;
 import org.dronewatch.viewer.part.Latest;
 import org.dronewatch.viewer.part.QuickItem;
 
-/** Opens other scene files: reads and checks them on a thread, so that one with mistakes leaves the window as it is. */
+/**
+ * Opens other scenes, files or packaged ones: reads and checks them on a thread, so that a file with mistakes leaves
+ * the window as it is.
+ */
 final class SceneOpening implements AutoCloseable {
     private final RecentScenes recent;
-    private final Function<Path, Viewer.Subject> reader;
+    private final Function<Scene, SceneRunner> runners;
     private final Consumer<Viewer.Subject> chosen;
     private final Consumer<Throwable> failed;
     private final Latest reading;
@@ -25,17 +36,17 @@ final class SceneOpening implements AutoCloseable {
     /**
      * An opening.
      *
-     * @param reader reads and checks a file; throws InputException
+     * @param runners gives the runner of a scene
      * @param chosen receives the scene on the reading thread
      * @param failed receives the error in a file
      */
     SceneOpening(
             RecentScenes recent,
-            Function<Path, Viewer.Subject> reader,
+            Function<Scene, SceneRunner> runners,
             Consumer<Viewer.Subject> chosen,
             Consumer<Throwable> failed) {
         this.recent = recent;
-        this.reader = reader;
+        this.runners = runners;
         this.chosen = chosen;
         this.failed = failed;
         this.reading = new Latest("dronewatch-opening", 1, failed);
@@ -70,10 +81,35 @@ final class SceneOpening implements AutoCloseable {
                 failed.accept(new InputException("scene file " + file + ": does not exist"));
                 return;
             }
-            Viewer.Subject subject = reader.apply(file);
+            Viewer.Subject subject = subject(new SceneFile(file), Optional.of(file));
             recent.add(file);
             chosen.accept(subject);
         });
+    }
+
+    /** Opens a packaged scene. */
+    void open(PackagedScene scene) {
+        reading.ask(outdated -> chosen.accept(subject(scene.factory().get(), Optional.empty())));
+    }
+
+    /** A scene whose settings have been read and checked. */
+    private Viewer.Subject subject(Scene scene, Optional<Path> file) {
+        SceneRunner runner = runners.apply(scene);
+        runner.settings();
+        return new Viewer.Subject(scene, runner, file);
+    }
+
+    /** Shows the packaged scenes beside the window of the current one. */
+    void showGallery(JFrame owner) {
+        reading.ask(outdated -> {
+            ScenePictures pictures = ScenePictures.read();
+            SwingUtilities.invokeLater(() -> GalleryWindow.open(owner, pictures, this));
+        });
+    }
+
+    /** Whether the scene that is shown may be left, which the user may be asked. */
+    boolean mayLeave() {
+        return mayLeave.getAsBoolean();
     }
 
     /** Fills a menu with the files opened last. */

@@ -90,18 +90,18 @@ public final class Viewer implements AutoCloseable {
      * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The
      * calling thread is expected to run them one after another: {@link #awaitNext} returns the next.
      *
-     * @param reader reads and checks a scene file; it throws InputException for mistakes
+     * @param runners gives the runner of a scene that the user opens
      * @throws IllegalStateException when there is no display
      */
-    public static Viewer open(Subject subject, int threads, Function<Path, Subject> reader) {
-        return open(subject, threads, ViewerLayout.ofUser(), Optional.of(reader));
+    public static Viewer open(Subject subject, int threads, Function<Scene, SceneRunner> runners) {
+        return open(subject, threads, ViewerLayout.ofUser(), Optional.of(runners));
     }
 
     static Viewer open(Scene scene, SceneRunner runner, int threads, Path layoutFile) {
         return open(new Subject(scene, runner, Optional.empty()), threads, layoutFile, Optional.empty());
     }
 
-    static Viewer open(Subject subject, int threads, Path layoutFile, Optional<Function<Path, Subject>> reader) {
+    static Viewer open(Subject subject, int threads, Path layoutFile, Optional<Function<Scene, SceneRunner>> runners) {
         Optional<String> obstacle = obstacle();
         if (obstacle.isPresent()) {
             throw new IllegalStateException(obstacle.get());
@@ -109,8 +109,8 @@ public final class Viewer implements AutoCloseable {
         Viewer viewer = new Viewer(threads);
         ViewerLayout layout = new ViewerLayout(layoutFile);
         RecentScenes recent = new RecentScenes(layoutFile.resolveSibling("recent-scenes.txt"));
-        viewer.opening = reader.map(
-                read -> new SceneOpening(recent, read, viewer::choose, problem -> viewer.pane.report(problem)));
+        viewer.opening = runners.map(
+                made -> new SceneOpening(recent, made, viewer::choose, problem -> viewer.pane.report(problem)));
         viewer.opening.ifPresent(any -> subject.file().ifPresent(recent::add));
         String title = subject.scene().name();
         // One thing after the other, so that the event thread is never busy for long.
@@ -217,7 +217,7 @@ public final class Viewer implements AutoCloseable {
         return closing || next != null;
     }
 
-    private static void onEventThread(Runnable work) {
+    static void onEventThread(Runnable work) {
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
         try {
             SwingUtilities.invokeAndWait(() -> {

@@ -298,8 +298,16 @@ class CommandLineTest extends CommandLines {
         assertThat(files()).containsKeys("hill.obj", "quadrotor.obj", "house.obj", "house.mtl");
     }
 
+    @Test
+    void overridesWithoutASceneAreRefused() {
+        Program.Outcome outcome = commandIn("view --set run.duration=1");
+
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err()).contains("--set changes the settings of one scene: name the SCENE as well");
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"view multi-sensor", "run multi-sensor --view --out DIR/results"})
+    @ValueSource(strings = {"view", "view multi-sensor", "run multi-sensor --view --out DIR/results"})
     void withoutADisplayAWindowIsRefusedInOneLine(String line) throws IOException {
         assumeTrue(GraphicsEnvironment.isHeadless());
         Program.Outcome outcome = commandIn(line);

@@ -105,6 +105,7 @@ final class DocPictures {
             new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), false),
             new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
             new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), true),
+            new DocPicture("viewer-gallery", directory -> PaintedWindow.gallery(), false),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0),
             new DocPicture(
@@ -279,7 +280,8 @@ final class DocPictures {
         return ImageIO.read(file.toFile());
     }
 
-    private static void run(String command, Path out) {
+    /** Runs a command line in which {@code OUT} stands for a path. */
+    static void run(String command, Path out) {
         List<String> arguments = new ArrayList<>(List.of(command.split(" ")));
         arguments.replaceAll(word -> word.equals(OUT) ? out.toString() : word);
         StringWriter said = new StringWriter();

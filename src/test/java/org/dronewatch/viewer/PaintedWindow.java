@@ -14,6 +14,8 @@ import javax.swing.UIManager;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.gallery.SceneGallery;
+import org.dronewatch.viewer.gallery.ScenePictures;
 import org.dronewatch.viewer.run.Recording;
 
 /** What the window shows of a run at one time, below its menus, painted without a display. */
@@ -74,6 +76,27 @@ public final class PaintedWindow {
             pane.placing().mover().place(to.get(0), to.get(1), to.get(2));
         };
         return at(0.0, runner.set("run.duration", "0.2 s"), title, width, height, List.of(compute, move));
+    }
+
+    /** The packaged scenes to choose from; in the light look, whatever was set before. */
+    public static BufferedImage gallery() throws Exception {
+        Object before = UIManager.getLookAndFeel();
+        onEventThread(FlatLightLaf::setup);
+        try {
+            ScenePictures pictures = ScenePictures.read();
+            return onEventThread(() -> {
+                SceneGallery gallery = new SceneGallery(pictures, scene -> {}, () -> {});
+                gallery.addNotify();
+                gallery.setSize(gallery.getPreferredSize());
+                gallery.validate();
+                return Exports.picture(gallery);
+            });
+        } finally {
+            onEventThread(() -> {
+                UIManager.setLookAndFeel((javax.swing.LookAndFeel) before);
+                return null;
+            });
+        }
     }
 
     /** What a user does, on the event thread. */

@@ -29,7 +29,7 @@ import javax.swing.SwingUtilities;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.Yard;
 import org.dronewatch.run.SceneResult;
-import org.dronewatch.scene.SceneFile;
+import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.junit.jupiter.api.BeforeEach;
@@ -264,7 +264,7 @@ class ViewerWindowTest {
         Thread watching = new Thread(
                 () -> {
                     viewer = Viewer.open(
-                            first, 1, directory.resolve("viewer.properties"), Optional.of(ViewerWindowTest::read));
+                            first, 1, directory.resolve("viewer.properties"), Optional.of(ViewerWindowTest::runner));
                     Optional<Viewer.Subject> shown = Optional.of(first);
                     while (shown.isPresent()) {
                         try {
@@ -288,7 +288,7 @@ class ViewerWindowTest {
         try {
             await("the first is there", () -> viewer.pane().viewed().isPresent());
             ViewerPane yardPane = viewer.pane();
-            SceneOpening opening = new SceneOpening(recent, ViewerWindowTest::read, subject -> {}, yardPane::report);
+            SceneOpening opening = new SceneOpening(recent, ViewerWindowTest::runner, subject -> {}, yardPane::report);
             opening.open(bad);
             await("the mistake is told", () -> yardPane.notice().isVisible());
             assertThat(yardPane.notice().text()).contains("bad.yaml:1:").contains("nose");
@@ -331,11 +331,8 @@ class ViewerWindowTest {
         assertThat(ownThreads()).as("threads left behind").isEmpty();
     }
 
-    private static Viewer.Subject read(Path file) {
-        SceneFile scene = new SceneFile(file);
-        SceneRunner runner = new SceneRunner(scene).threads(1);
-        runner.settings();
-        return new Viewer.Subject(scene, runner, Optional.of(file));
+    private static SceneRunner runner(Scene scene) {
+        return new SceneRunner(scene).threads(1);
     }
 
     private static List<JButton> buttons(Container container) {

@@ -1,106 +1,29 @@
 package org.dronewatch.app.option;
 
-import java.io.IOException;
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Modifier;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
-import java.util.Optional;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
-import org.dronewatch.scenes.PackagedScene;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.Spelling;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Which scene, and what to change in it: the part that several commands share. */
-public final class SceneChoice {
+public final class SceneChoice extends ChosenScene {
     @Parameters(
             index = "0",
             paramLabel = "SCENE",
             completionCandidates = PackagedNames.class,
-            description = "A packaged scene (see 'list'), a scene file in YAML, or a class that extends Scene.")
+            description = DESCRIPTION)
     private String name;
 
-    @Option(
-            names = "--set",
-            paramLabel = "PATH=VALUE",
-            description = "Overrides a setting by its path, with a unit or without: --set sensors.camera.fov='40 deg'.")
-    private List<String> overrides = new ArrayList<>();
-
-    @Spec(Spec.Target.MIXEE)
-    private CommandSpec command;
-
-    /** What a shell offers for the scene, beside files. */
-    static final class PackagedNames implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return PackagedScene.all().stream().map(PackagedScene::name).iterator();
-        }
-    }
-
-    /** A new scene. */
-    public Scene create() {
-        if (SceneFile.isFileName(name)) {
-            return new SceneFile(file());
-        }
-        return PackagedScene.find(name).map(scene -> scene.factory().get()).orElseGet(this::fromClass);
+    @Override
+    String name() {
+        return name;
     }
 
     /** A new scene by its name, as it is. */
     public static Scene named(String name) {
-        SceneChoice choice = new SceneChoice();
-        choice.name = name;
-        return choice.create();
-    }
-
-    /** The file that describes the scene; empty when it is packaged or a class. */
-    public Optional<Path> sceneFile() {
-        return SceneFile.isFileName(name) ? Optional.of(file()) : Optional.empty();
-    }
-
-    /** Whether a path is that of the file that describes the scene, by whatever name. */
-    public boolean isSceneFile(Path path) {
-        try {
-            Optional<Path> file = sceneFile();
-            return file.isPresent() && Files.isSameFile(file.get(), path);
-        } catch (IOException e) {
-            // One of them does not exist; reading or writing will report that if it matters.
-            return false;
-        }
-    }
-
-    private Path file() {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException e) {
-            throw new InputException("scene file '" + name + "' is not a path: " + e.getReason(), e);
-        }
-    }
-
-    /** A runner of a scene with the overrides. */
-    public SceneRunner runner(Scene scene) {
-        SceneRunner runner = new SceneRunner(scene).store(StoreSwitch.of(command));
-        for (String override : overrides) {
-            int equals = override.indexOf('=');
-            if (equals < 1) {
-                throw new InputException("--set " + PlainText.value(override) + ": must be PATH=VALUE");
-            }
-            runner.set(
-                    override.substring(0, equals).strip(),
-                    override.substring(equals + 1).strip());
-        }
-        return runner;
+        return create(name);
     }
 
     /**
@@ -116,44 +39,5 @@ public final class SceneChoice {
                     + (runs.size() == 1 ? "0, because no setting is swept" : "0 to " + (runs.size() - 1)));
         }
         return runs.get(run);
-    }
-
-    private Scene fromClass() {
-        Class<?> type;
-        try {
-            ClassLoader loader = Thread.currentThread().getContextClassLoader();
-            type = Class.forName(name, false, loader);
-        } catch (ClassNotFoundException e) {
-            throw unknown(e);
-        } catch (NoClassDefFoundError e) {
-            // On a file system that ignores case, a class is found by a name that differs from its own.
-            if (String.valueOf(e.getMessage()).contains("wrong name")) {
-                throw unknown(e);
-            }
-            throw e;
-        }
-        if (!Scene.class.isAssignableFrom(type) || Modifier.isAbstract(type.getModifiers())) {
-            throw new InputException("class " + name + " is not a scene: it must extend " + Scene.class.getName());
-        }
-        try {
-            return (Scene) type.getConstructor().newInstance();
-        } catch (InvocationTargetException e) {
-            if (e.getCause() instanceof Error error) {
-                throw error;
-            }
-            throw new InputException("scene " + name + " failed in its constructor: " + e.getCause(), e);
-        } catch (ReflectiveOperationException e) {
-            throw new InputException(
-                    "scene " + name + " needs a public class and a public constructor without arguments", e);
-        }
-    }
-
-    private InputException unknown(Throwable cause) {
-        List<String> known =
-                PackagedScene.all().stream().map(PackagedScene::name).toList();
-        return new InputException(
-                "unknown scene '" + PlainText.value(name) + "': neither packaged (" + String.join(", ", known)
-                        + "), nor a .yaml file, nor a class on the class path" + Spelling.didYouMean(name, known),
-                cause);
     }
 }

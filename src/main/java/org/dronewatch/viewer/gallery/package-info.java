@@ -1,0 +1,2 @@
+/** The packaged scenes as cards with pictures, from which the user chooses one. */
+package org.dronewatch.viewer.gallery;
