@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.jogamp.vecmath.Point2d;
 
 /** Drags the selected sensor through the site: what it stands on follows the pointer. For the event thread. */
-final class SensorGrip implements WorldPanel.Grip {
+final class SensorGrip implements WorldGrip {
     /** The place below a sensor is visible if what is drawn there is this near, m. */
     private static final double SAME = 2.0;
 

@@ -49,34 +49,8 @@ final class WorldPanel extends JPanel {
     private transient Consumer<String> selection = id -> {};
     private transient Consumer<String> hint = text -> {};
     private transient Consumer<Optional<Position>> pointed = place -> {};
-    private transient Grip grip = Grip.NONE;
+    private transient WorldGrip grip = WorldGrip.NONE;
     private transient UnaryOperator<SiteState> overlay = UnaryOperator.identity();
-
-    /** What is moved by the mouse in place of the view. */
-    interface Grip {
-        /** Moves nothing. */
-        Grip NONE = new Grip() {
-            @Override
-            public boolean isAt(int x, int y) {
-                return false;
-            }
-
-            @Override
-            public void take(int x, int y) {}
-
-            @Override
-            public void drag(int x, int y) {}
-        };
-
-        /** Whether there is something to be taken at a pixel of this panel. */
-        boolean isAt(int x, int y);
-
-        /** Takes it. */
-        void take(int x, int y);
-
-        /** Drags it to another pixel. */
-        void drag(int x, int y);
-    }
 
     /**
      * An empty view.
@@ -126,11 +100,11 @@ final class WorldPanel extends JPanel {
     }
 
     /** Takes what is moved by the mouse in place of the view. */
-    void setGrip(Grip other) {
+    void setGrip(WorldGrip other) {
         grip = other;
     }
 
-    Grip grip() {
+    WorldGrip grip() {
         return grip;
     }
 
