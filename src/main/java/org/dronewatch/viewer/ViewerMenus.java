@@ -1,5 +1,6 @@
 package org.dronewatch.viewer;
 
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
@@ -139,6 +140,17 @@ final class ViewerMenus {
                 ViewerActions.key(KeyEvent.VK_PAGE_DOWN),
                 () -> zoom(1.25)));
         menu.addSeparator();
+        menu.add(item(
+                "Measure",
+                "Measures between two points that you click on: distance, height, bearing and line of sight",
+                ViewerActions.key(KeyEvent.VK_M),
+                pane.measuring()::toggle));
+        menu.add(item(
+                "Measure from or to selection",
+                "Puts an end of the tape at the selected sensor or drone",
+                KeyStroke.getKeyStroke(KeyEvent.VK_M, InputEvent.SHIFT_DOWN_MASK),
+                () -> pane.measuring().put(pane.selected())));
+        menu.addSeparator();
         menu.add(toggle(
                 "Cameras in colour",
                 "Switches between colour pictures from the cameras and distances in shades of blue",
@@ -147,9 +159,13 @@ final class ViewerMenus {
                 shown -> pane.cameras().showColour(shown)));
         menu.add(item(
                 "All cameras",
-                "Shows all cameras side by side",
+                "Ends measuring; if nothing is being measured, shows all cameras side by side",
                 ViewerActions.key(KeyEvent.VK_ESCAPE),
-                () -> pane.cameras().enlarge((String) null)));
+                () -> {
+                    if (!pane.measuring().end()) {
+                        pane.cameras().enlarge((String) null);
+                    }
+                }));
         return menu;
     }
 

@@ -9,6 +9,7 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.render.RecordedRays;
 import org.dronewatch.render.canvas.Cut;
 import org.dronewatch.render.canvas.SiteLines;
@@ -49,6 +50,7 @@ final class ViewerPane extends JPanel {
     private final Notice notice = new Notice();
     private final StatusBar status = new StatusBar("Reading models and preparing ray tracing ...");
     private final RunTabs tabs;
+    private final transient Measuring measuring;
     private final JSplitPane across;
     private final JSplitPane down;
     private transient ViewedRun viewed;
@@ -75,6 +77,8 @@ final class ViewerPane extends JPanel {
         this.site = new SiteSection(threads, this::report);
         this.cameras = new CameraPanel(threads, status::write, this::select, this::report);
         this.tabs = new RunTabs(threads, playback, world(), stores, layout, this::select, this::report);
+        this.measuring = new Measuring(world(), this::placeOf, status::write, line -> log().write(line), this::report);
+        world().setTool(measuring);
         this.controls = new ControlBar(playback, actions, number -> {
             if (placing().mayLeave()) {
                 show(recording.runs().get(number));
@@ -86,8 +90,8 @@ final class ViewerPane extends JPanel {
         site.onFocus(() -> {
             if (selected == null) {
                 status.write("Click on a sensor or a drone first: Focus zooms in on the selection");
-            } else if (viewed != null) {
-                viewed.positionOf(selected, layout.settings(), playback.time()).ifPresent(site::focusOn);
+            } else {
+                placeOf(selected).ifPresent(site::focusOn);
             }
         });
         rayPanel().onTraced(traced -> {
@@ -102,6 +106,11 @@ final class ViewerPane extends JPanel {
         add(Divided.below(controls, notice), BorderLayout.NORTH);
         add(across, BorderLayout.CENTER);
         add(Divided.below(timeLine.scrolling(), status), BorderLayout.SOUTH);
+    }
+
+    /** Where the sensor or drone of a name is now, m. */
+    private Optional<Position> placeOf(String id) {
+        return viewed().flatMap(run -> run.positionOf(id, layout.settings(), playback.time()));
     }
 
     /** The views, for a menu. */
@@ -186,6 +195,7 @@ final class ViewerPane extends JPanel {
         cameras.show(next);
         tabs.show(next);
         site.show(next, cut);
+        measuring.show(next.stage());
         shownTime = Double.NaN;
         changed = true;
         sinceTables = TABLES;
@@ -248,6 +258,10 @@ final class ViewerPane extends JPanel {
         return cameras;
     }
 
+    Measuring measuring() {
+        return measuring;
+    }
+
     RayPanel rayPanel() {
         return tabs.rayPanel();
     }
@@ -296,7 +310,12 @@ final class ViewerPane extends JPanel {
 
     /** Whether everything that was requested is drawn. */
     boolean isIdle() {
-        return !changed && world().isIdle() && cameras.isIdle() && tabs.isIdle() && staging.isIdle();
+        return !changed
+                && world().isIdle()
+                && cameras.isIdle()
+                && tabs.isIdle()
+                && measuring.isIdle()
+                && staging.isIdle();
     }
 
     /** Ends all threads. */
@@ -305,5 +324,6 @@ final class ViewerPane extends JPanel {
         world().close();
         cameras.close();
         tabs.close();
+        measuring.close();
     }
 }

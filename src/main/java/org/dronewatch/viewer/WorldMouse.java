@@ -31,7 +31,7 @@ final class WorldMouse extends MouseAdapter {
         lastY = e.getY();
         panel.requestFocusInWindow();
         boolean isPlain = SwingUtilities.isLeftMouseButton(e) && !e.isShiftDown() && !e.isControlDown();
-        isGripping = isPlain && panel.grip().isAt(e.getX(), e.getY());
+        isGripping = isPlain && !panel.tool().isOn() && panel.grip().isAt(e.getX(), e.getY());
         if (isGripping) {
             panel.grip().take(e.getX(), e.getY());
         }
@@ -47,7 +47,7 @@ final class WorldMouse extends MouseAdapter {
         if (!SwingUtilities.isLeftMouseButton(e)) {
             return;
         }
-        if (e.getClickCount() == 2) {
+        if (e.getClickCount() == 2 && !panel.tool().isOn()) {
             panel.placeAt(e.getX(), e.getY())
                     .ifPresent(point -> panel.move(panel.orbit().at(point).zoomed(0.6)));
         } else {

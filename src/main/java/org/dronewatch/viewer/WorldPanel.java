@@ -3,6 +3,7 @@ package org.dronewatch.viewer;
 import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
@@ -50,6 +51,7 @@ final class WorldPanel extends JPanel {
     private transient Consumer<String> hint = text -> {};
     private transient Consumer<Optional<Position>> pointed = place -> {};
     private transient WorldGrip grip = WorldGrip.NONE;
+    private transient WorldTool tool = WorldTool.NONE;
     private transient UnaryOperator<SiteState> overlay = UnaryOperator.identity();
 
     /**
@@ -102,6 +104,15 @@ final class WorldPanel extends JPanel {
     /** Takes what is moved by the mouse in place of the view. */
     void setGrip(WorldGrip other) {
         grip = other;
+    }
+
+    /** Takes what receives clicks while it is on. */
+    void setTool(WorldTool other) {
+        tool = other;
+    }
+
+    WorldTool tool() {
+        return tool;
     }
 
     WorldGrip grip() {
@@ -188,9 +199,27 @@ final class WorldPanel extends JPanel {
         if (state == null || orbit == null) {
             return;
         }
-        SymbolPick pick = SymbolPick.of(state, place -> distance(place, x, y), NEAR * Scaled.factor());
+        if (tool.isOn()) {
+            tool.click(x, y);
+            return;
+        }
+        SymbolPick pick = pick(x, y);
         selection.accept(pick.chosen().orElse(null));
         pick.hint().ifPresent(hint);
+    }
+
+    private SymbolPick pick(int x, int y) {
+        return SymbolPick.of(state, place -> distance(place, x, y), NEAR * Scaled.factor());
+    }
+
+    /** The sensor or drone whose symbol is at a pixel of this panel. */
+    Optional<String> symbolAt(int x, int y) {
+        return state == null ? Optional.empty() : pick(x, y).chosen();
+    }
+
+    /** The place from which the site is seen, m; there must be a site. */
+    Position eye() {
+        return orbit.camera(getWidth(), getHeight()).position();
     }
 
     private double distance(Position place, int x, int y) {
@@ -221,7 +250,8 @@ final class WorldPanel extends JPanel {
         Optional<Position> place = placeAt(x, y);
         setCursor(Cursor.getPredefinedCursor(grip.isAt(x, y) ? Cursor.MOVE_CURSOR : Cursor.CROSSHAIR_CURSOR));
         pointed.accept(place);
-        hint.accept(place.map(point -> site == null ? Texts.place(point) : Texts.place(point, site))
+        hint.accept(tool.hint(x, y)
+                .or(() -> place.map(point -> site == null ? Texts.place(point) : Texts.place(point, site)))
                 .orElse("sky"));
     }
 
@@ -242,6 +272,9 @@ final class WorldPanel extends JPanel {
             g.fillRect(0, 0, getWidth(), getHeight());
         } else {
             g.drawImage(image, 0, 0, getWidth(), getHeight(), null);
+            Graphics2D over = (Graphics2D) g.create();
+            tool.paint(over);
+            over.dispose();
         }
     }
 

@@ -109,6 +109,16 @@ final class DocPictures {
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0),
             new DocPicture(
+                    "viewer-tape",
+                    directory -> PaintedWindow.measuring(
+                            new SceneRunner(scene("multi-sensor")).set("run.duration", "0.2 s"),
+                            "multi-sensor",
+                            "north-east-2",
+                            List.of(0.69, 0.2),
+                            WIDTH,
+                            HEIGHT),
+                    false),
+            new DocPicture(
                     "viewer-coverage",
                     directory -> PaintedWindow.coverage(
                             scene("multi-sensor"),

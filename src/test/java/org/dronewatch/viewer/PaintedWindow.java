@@ -78,6 +78,21 @@ public final class PaintedWindow {
         return at(0.0, runner.set("run.duration", "0.2 s"), title, width, height, List.of(compute, move));
     }
 
+    /**
+     * Measures from a sensor to a point of the site, in a scene that runs for a moment only, and paints the window with
+     * the tape.
+     *
+     * @param to the point, as fractions of the width and height of the view
+     */
+    public static BufferedImage measuring(
+            SceneRunner runner, String title, String sensor, List<Double> to, int width, int height) throws Exception {
+        Step from = pane -> pane.measuring().put(Optional.of(sensor));
+        Step click =
+                pane -> pane.measuring().click((int) (to.get(0) * pane.world().getWidth()), (int)
+                        (to.get(1) * pane.world().getHeight()));
+        return at(0.0, runner, title, width, height, List.of(from, click));
+    }
+
     /** The packaged scenes to choose from; in the light look, whatever was set before. */
     public static BufferedImage gallery() throws Exception {
         Object before = UIManager.getLookAndFeel();

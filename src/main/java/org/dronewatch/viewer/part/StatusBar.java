@@ -24,9 +24,10 @@ public final class StatusBar extends JPanel {
         write(reading);
     }
 
-    /** Replaces the text. */
+    /** Replaces the text; where there is no room for all of it, the rest is in its tooltip. */
     public void write(String line) {
         text.setText(line);
+        text.setToolTipText(line);
     }
 
     /**

@@ -15,7 +15,16 @@ public final class Texts {
     /** A position, m. */
     public static String place(Position position) {
         return String.format(
-                Locale.ROOT, "east %.1f m, north %.1f m, up %.1f m", position.x(), position.y(), position.z());
+                Locale.ROOT,
+                "east %.1f m, north %.1f m, up %.1f m",
+                tenths(position.x()),
+                tenths(position.y()),
+                tenths(position.z()));
+    }
+
+    /** A length to be written with one decimal, m: nothing is written as -0.0. */
+    private static double tenths(double metres) {
+        return Math.rint(10.0 * metres) / 10.0 + 0.0;
     }
 
     /** A position, m, and where it is on earth if the site has an origin there. */

@@ -16,6 +16,11 @@ import org.junit.jupiter.api.Test;
 
 class TextsTest {
     @Test
+    void nothingIsWrittenAsMinusZero() {
+        assertThat(Texts.place(new Position(-0.04, -0.0, -0.06))).isEqualTo("east 0.0 m, north 0.0 m, up -0.1 m");
+    }
+
+    @Test
     void anObserverWhoCouldFindTheDroneNeedsMoreTime() {
         assertThat(new PairReading(1.0, 0.9, Double.POSITIVE_INFINITY, "", 50).text())
                 .isEqualTo("0.90 (needs more search time)");

@@ -11,7 +11,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.dronewatch.analysis.survey.Blocker;
 import org.dronewatch.analysis.survey.GapEvidence;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
@@ -86,7 +85,7 @@ final class MissWords {
     static String blockers(List<GapEvidence.Examined> examined, Cause cause) {
         Map<String, Integer> names = new LinkedHashMap<>();
         examined.stream().filter(one -> one.assessment().cause() == cause).forEach(one -> one.blocker()
-                .ifPresent(blocker -> names.merge(name(blocker), 1, Integer::sum)));
+                .ifPresent(blocker -> names.merge(BlockerWords.name(blocker), 1, Integer::sum)));
         List<Map.Entry<String, Integer>> sorted = new ArrayList<>(names.entrySet());
         sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
         String first = sorted.stream()
@@ -95,14 +94,6 @@ final class MissWords {
                 .filter(name -> !name.isEmpty())
                 .collect(Collectors.joining(", "));
         return first + (sorted.size() > MOST_NAMES ? " and others" : "");
-    }
-
-    /** The name of a building on its map, or the file of the model. */
-    private static String name(Blocker blocker) {
-        String file = blocker.obstacle().model().file();
-        return blocker.building()
-                .map(building -> building.name().map(name -> "'" + name + "'").orElse(building.id()))
-                .orElse(file);
     }
 
     private String weak() {

@@ -1,0 +1,38 @@
+package org.dronewatch.viewer;
+
+import java.awt.Graphics2D;
+import java.util.Optional;
+
+/** What receives clicks in place of the selection while it is on, and paints over the site. */
+interface WorldTool {
+    /** Is never on. */
+    WorldTool NONE = new WorldTool() {
+        @Override
+        public boolean isOn() {
+            return false;
+        }
+
+        @Override
+        public void click(int x, int y) {}
+
+        @Override
+        public Optional<String> hint(int x, int y) {
+            return Optional.empty();
+        }
+
+        @Override
+        public void paint(Graphics2D g) {}
+    };
+
+    /** Whether it is in use. */
+    boolean isOn();
+
+    /** Receives a click on a pixel of the view. */
+    void click(int x, int y);
+
+    /** A text while the pointer is at a pixel; empty for the usual one. */
+    Optional<String> hint(int x, int y);
+
+    /** Paints over the site. */
+    void paint(Graphics2D g);
+}

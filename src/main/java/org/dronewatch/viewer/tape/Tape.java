@@ -1,0 +1,81 @@
+package org.dronewatch.viewer.tape;
+
+import org.dronewatch.geometry.Position;
+
+/**
+ * A straight line between two points of the site.
+ *
+ * @param from its beginning
+ * @param to its end
+ */
+public record Tape(End from, End to) {
+    private static final double WHOLE_TURN = 360.0;
+
+    /**
+     * An end of a tape.
+     *
+     * @param name of the sensor or drone there; for another point, {@link #POINT}
+     * @param place from which distances are measured, m
+     * @param eye from which the line of sight is traced, m: off the surface on which the place lies
+     */
+    public record End(String name, Position place, Position eye) {
+        /** The name of an end that is no sensor or drone. */
+        public static final String POINT = "a point";
+
+        /** How far the eye of a point on a surface is in front of it, m: negligible when measuring. */
+        private static final double IN_FRONT = 0.01;
+
+        /** The same as a fraction of the distance from which the point was seen: depths are single-precision. */
+        private static final double ROUNDED = 1e-6;
+
+        /** A sensor or drone, whose name is put between quotation marks. */
+        public static End of(String id, Position place) {
+            return new End("'" + id + "'", place, place);
+        }
+
+        /**
+         * A point on a surface.
+         *
+         * @param place on the surface, m
+         * @param viewpoint from which it is seen, m: the side of the surface that counts
+         */
+        public static End onSurface(Position place, Position viewpoint) {
+            Position back = viewpoint.minus(place);
+            double along = Math.min(1.0, IN_FRONT / back.length() + ROUNDED);
+            return new End(POINT, place, place.plus(back.times(along)));
+        }
+    }
+
+    private Position along() {
+        return to.place().minus(from.place());
+    }
+
+    /** Length of the line, m. */
+    public double distance() {
+        return along().length();
+    }
+
+    /** Length of the line in plan view, m. */
+    public double horizontal() {
+        return Math.hypot(along().x(), along().y());
+    }
+
+    /** How much higher the end is than the beginning, m. */
+    public double height() {
+        return along().z();
+    }
+
+    /** Direction of the end in plan view, clockwise from north, degrees from 0 to 360; NaN for a vertical line. */
+    public double bearingDeg() {
+        if (horizontal() == 0.0) {
+            return Double.NaN;
+        }
+        double bearing = Math.toDegrees(StrictMath.atan2(along().x(), along().y()));
+        return bearing < 0.0 ? bearing + WHOLE_TURN : bearing;
+    }
+
+    /** Angle of the end above the horizon, degrees from -90 to 90. */
+    public double elevationDeg() {
+        return Math.toDegrees(StrictMath.atan2(height(), horizontal()));
+    }
+}
