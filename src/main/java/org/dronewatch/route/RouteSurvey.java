@@ -21,6 +21,14 @@ import org.dronewatch.route.search.RouteMode;
  */
 public record RouteSurvey(
         List<SectorRoute> routes, List<RouteMode> modes, Position target, double response, boolean isComplete) {
+    /** What is below this is printed as less than this, percent. */
+    private static final double LEAST_PERCENT = 0.1;
+
+    /** What is below this is printed in tenths, percent. */
+    private static final double FINE_PERCENT = 10.0;
+
+    private static final double TENTHS = 10.0;
+
     /** Copies the lists. */
     public RouteSurvey {
         routes = List.copyOf(routes);
@@ -65,14 +73,28 @@ public record RouteSurvey(
     /**
      * The weakest of all routes: the one with the least probability of a timely detection; in a tie, the one with the
      * least probability of any detection along the whole route, then the least exposure that counts in the search, then
-     * the shortest time. Routes that end where they begin do not count; empty if there are no others.
+     * the shortest time, then the first sector clockwise from the north. Probabilities tie if they are equal as tables
+     * print them: to a tenth of a percentage point below 10 %, and to a whole one from there on; anything below 0.1 %
+     * ties with 0. Otherwise a route on which the drone is surely detected, if only slightly too late, might count as
+     * weaker than one on which it is hardly ever detected at all. Routes that end where they begin do not count; empty
+     * if there are no others.
      */
     public Optional<SectorRoute> weakest() {
         return routes.stream()
                 .filter(one -> one.route().seconds() > 0.0)
-                .min(Comparator.comparingDouble((SectorRoute one) -> one.inTime(response))
-                        .thenComparingDouble(SectorRoute::detection)
+                .min(Comparator.comparingDouble((SectorRoute one) -> printed(one.inTime(response)))
+                        .thenComparingDouble(one -> printed(one.detection()))
                         .thenComparingDouble(one -> one.route().exposure())
-                        .thenComparingDouble(one -> one.route().seconds()));
+                        .thenComparingDouble(one -> one.route().seconds())
+                        .thenComparingInt(SectorRoute::sector));
+    }
+
+    /** A probability as precisely as tables print it, percent. */
+    private static double printed(double probability) {
+        double percent = 100.0 * probability;
+        if (percent < LEAST_PERCENT) {
+            return 0.0;
+        }
+        return percent < FINE_PERCENT ? Math.rint(TENTHS * percent) / TENTHS : Math.rint(percent);
     }
 }

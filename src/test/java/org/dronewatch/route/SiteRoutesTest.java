@@ -95,6 +95,35 @@ class SiteRoutesTest {
         }
     }
 
+    /**
+     * On all other routes, the radar surely detects the drone, but too late; on that from the south-west, it hardly
+     * ever detects it, but if so, in time.
+     */
+    @Test
+    void aRouteOnWhichTheDroneIsSurelyDetectedTooLateIsNotTheWeakest() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
+        RouteSurvey flown = searched.with(
+                searched.routes().stream()
+                        .map(route -> route.with(
+                                route.sector() == 5
+                                        ? seen(0.5, 4e-4)
+                                        : seen(route.route().seconds() - 1.0, 10.0)))
+                        .toList(),
+                true);
+
+        assertThat(flown.weakest().orElseThrow().sector()).isEqualTo(5);
+        for (SectorRoute route : flown.routes()) {
+            assertThat(route.inTime(5.0) > 0.0).isEqualTo(route.sector() == 5);
+        }
+    }
+
+    /** By one look. */
+    private static FlownExposure seen(double time, double exposure) {
+        return new FlownExposure(
+                List.of(List.of(new FlownExposure.Step(0.0, time, exposure))), Map.of("round", exposure));
+    }
+
     /** It ends at the zone, stays between the heights of the field, and takes no less time than a drone needs. */
     private void assertFlyable(WeakestRoute route) {
         List<Position> points = route.path().points();

@@ -3,6 +3,7 @@ package org.dronewatch.report.route;
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -62,25 +63,50 @@ final class RouteNotes {
         List<SectorRoute> routes = survey.routes().stream()
                 .filter(route -> route.isMisjudged(survey.response()))
                 .toList();
-        String scan = routes.stream().anyMatch(route -> route.isMisjudgedForScans(survey.response()))
-                ? slowestOf(routes)
-                        .map(sensor -> ", because the search assumes that '" + PlainText.value(sensor)
-                                + "' may look at any moment, whereas it looks only every " + period(Set.of(sensor)))
-                        .orElse("")
-                : "";
+        List<SectorRoute> scanned = routes.stream()
+                .filter(route -> route.isMisjudgedForScans(survey.response()))
+                .toList();
+        String scan = disagreeing(scanned)
+                .map(sensor -> ", because the search assumes that '" + PlainText.value(sensor)
+                        + "' may look at any moment, whereas it looks only every " + period(Set.of(sensor)))
+                .orElse("");
         boolean isCells = routes.stream().anyMatch(route -> route.isMisjudgedForCells(survey.response()));
-        boolean isFiner = isCells && 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;
+        boolean isFiner = 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;
         return scan
-                + (isFiner ? "; try --cell " + Numbers.text(0.5 * inputs.grid().cell()) + "m" : "");
+                + (isCells
+                        ? isFiner
+                                ? "; try --cell "
+                                        + Numbers.text(0.5 * inputs.grid().cell()) + "m"
+                                : "; try a smaller --side with smaller cells"
+                        : "");
     }
 
-    /** The slowest of the sensors to which the drone is exposed on some routes. */
-    private Optional<String> slowestOf(List<SectorRoute> routes) {
-        Map<String, SensorSettings<?>> exposing =
-                new LinkedHashMap<>(inputs.settings().enabledSensors());
-        exposing.keySet().removeIf(sensor -> routes.stream()
-                .noneMatch(route -> route.sensors().getOrDefault(sensor, 0.0) > 0.0));
-        return RouteBegins.slowest(exposing);
+    /**
+     * The slow sensor whose looks disagree most with the search: summed over these routes, by how much the probability
+     * that it detects the drone differs; to a whole percentage point, because where it differs only by when it detects
+     * the drone, the sensor to which the drone is most exposed decides.
+     */
+    private Optional<String> disagreeing(List<SectorRoute> routes) {
+        Map<String, SensorSettings<?>> sensors = inputs.settings().enabledSensors();
+        return sensors.keySet().stream()
+                .filter(sensor ->
+                        RouteBegins.slowest(Map.of(sensor, sensors.get(sensor))).isPresent())
+                .filter(sensor -> exposure(sensor, routes) > 0.0)
+                .max(Comparator.comparingDouble((String sensor) -> Math.rint(100.0 * disagreement(sensor, routes)))
+                        .thenComparingDouble(sensor -> exposure(sensor, routes)));
+    }
+
+    private static double disagreement(String sensor, List<SectorRoute> routes) {
+        return routes.stream()
+                .mapToDouble(route -> Math.abs(Math.exp(-route.sensors().getOrDefault(sensor, 0.0))
+                        - Math.exp(-route.bySensor().getOrDefault(sensor, 0.0))))
+                .sum();
+    }
+
+    private static double exposure(String sensor, List<SectorRoute> routes) {
+        return routes.stream()
+                .mapToDouble(route -> route.sensors().getOrDefault(sensor, 0.0))
+                .sum();
     }
 
     /** States over which moments the figures of the flights are means; empty if all sensors look often. */

@@ -34,7 +34,7 @@ public final class RouteTable {
                 + (isRequired
                         ? "; exposure counts while " + Numbers.text(survey.response()) + " s are left for the response:"
                         : ":"));
-        lines.add(text(ROW, "from", "flight", "exposure", "lower bound", "search", "detected", "time left")
+        lines.add(text(ROW, "from", "flight", "counted exposure", "lower bound", "search", "detected", "time left")
                 + (mayGlide ? text(GLIDE, "motors off") : "")
                 + (isRequired ? text(IN_TIME, "in time", "response") : "")
                 + (results.timely().isEmpty() ? "" : text(ALERT, "alert in time"))

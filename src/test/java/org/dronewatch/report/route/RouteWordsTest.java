@@ -51,6 +51,8 @@ class RouteWordsTest {
                 """
                   slow: {kind: radar, position: [0, 0, 4], rate: 0.2, minRange: 1, maxRange: 100, elevationWidth: 90 deg,
                     budget: {range: 500, crossSection: 0.01}, minSpeed: 0 m/s}
+                  slower: {kind: radar, position: [0, 0, 4], rate: 0.05, minRange: 1, maxRange: 100,
+                    elevationWidth: 90 deg, budget: {range: 500, crossSection: 0.01}, minSpeed: 0 m/s}
                 """);
         SceneSettings settings = SettingsForm.with(
                 site.settings(), "alert", site.settings().alert().withProtectedZone(ProtectedZone.at(END), 15.0));
@@ -157,6 +159,38 @@ class RouteWordsTest {
                 .contains("'slow' may look at any moment", "every 5 s")
                 .doesNotContain("--cell");
         assertThat(warning(cells)).contains("try --cell 10m").doesNotContain("slow");
+    }
+
+    /** A slower one hardly ever detects the drone, so that it makes no difference when it looks. */
+    @Test
+    void namesTheSensorWhoseLooksDisagreeWithTheSearch() {
+        Map<String, Double> looks = new LinkedHashMap<>();
+        looks.put("slow", 0.7);
+        looks.put("slower", 1e-6);
+        SectorRoute route = route(looks, 10.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
+
+        assertThat(warning(route)).contains("'slow' may look at any moment, whereas it looks only every 5 s");
+    }
+
+    /** The search takes the drone for surely detected by one of two slow sensors, whose looks all miss it. */
+    @Test
+    void namesASensorThatMissesWhatTheSearchExpects() {
+        Map<String, Double> looks = new LinkedHashMap<>();
+        looks.put("slow", 0.7);
+        looks.put("slower", 1e-3);
+        Map<String, Double> searched = Map.of("slow", 0.7, "slower", 9.0);
+        SectorRoute flown = route(looks, 10.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
+        SectorRoute route = new SectorRoute(0, flown.route(), flown.searched(), searched, Map.of(), flown.flown());
+
+        assertThat(warning(route)).contains("'slower' may look at any moment, whereas it looks only every 20 s");
+    }
+
+    @Test
+    void theTableTellsTheExposureThatCountsFromThatOfTheWholeRoute() {
+        SectorRoute route = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
+
+        assertThat(RouteTable.lines(results(route, Map.of()), inputs).get(1))
+                .contains("  counted exposure  lower bound  ");
     }
 
     private String warning(SectorRoute route) {
