@@ -61,13 +61,13 @@ final class CampaignCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "FILE.yaml", description = "Campaign file: what is run, and what varies.")
     private String file;
 
-    @Option(names = "--runs", paramLabel = "N", description = "Number of cases, in place of that in the file.")
+    @Option(names = "--runs", paramLabel = "N", description = "Number of cases, in place of the one in the file.")
     private Integer runs;
 
     @Option(
             names = "--seed",
             paramLabel = "N",
-            description = "Seed of all random numbers, in place of that in the" + " file.")
+            description = "Seed of all random numbers, in place of the one in the file.")
     private Long seed;
 
     @Option(

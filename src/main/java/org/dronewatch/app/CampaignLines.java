@@ -55,7 +55,8 @@ final class CampaignLines {
                         share(one.proportion(Outcome.DETECTED)),
                         share(one.proportion(Outcome.ALERTED)),
                         share(one.proportion(Outcome.IN_TIME))));
-        out.printf("%nvalue that at least 95 %%, 50 %% and 5 %% of the cases reach (- if too few have one):%n");
+        out.printf(
+                "%nvalue reached or exceeded in 95 %%, 50 %% and 5 %% of the cases (- where too few have a value):%n");
         out.printf("%-" + width + "s %31s %31s%n", "variant", "range of first detection [m]", "warning [s]");
         summary.variants()
                 .forEach((name, one) -> out.printf(

@@ -70,7 +70,7 @@ final class ComparedScenes {
      * The campaign.
      *
      * @param store where prepared sites are kept
-     * @throws InputException in one line when anything is wrong
+     * @throws InputException with a one-line message when anything is wrong
      */
     CampaignSettings settings(StorePlace store) {
         if (second == null && changes.isEmpty()) {

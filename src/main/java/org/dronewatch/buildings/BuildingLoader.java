@@ -70,8 +70,8 @@ public final class BuildingLoader {
      * @param settings with a file
      * @param origin origin of the world frame
      * @param terrain the ground on which they stand; if empty, the level of the origin
-     * @throws InputException in one line when the file is missing, damaged or in no known format, or has no building
-     *     near the origin
+     * @throws InputException with a one-line message when the file is missing, damaged or in no known format, or has no
+     *     building near the origin
      */
     public LoadedBuildings load(BuildingSettings settings, Origin origin, Optional<TerrainGround> terrain) {
         String file = settings.file().orElseThrow(() -> new InputException("needs a 'file', a map with buildings"));

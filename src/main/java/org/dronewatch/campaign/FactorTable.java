@@ -62,7 +62,7 @@ final class FactorTable {
      *
      * @param directory of the campaign file
      * @param given its name, relative to that directory
-     * @throws InputException in one line when it is elsewhere, cannot be read, or is not such a table
+     * @throws InputException with a one-line message when it is elsewhere, cannot be read, or is not such a table
      */
     static FactorTable read(Path directory, String given) {
         Path file = directory.resolve(given).normalize();

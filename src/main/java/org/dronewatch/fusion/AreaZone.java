@@ -28,7 +28,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     /**
      * The area on the ground of a world.
      *
-     * @throws InputException in one line when there is no ground below it
+     * @throws InputException with a one-line message when there is no ground below it
      */
     static AreaZone of(String name, ProtectedArea area, World world) {
         AreaZone flat = new AreaZone(name, area, 0.0, 0.0);

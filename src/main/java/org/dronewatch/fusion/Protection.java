@@ -25,7 +25,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
     /**
      * The protected zones that settings describe, placed in a world.
      *
-     * @throws org.dronewatch.setting.InputException in one line when there is no ground below an area
+     * @throws org.dronewatch.setting.InputException with a one-line message when there is no ground below an area
      */
     public static Protection of(AlertSettings alert, World world) {
         List<AreaZone> areas = new ArrayList<>();

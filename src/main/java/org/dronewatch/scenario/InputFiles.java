@@ -48,7 +48,7 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
     /**
      * The name and the hash of a file.
      *
-     * @throws InputException in one line when it cannot be read
+     * @throws InputException with a one-line message when it cannot be read
      */
     public static FileHash hash(Path file) {
         try (InputStream bytes = Files.newInputStream(file)) {

@@ -82,7 +82,7 @@ public final class PlaceForms {
      * @param option its name in messages
      * @param directory directory against which relative file names are resolved
      * @param maps gives the features of a map
-     * @throws InputException in one line when it is not a place, or has no position
+     * @throws InputException with a one-line message when it is not a place, or has no position
      */
     public static Position parse(
             String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {
@@ -111,7 +111,7 @@ public final class PlaceForms {
      * An area given on the command line as in a scene file, in plan view: {@code {centre: [0, 900], radius: 50 m}} or
      * {@code {area: [...]}}. Arguments as for {@link #parse}.
      *
-     * @throws InputException in one line when it is not an area, or has no position
+     * @throws InputException with a one-line message when it is not an area, or has no position
      */
     public static ProtectedArea area(
             String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {

@@ -39,7 +39,7 @@ import org.dronewatch.world.World;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend only on the scene,
- * its settings and the seed, not on threads or pace. For one completed run by one thread.
+ * its settings and the seed, not on threads or pace. A runner completes one run only, and is used by one thread.
  */
 public final class SceneRunner {
     private static final double NANO = 1e-9;
@@ -315,7 +315,7 @@ public final class SceneRunner {
      * @param option its name in messages
      * @param text as in a scene file, or latitude and longitude in degrees, separated by a comma
      * @param settings one of {@link #settingsOfRuns()}
-     * @throws InputException in one line when it is not a place, or has no position
+     * @throws InputException with a one-line message when it is not a place, or has no position
      */
     public Position place(String option, String text, SceneSettings settings) {
         Places places = new Places(settings.world(), () -> world(settings).newGround());
@@ -326,7 +326,7 @@ public final class SceneRunner {
      * An area in plan view on the site of one of the scene's runs, as in a scene file. Arguments as for
      * {@link #place}.
      *
-     * @throws InputException in one line when it is not an area, or has no position
+     * @throws InputException with a one-line message when it is not an area, or has no position
      */
     public ProtectedArea area(String option, String text, SceneSettings settings) {
         Places places = new Places(settings.world(), () -> world(settings).newGround());

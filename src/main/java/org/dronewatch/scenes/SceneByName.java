@@ -18,7 +18,7 @@ public final class SceneByName {
      *
      * @param directory of the naming file
      * @param file what the naming file is, for messages, such as {@code campaign file}
-     * @throws InputException in one line when there is none, or it is elsewhere
+     * @throws InputException with a one-line message when there is none, or it is elsewhere
      */
     public static Scene of(Path directory, String name, String file) {
         if (SceneFile.isFileName(name)) {

@@ -43,8 +43,8 @@ public final class TerrainLoader {
      *
      * @param settings with at least one file
      * @param origin origin of the world frame; if its height is not known, z is the height that the files state
-     * @throws InputException in one line when a file is missing, damaged or in no known format, has no posts near the
-     *     origin or too many, or does not match the others
+     * @throws InputException with a one-line message when a file is missing, damaged or in no known format, has no
+     *     posts near the origin or too many, or does not match the others
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public LoadedTerrain load(TerrainSettings settings, Origin origin) {

@@ -28,7 +28,7 @@ import org.dronewatch.viewer.run.RecordedRun;
 
 /**
  * A run from its start to its end: a row for each sensor, with its name on the left, a bar while it detects a drone, a
- * triangle where it gains one and a stroke where it loses it; the part not simulated yet is paler. A click jumps to a
+ * triangle where it gains one and a tick where it loses it; the part not simulated yet is paler. A click jumps to a
  * time. Rows keep a legible height: where there are too many, they scroll.
  */
 final class TimeLine extends JPanel implements Scrollable {

@@ -44,7 +44,7 @@ final class ClusterJob implements AutoCloseable {
      * Runs chunks, each as a task; returns when all are done.
      *
      * @param target receives the results of each chunk as they arrive, on other threads, one at a time
-     * @throws InputException in one line when the cluster, or a file on an executor, does not allow it
+     * @throws InputException with a one-line message when the cluster, or a file on an executor, does not allow it
      * @throws CancellationException when the thread is interrupted, or the process is to end
      */
     void run(List<Integer> chunks, BiConsumer<Integer, List<CaseResult>> target) {

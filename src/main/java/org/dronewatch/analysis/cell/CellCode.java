@@ -49,7 +49,7 @@ public final class CellCode {
                 && MarginCode.isPossible(code >> MARGIN_SHIFT);
     }
 
-    /** The least number of steps of a probability with which a sensor covers a cell. */
+    /** The lowest threshold at which a sensor covers a cell, in steps of a probability. */
     public static int stepsToCover(double covered) {
         return (int) Math.ceil(covered * STEPS - 1e-9);
     }

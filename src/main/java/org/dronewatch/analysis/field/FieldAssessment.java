@@ -67,8 +67,8 @@ public final class FieldAssessment {
     }
 
     /**
-     * The same in the cells of a field that was assessed before, possibly for other sensors: it is not determined again
-     * which cells are inside something solid.
+     * The same in the cells of a field that was assessed before, possibly for other sensors: which cells are inside
+     * something solid is not determined again.
      *
      * @param like a field of the same site and grid
      * @throws IllegalArgumentException when the grid differs

@@ -140,7 +140,7 @@ public final class FieldOptions {
         }
     }
 
-    /** The probability with which a sensor covers a cell. */
+    /** The least probability of detection at which a sensor covers a cell. */
     public double covered() {
         double asked = covered == null ? FieldCoverage.DEFAULT_COVERED : covered;
         try {

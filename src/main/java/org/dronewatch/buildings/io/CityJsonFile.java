@@ -37,7 +37,7 @@ final class CityJsonFile {
      *
      * @param file its name, for messages
      * @param hash of the file
-     * @throws InputException in one line when something in it is wrong
+     * @throws InputException with a one-line message when something in it is wrong
      */
     static MapFeatures read(String file, JsonNode root, FileHash hash) {
         String version = root.path("version").asString("");

@@ -49,7 +49,7 @@ final class GeoJsonFile {
      * @param file its name, for messages
      * @param withLand whether what covers the ground is asked for
      * @param hash of the file
-     * @throws InputException in one line when it is not GeoJSON
+     * @throws InputException with a one-line message when it is not GeoJSON
      */
     static MapFeatures read(String file, JsonNode root, boolean withLand, FileHash hash) {
         GeoJsonFile reader = new GeoJsonFile(file, withLand);

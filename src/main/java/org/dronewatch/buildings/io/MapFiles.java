@@ -70,7 +70,7 @@ public final class MapFiles {
      *
      * @param name name of the file
      * @param area features elsewhere may be left out
-     * @throws InputException in one line when the file is missing, damaged or in no known format
+     * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area) {
         return read(name, area, false);
@@ -83,7 +83,7 @@ public final class MapFiles {
      * @param area features elsewhere may be left out
      * @param withLand whether to read what covers the ground as well; in GeoJSON, areas of land cover are then not
      *     taken for buildings
-     * @throws InputException in one line when the file is missing, damaged or in no known format
+     * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area, boolean withLand) {
         Source source = source(name);
@@ -141,7 +141,7 @@ public final class MapFiles {
      * Whether the scene has to state the coordinate system of a map, since neither its format nor the file does.
      *
      * @param name of the file
-     * @throws InputException in one line when the file is missing, damaged or in no known format
+     * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public boolean needsCrs(String name) {
         try {

@@ -52,8 +52,8 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
      *
      * @param file name of the map, for messages
      * @param given by the scene
-     * @throws InputException in one line when it is neither given nor stated, is not known, or does not fit the
-     *     coordinates
+     * @throws InputException with a one-line message when it is neither given nor stated, is not known, or does not fit
+     *     the coordinates
      */
     public CoordinateReferenceSystem crs(String file, Optional<CoordinateReferenceSystem> given) {
         if (rule == Rule.ALWAYS_DEGREES) {

@@ -46,7 +46,7 @@ final class OsmLand {
      *
      * @param file its name, for messages
      * @param nodes those in the area; receives more
-     * @throws InputException in one line when it is damaged, or there is too much
+     * @throws InputException with a one-line message when it is damaged, or there is too much
      */
     static MapLand read(String file, OsmNodes nodes, Pass pass) throws IOException {
         OsmLand land = new OsmLand(file, nodes);

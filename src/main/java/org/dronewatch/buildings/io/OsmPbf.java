@@ -33,7 +33,7 @@ final class OsmPbf {
      * Reads a file to its end.
      *
      * @param file its name, for messages
-     * @throws InputException in one line when it is damaged or uses what is not known
+     * @throws InputException with a one-line message when it is damaged or uses what is not known
      * @throws IOException when it ends too early or is damaged
      */
     static void read(String file, InputStream in, OsmElements target) throws IOException {

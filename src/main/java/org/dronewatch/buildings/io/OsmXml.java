@@ -43,7 +43,7 @@ final class OsmXml {
      * Reads a file to its end.
      *
      * @param file its name, for messages
-     * @throws InputException in one line when it is not OpenStreetMap XML
+     * @throws InputException with a one-line message when it is not OpenStreetMap XML
      * @throws IOException when it cannot be read
      */
     static void read(String file, InputStream in, OsmElements target) throws IOException {

@@ -81,7 +81,7 @@ public record AirSettings(
      * The path of the file of conditions; empty without one.
      *
      * @param directory of the placement file
-     * @throws InputException in one line when it lies elsewhere
+     * @throws InputException with a one-line message when it lies elsewhere
      */
     Optional<Path> conditionsFile(Path directory) {
         return conditions.map(name -> {

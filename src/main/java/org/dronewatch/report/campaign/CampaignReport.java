@@ -19,7 +19,7 @@ import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.setting.Counted;
 
-/** A campaign for those who decide: which variant is better, how certain that is, from where, and the worst cases. */
+/** A campaign for decision-makers: which variant is better, how certain that is, from where, and the worst cases. */
 final class CampaignReport {
     static final String NAME = "report.html";
 

@@ -33,7 +33,7 @@ import org.dronewatch.report.html.SensorTables;
 import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
-/** The coverage of a site for those who decide: the verdict, the worst places with their causes, maps, and warnings. */
+/** The coverage of a site for decision-makers: the verdict, the worst places with their causes, maps, and warnings. */
 final class CoverageReport {
     private final CoverageInputs inputs;
     private final CoverageSite site;

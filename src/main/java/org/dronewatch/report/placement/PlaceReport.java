@@ -23,7 +23,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.Counted;
 
-/** The best layout for those who decide: what to buy, what more money buys, and what changes on the site. */
+/** The best layout for decision-makers: what to buy, what more money buys, and what changes on the site. */
 final class PlaceReport {
     private static final String FRONT = "front.png";
 

@@ -7,7 +7,7 @@ import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.setting.Counted;
 
-/** The best layout in a few sentences, for those who decide. */
+/** The best layout in a few sentences, for decision-makers. */
 final class PlaceWords {
     /** A cheaper layout that is worth this fraction of the best is worth a sentence. */
     private static final double NEARLY = 0.98;

@@ -60,10 +60,10 @@ final class RouteProfilePicture {
                 .setYAxisMax(0, highest + 0.1 * (highest - lowest) + 1.0);
         if (inputs.response() > 0.0) {
             double critical = at(points, Math.max(0.0, route.critical(inputs.response())));
-            XYSeries last =
-                    chart.addSeries("latest detection in time", new double[] {critical, critical}, new double[] {
-                        Math.min(0.0, lowest), highest
-                    });
+            XYSeries last = chart.addSeries(
+                    "critical detection point: last timely detection",
+                    new double[] {critical, critical},
+                    new double[] {Math.min(0.0, lowest), highest});
             Charts.asReference(last);
         }
         return chart;

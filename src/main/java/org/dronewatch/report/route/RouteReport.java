@@ -22,7 +22,7 @@ import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.run.Stage;
 
-/** The weakest routes of a site for those who decide: the verdict, a table, the plan, a profile, and their scope. */
+/** The weakest routes of a site for decision-makers: the verdict, a table, the plan, a profile, and their scope. */
 final class RouteReport {
     private final RouteResults results;
     private final RouteSurvey survey;

@@ -12,7 +12,7 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.RouteMode;
 
-/** Routes in words, for those who decide. */
+/** Routes in words, for decision-makers. */
 final class RouteWords {
     private final RouteInputs inputs;
 

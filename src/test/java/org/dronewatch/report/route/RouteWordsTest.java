@@ -198,7 +198,7 @@ class RouteWordsTest {
                 "\n", new RouteNotes(inputs).warnings(results(route, Map.of()).survey()));
     }
 
-    /** What the profile draws meets the line of the latest detection in time where the table says. */
+    /** What the profile draws meets the line of the critical detection point where the table says. */
     @Test
     void theProfileShowsTheProbabilitiesOfTheTable() {
         SectorRoute route =

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** After the latest detection in time, a drone that sinks slowly reaches a ball as soon as it can. */
+/** After the critical detection point, a drone that sinks slowly reaches a ball as soon as it can. */
 class RouteFinishTest {
     private static final double RADIUS = 60.0;
     private static final double RESPONSE = 10.0;
