@@ -55,7 +55,8 @@ import picocli.CommandLine.Spec;
             BenchCommand.class,
             CostsCommand.class,
             ModelsCommand.class,
-            CompletionCommand.class
+            CompletionCommand.class,
+            HelpCommand.class
         },
         footer = {"", "Example:", "  dronewatch run camera-range --out results"})
 public final class Main implements Runnable, QuietSwitch, StoreSwitch {

@@ -41,9 +41,12 @@ final class WrongUsage {
         }
         String word = problem.getUnmatched().get(0);
         Collection<String> commands = command.getSubcommands().keySet();
-        return commands.isEmpty()
-                ? PlainText.line(problem.getMessage())
-                : "unknown command '" + PlainText.value(word) + "'" + Spelling.didYouMean(word, commands);
+        return commands.isEmpty() ? PlainText.line(problem.getMessage()) : unknownCommand(word, commands);
+    }
+
+    /** That a word is none of the commands, with the one that was probably meant. */
+    static String unknownCommand(String word, Collection<String> commands) {
+        return "unknown command '" + PlainText.value(word) + "'" + Spelling.didYouMean(word, commands);
     }
 
     /** Where a number is needed, and something else was given, the option, its value and what it must be. */

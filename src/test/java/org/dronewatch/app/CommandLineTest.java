@@ -88,6 +88,8 @@ class CommandLineTest extends CommandLines {
                 "fly                                                      | fly           | --help",
                 "rum camera-range                                         | unknown command 'rum' | did you"
                         + " mean 'run'?",
+                "help rum                                                 | unknown command 'rum' | did you"
+                        + " mean 'run'? (see 'dronewatch --help')",
                 "run camera-range --thread 2                              | unknown option '--thread' | did you"
                         + " mean '--threads'?",
                 "run camera-range --sed=2                                 | unknown option '--sed' | did you"

@@ -91,6 +91,25 @@ class HelpTest {
                         + "|not used; they need 256 bits, and the processor has \\d+)");
     }
 
+    @ParameterizedTest
+    @MethodSource("commands")
+    void theCommandHelpPrintsTheHelpOfACommand(String command) {
+        assertThat(Program.run("help", command)).isEqualTo(Program.run(command, "--help"));
+    }
+
+    @Test
+    void theCommandHelpAloneListsTheCommands() {
+        assertThat(Program.run("help")).isEqualTo(Program.run("--help"));
+    }
+
+    /** Only as the first word is it the command: elsewhere it may be the name of a scene. */
+    @Test
+    void helpAfterACommandIsAScene() {
+        Program.Outcome run = Program.run("run", "help");
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).startsWith("unknown scene 'help'");
+    }
+
     /** The page has a row for each command, and for each form of some. */
     @Test
     void thePageListsAllCommands() throws IOException {

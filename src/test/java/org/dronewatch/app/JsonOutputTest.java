@@ -37,7 +37,8 @@ class JsonOutputTest {
             .build();
 
     /** Commands that print at most a line, or what is to be a file. */
-    private static final Set<String> WITHOUT = Set.of("view", "new", "save", "schema", "render", "costs", "completion");
+    private static final Set<String> WITHOUT =
+            Set.of("view", "new", "save", "schema", "render", "costs", "completion", "help");
 
     /** Each form of each command that prints a table; earlier ones leave files for later ones. DIR is the test's. */
     private static final List<String> COMMANDS = List.of(
