@@ -139,7 +139,16 @@ public final class Visibility {
      * @return whether there is one
      */
     public boolean findNext() {
-        return find(tracer.distance() + margin);
+        return findBeyond(tracer.distance());
+    }
+
+    /**
+     * The same beyond a point of the segment.
+     *
+     * @param distance from the beginning, as a multiple of the vector
+     */
+    public boolean findBeyond(double distance) {
+        return find(distance + margin);
     }
 
     /** The number of the last triangle found. */

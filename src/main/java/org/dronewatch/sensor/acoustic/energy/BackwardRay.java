@@ -36,6 +36,7 @@ final class BackwardRay {
     private final RayTracer traversal;
     private final BandSurfaces surfaces;
     private final WallPlanes planes;
+    private final CrossedFaces faces;
     private final ReceiverSphere ofTarget;
     private final ReceiverSphere ofStart;
     private final DiffuseConnection connection;
@@ -76,6 +77,7 @@ final class BackwardRay {
         this.normals = new Normals(world.mesh());
         this.traversal = world.newIncoherentRayTracer();
         this.surfaces = surfaces;
+        this.faces = new CrossedFaces(world, surfaces);
         this.planes = planes;
         this.ofTarget = ofTarget;
         this.ofStart = ofStart;
@@ -191,22 +193,37 @@ final class BackwardRay {
         ray.order++;
         double cosine = -along();
         arrival.meet(distance, cosine, ray.order);
-        if (arrival.solids().leave(material)) {
-            // Out of a solid: its loss was applied on entry.
-            arrival.passThrough();
-            ray.standOff(normal, -1.0);
-            return;
-        }
-        if (energy.drawTransmission(material, cosine, random)) {
-            if (!surfaces.isSheet(material)) {
-                arrival.solids().enter(material);
-            }
-            arrival.passThrough();
-            ray.standOff(normal, -1.0);
+        if (surfaces.transmits(material)) {
+            meetFaces(triangle, material, cosine);
         } else {
-            ray.standOff(normal, 1.0);
-            reflect(triangle, material);
+            meetFace(triangle, material, cosine);
         }
+    }
+
+    /** Goes through all faces that lie upon one another here, unless one of them reflects it. */
+    private void meetFaces(int triangle, int material, double cosine) {
+        faces.find(triangle, material, ray);
+        for (int i = 0; i < faces.count(); i++) {
+            // Out of a solid: its loss was applied on entry.
+            boolean begins = faces.begins(i, arrival.solids());
+            if (begins && !meetFace(faces.triangle(i), faces.material(i), cosine)) {
+                return;
+            }
+        }
+        faces.pass(arrival.solids());
+        arrival.passThrough();
+        ray.advance(faces.beyond());
+        ray.standOff(normal, -1.0);
+    }
+
+    /** Whether the ray is transmitted; otherwise it is reflected. */
+    private boolean meetFace(int triangle, int material, double cosine) {
+        if (energy.drawTransmission(material, cosine, random)) {
+            return true;
+        }
+        ray.standOff(normal, 1.0);
+        reflect(triangle, material);
+        return false;
     }
 
     private void reflect(int triangle, int material) {

@@ -11,6 +11,10 @@ final class EnteredSolids {
     static final EnteredSolids NONE = new EnteredSolids();
 
     private int[] materials = new int[4];
+
+    /** The number of faces through which each was entered: several that lie upon one another belong to one solid. */
+    private int[] faces = new int[4];
+
     private int count;
 
     /** Back into air. */
@@ -22,17 +26,35 @@ final class EnteredSolids {
     void copy(EnteredSolids other) {
         if (materials.length < other.count) {
             materials = new int[other.materials.length];
+            faces = new int[other.faces.length];
         }
         System.arraycopy(other.materials, 0, materials, 0, other.count);
+        System.arraycopy(other.faces, 0, faces, 0, other.count);
         count = other.count;
     }
 
-    /** Enters a solid of a material. */
-    void enter(int material) {
+    /**
+     * Enters a solid.
+     *
+     * @param through the number of its faces that lie upon one another there, 1 or more
+     */
+    void enter(int material, int through) {
         if (count == materials.length) {
             materials = Arrays.copyOf(materials, 2 * count);
+            faces = Arrays.copyOf(faces, 2 * count);
         }
-        materials[count++] = material;
+        materials[count] = material;
+        faces[count++] = through;
+    }
+
+    /** The number of faces through which the last solid of a material was entered; 0 outside of all of them. */
+    int faces(int material) {
+        for (int i = count - 1; i >= 0; i--) {
+            if (materials[i] == material) {
+                return faces[i];
+            }
+        }
+        return 0;
     }
 
     /**
@@ -45,6 +67,7 @@ final class EnteredSolids {
             if (materials[i] == material) {
                 count--;
                 System.arraycopy(materials, i + 1, materials, i, count - i);
+                System.arraycopy(faces, i + 1, faces, i, count - i);
                 return true;
             }
         }

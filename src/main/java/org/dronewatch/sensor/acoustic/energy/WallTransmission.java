@@ -16,6 +16,7 @@ final class WallTransmission {
 
     private final Visibility visibility;
     private final BandSurfaces surfaces;
+    private final CrossedFaces faces;
     private final ArcLine line = new ArcLine();
     private final double[] passed = new double[BANDS];
     private boolean free;
@@ -25,6 +26,7 @@ final class WallTransmission {
     WallTransmission(World world, BandSurfaces surfaces) {
         this.visibility = Visibility.ofClearPoints(world);
         this.surfaces = surfaces;
+        this.faces = new CrossedFaces(world, surfaces);
     }
 
     /**
@@ -78,20 +80,38 @@ final class WallTransmission {
         }
         boolean found = visibility.findFirstAlong(fromX, fromY, fromZ, x, y, z, 1.0);
         while (found) {
-            int material = visibility.material();
+            double along = visibility.distance();
+            faces.find(
+                    visibility.triangle(),
+                    visibility.material(),
+                    fromX + along * x,
+                    fromY + along * y,
+                    fromZ + along * z,
+                    x,
+                    y,
+                    z);
+            if (!passesFaces()) {
+                return false;
+            }
+            found = visibility.findBeyond(along + faces.beyond());
+        }
+        return true;
+    }
+
+    private boolean passesFaces() {
+        for (int i = 0; i < faces.count(); i++) {
+            int material = faces.material(i);
+            if (!faces.begins(i, within)) {
+                continue;
+            }
             if (!surfaces.transmits(material)) {
                 return false;
             }
-            if (!within.leave(material)) {
-                for (int band = 0; band < BANDS; band++) {
-                    passed[band] *= surfaces.transmitted(material, band);
-                }
-                if (!surfaces.isSheet(material)) {
-                    within.enter(material);
-                }
+            for (int band = 0; band < BANDS; band++) {
+                passed[band] *= surfaces.transmitted(material, band);
             }
-            found = visibility.findNext();
         }
+        faces.pass(within);
         return true;
     }
 

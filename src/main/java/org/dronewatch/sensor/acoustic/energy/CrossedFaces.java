@@ -1,0 +1,154 @@
+package org.dronewatch.sensor.acoustic.energy;
+
+import java.util.Arrays;
+import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
+import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
+import org.dronewatch.world.World;
+
+/**
+ * The faces that lie upon one another where a path of sound meets one of them, by material: all are crossed at once.
+ * The path leaves the solids within which it is, and enters the others. Faces of a sheet that lie upon one another
+ * count as one, and so do those of a solid if the path has entered it through as many. One per thread.
+ */
+final class CrossedFaces {
+    /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */
+    private static final double EDGE = 1e-9;
+
+    private final World world;
+    private final TriangleMesh mesh;
+    private final BandSurfaces surfaces;
+    private final double[] normal = new double[3];
+    private final double[] weights = new double[3];
+
+    private int[] materials = new int[4];
+    private int[] triangles = new int[4];
+
+    /** Twice the number of faces: one that is met on an edge counts half, since it has a neighbour there. */
+    private int[] halves = new int[4];
+
+    private TouchingFaces touching;
+    private int count;
+    private double beyond;
+
+    CrossedFaces(World world, BandSurfaces surfaces) {
+        this.world = world;
+        this.mesh = world.mesh();
+        this.surfaces = surfaces;
+    }
+
+    /** Finds the faces at the origin of a ray, which has met one of them there. */
+    void find(int triangle, int material, AcousticRay ray) {
+        find(triangle, material, ray.originX, ray.originY, ray.originZ, ray.directionX, ray.directionY, ray.directionZ);
+    }
+
+    /**
+     * Finds the faces at a point.
+     *
+     * @param triangle that the path meets there
+     * @param material of that triangle
+     * @param x of the point, m
+     * @param alongX of the path's direction, which may have any length
+     */
+    void find(int triangle, int material, double x, double y, double z, double alongX, double alongY, double alongZ) {
+        count = 0;
+        beyond = 0.0;
+        add(triangle, material, 2);
+        if (touching == null) {
+            // Only where sound passes through walls.
+            touching = TouchingFaces.of(world);
+        }
+        for (int other : touching.of(triangle)) {
+            mesh.normal(other, normal);
+            double size = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+            double height = (mesh.coordinate(other, 0, 0) - x) * normal[0]
+                    + (mesh.coordinate(other, 0, 1) - y) * normal[1]
+                    + (mesh.coordinate(other, 0, 2) - z) * normal[2];
+            double least = Math.abs(height) <= touching.tolerance() * size ? leastWeight(other, x, y, z) : -1.0;
+            if (least >= -EDGE) {
+                add(other, world.material(other, x, y), least > EDGE ? 2 : 1);
+                double slope = alongX * normal[0] + alongY * normal[1] + alongZ * normal[2];
+                beyond = slope == 0.0 ? beyond : Math.max(beyond, height / slope);
+            }
+        }
+    }
+
+    /** The least of a point's weights of a triangle's corners: negative outside the triangle. */
+    private double leastWeight(int triangle, double x, double y, double z) {
+        double square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+        for (int corner = 0; corner < 3; corner++) {
+            int next = (corner + 1) % 3;
+            double fromX = mesh.coordinate(triangle, corner, 0);
+            double fromY = mesh.coordinate(triangle, corner, 1);
+            double fromZ = mesh.coordinate(triangle, corner, 2);
+            double edgeX = mesh.coordinate(triangle, next, 0) - fromX;
+            double edgeY = mesh.coordinate(triangle, next, 1) - fromY;
+            double edgeZ = mesh.coordinate(triangle, next, 2) - fromZ;
+            weights[corner] = (normal[0] * (edgeY * (z - fromZ) - edgeZ * (y - fromY))
+                            + normal[1] * (edgeZ * (x - fromX) - edgeX * (z - fromZ))
+                            + normal[2] * (edgeX * (y - fromY) - edgeY * (x - fromX)))
+                    / square;
+        }
+        return Math.min(weights[0], Math.min(weights[1], weights[2]));
+    }
+
+    private void add(int triangle, int material, int half) {
+        int i = 0;
+        while (i < count && materials[i] != material) {
+            i++;
+        }
+        if (i < count) {
+            halves[i] += half;
+            return;
+        }
+        if (count == materials.length) {
+            materials = Arrays.copyOf(materials, 2 * count);
+            triangles = Arrays.copyOf(triangles, 2 * count);
+            halves = Arrays.copyOf(halves, 2 * count);
+        }
+        materials[count] = material;
+        triangles[count] = triangle;
+        halves[count] = half;
+        count++;
+    }
+
+    /** The number of materials of these faces. */
+    int count() {
+        return count;
+    }
+
+    /** One of the materials, which are counted from 0. */
+    int material(int number) {
+        return materials[number];
+    }
+
+    /** A face of that material. */
+    int triangle(int number) {
+        return triangles[number];
+    }
+
+    private int faces(int number) {
+        return (halves[number] + 1) / 2;
+    }
+
+    /** Whether a path within some solids enters a solid or a sheet of that material here. */
+    boolean begins(int number, EnteredSolids solids) {
+        return faces(number) > solids.faces(materials[number]);
+    }
+
+    /** Takes a path through all of these faces: out of the solids that end here, and into those that begin. */
+    void pass(EnteredSolids solids) {
+        for (int i = 0; i < count; i++) {
+            int left = solids.faces(materials[i]);
+            solids.leave(materials[i]);
+            if (faces(i) > left && !surfaces.isSheet(materials[i])) {
+                solids.enter(materials[i], faces(i) - left);
+            }
+        }
+    }
+
+    /** The distance to the last of these faces, as a multiple of the path's direction. */
+    double beyond() {
+        return beyond;
+    }
+}
