@@ -55,7 +55,7 @@ final class ComparedScenes {
     @Option(
             names = "--runs",
             paramLabel = "N",
-            description = "Number of cases; by default that in the file of --vary, or else 1,000.")
+            description = "Number of cases; by default the number in the --vary file, or else 1,000.")
     private Integer runs;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")

@@ -21,7 +21,7 @@ final class HelpCommand implements Callable<Integer> {
     @Parameters(
             arity = "0..1",
             paramLabel = "COMMAND",
-            description = "Command of which the help is printed; without it, the help of the program is.")
+            description = "Command whose help is printed; by default, the help of the program is printed.")
     private String command;
 
     @Spec

@@ -51,8 +51,8 @@ final class SaveCommand implements Callable<Integer> {
     @Option(
             names = "--flight",
             paramLabel = "DRONE",
-            description = "Writes the flight of this drone as a QGroundControl plan instead of the scene, whose"
-                    + " world.origin must be set.")
+            description = "Writes the flight of this drone as a QGroundControl plan instead of the scene;"
+                    + " the scene's world.origin must be set.")
     private String flight;
 
     @Option(

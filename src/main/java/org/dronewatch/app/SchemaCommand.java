@@ -32,7 +32,7 @@ final class SchemaCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE", description = "File to write instead of standard output.")
     private String out;
 
-    @Option(names = "--place", description = "The schema of placement files instead of that of scene files.")
+    @Option(names = "--place", description = "Prints the schema of placement files instead of scene files.")
     private boolean place;
 
     @Spec
