@@ -59,10 +59,10 @@ final class PlaceMenu {
         add(menu, "Tilt down", "Tilts the selected sensor down by 5 degrees", 'G', () -> mover.turn(0, -TURN));
         menu.addSeparator();
         menu.add(ViewerMenus.item(
-                "Undo", "Undoes the last move of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
+                "Undo", "Undoes the last change of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
         menu.add(ViewerMenus.item(
                 "Redo",
-                "Redoes the last move that was" + " undone",
+                "Redoes the last change that was undone",
                 ViewerActions.shiftedMenuKey(KeyEvent.VK_Z),
                 placing::redo));
         return menu;

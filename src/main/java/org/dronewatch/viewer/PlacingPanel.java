@@ -91,8 +91,8 @@ final class PlacingPanel extends JPanel {
     }
 
     private void listen(Consumer<String> selection) {
-        undo.setToolTipText("Undoes the last move");
-        redo.setToolTipText("Redoes the last move that was undone");
+        undo.setToolTipText("Undoes the last change of a sensor");
+        redo.setToolTipText("Redoes the last change that was undone");
         reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
         undo.addActionListener(e -> undo());
@@ -188,7 +188,7 @@ final class PlacingPanel extends JPanel {
                 .filter(its -> its != MoveWords.Fineness.COMPLETE)
                 .map(its -> ", " + its.word() + " coverage")
                 .orElse("");
-        return ": sensors moved" + fineness;
+        return ": sensors changed" + fineness;
     }
 
     private void place() {
@@ -223,12 +223,12 @@ final class PlacingPanel extends JPanel {
 
     /** Undoes the last move. */
     void undo() {
-        tell(layout.undo() ? "The last move was undone" : "There is no move to undo");
+        tell(layout.undo() ? "The last change was undone" : "There is no change to undo");
     }
 
     /** Redoes the move undone last. */
     void redo() {
-        tell(layout.redo() ? "The move was redone" : "There is no move to redo");
+        tell(layout.redo() ? "The change was redone" : "There is no change to redo");
     }
 
     /** The settings of the displayed run, with its sensors as the user has put them; null before there is a run. */

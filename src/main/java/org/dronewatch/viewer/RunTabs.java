@@ -1,5 +1,6 @@
 package org.dronewatch.viewer;
 
+import java.awt.Insets;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JSplitPane;
@@ -11,18 +12,23 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.Playback;
 import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.ViewedRun;
+import org.dronewatch.viewer.settings.SettingsPanel;
 
-/** The tabs beside the site: tables, sound rays, coverage, placing and log. */
+/** The tabs beside the site: tables, sound rays, coverage, placing, settings and log. */
 final class RunTabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
 
     /** Height of the tabs in which the coverage of several sensors can be read, in pixels of a normal screen. */
     private static final int COVERAGE_HEIGHT = 360;
 
+    /** Space around the name of a tab, in pixels of a normal screen: the look itself scales it. */
+    private static final int MARGIN = 5;
+
     private final transient RunTablesPanel tables;
     private final RayPanel rayPanel;
     private final CoveragePanel coverage;
     private final PlacingPanel placing;
+    private final SettingsPanel settings;
     private final LogPanel log = new LogPanel();
 
     /**
@@ -32,6 +38,7 @@ final class RunTabs extends JTabbedPane {
      * @param world draws rays and coverage
      * @param stores gives the store of coverages that were computed before, for the settings of a run
      * @param layout where the user has put the sensors
+     * @param messages receives a line about each change of a setting
      * @param selection receives the sensor or drone that was clicked on
      * @param failed receives what went wrong
      */
@@ -41,6 +48,7 @@ final class RunTabs extends JTabbedPane {
             WorldPanel world,
             Function<SceneSettings, LayerStore> stores,
             SensorLayout layout,
+            Consumer<String> messages,
             Consumer<String> selection,
             Consumer<Throwable> failed) {
         this.tables = new RunTablesPanel(selection);
@@ -49,6 +57,9 @@ final class RunTabs extends JTabbedPane {
         this.coverage = new CoveragePanel(
                 threads, layout, stores, skin -> world.setStyle(world.style().withSkin(skin)), failed);
         this.placing = new PlacingPanel(layout, coverage, selection);
+        this.settings = new SettingsPanel(layout, messages);
+        // All tabs have room in one row.
+        putClientProperty("JTabbedPane.tabInsets", new Insets(MARGIN, MARGIN, MARGIN, MARGIN));
         world.onPointed(coverage::point);
         world.setGrip(new SensorGrip(world, placing.mover()));
         world.setOverlay(state -> layout.in(state, placing.note()));
@@ -58,6 +69,7 @@ final class RunTabs extends JTabbedPane {
         addTab("Sound rays", rayPanel);
         addTab("Coverage", coverage);
         addTab("Placing", placing);
+        addTab("Settings", settings);
         addTab("Log", log);
     }
 
@@ -65,6 +77,7 @@ final class RunTabs extends JTabbedPane {
     void show(ViewedRun next) {
         rayPanel.show(next.settings(), next.stage());
         placing.show(next);
+        settings.update();
         coverage.show(next);
     }
 
@@ -95,6 +108,10 @@ final class RunTabs extends JTabbedPane {
 
     PlacingPanel placing() {
         return placing;
+    }
+
+    SettingsPanel settings() {
+        return settings;
     }
 
     CoveragePanel coverage() {

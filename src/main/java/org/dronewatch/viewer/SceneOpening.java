@@ -89,7 +89,12 @@ final class SceneOpening implements AutoCloseable {
 
     /** Opens a packaged scene. */
     void open(PackagedScene scene) {
-        reading.ask(outdated -> chosen.accept(subject(scene.factory().get(), Optional.empty())));
+        open(scene.factory().get());
+    }
+
+    /** Opens a scene that is no file. */
+    void open(Scene scene) {
+        reading.ask(outdated -> chosen.accept(subject(scene, Optional.empty())));
     }
 
     /** A scene whose settings have been read and checked. */

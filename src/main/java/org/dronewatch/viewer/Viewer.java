@@ -112,18 +112,11 @@ public final class Viewer implements AutoCloseable {
         viewer.opening = runners.map(
                 made -> new SceneOpening(recent, made, viewer::choose, problem -> viewer.pane.report(problem)));
         viewer.opening.ifPresent(any -> subject.file().ifPresent(recent::add));
-        String title = subject.scene().name();
         // One thing after the other, so that the event thread is never busy for long.
         onEventThread(() -> ViewerWindow.setLook(layout.isDark()));
         onEventThread(() -> viewer.pane = viewer.paneOf(subject));
         onEventThread(() -> viewer.window = new ViewerWindow(
-                title,
-                viewer.pane,
-                layout,
-                subject.runner()::text,
-                viewer.opening,
-                viewer::closing,
-                viewer.closed::countDown));
+                subject, viewer.pane, layout, viewer.opening, viewer::closing, viewer.closed::countDown));
         onEventThread(viewer.window::show);
         onEventThread(viewer.window::divide);
         return viewer;
@@ -205,7 +198,7 @@ public final class Viewer implements AutoCloseable {
             // A window that has been closed meanwhile has ended its own pane.
             if (!closing) {
                 pane = paneOf(chosen);
-                ending[0] = window.replace(chosen.scene().name(), pane, chosen.runner()::text);
+                ending[0] = window.replace(chosen, pane);
             }
         });
         ending[0].run();

@@ -76,7 +76,7 @@ final class ViewerPane extends JPanel {
         this.staging = new Latest("dronewatch-stage", threads, this::report);
         this.site = new SiteSection(threads, this::report);
         this.cameras = new CameraPanel(threads, status::write, this::select, this::report);
-        this.tabs = new RunTabs(threads, playback, world(), stores, layout, this::select, this::report);
+        this.tabs = new RunTabs(threads, playback, world(), stores, layout, status::write, this::select, this::report);
         this.measuring = new Measuring(world(), this::placeOf, status::write, line -> log().write(line), this::report);
         world().setTool(measuring);
         this.controls = new ControlBar(playback, actions, number -> {
@@ -122,6 +122,7 @@ final class ViewerPane extends JPanel {
     void select(String id) {
         selected = id;
         placing().select(id);
+        tabs.settings().select(id);
         changed = true;
         sinceTables = TABLES;
     }

@@ -9,15 +9,16 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.nio.file.Path;
 import java.util.Optional;
-import java.util.function.BiFunction;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.GivenScene;
+import org.dronewatch.scene.Scene;
 import org.dronewatch.viewer.part.Scaled;
+import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.UnsavedMoves;
 
 /** The window around a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
@@ -40,23 +41,30 @@ final class ViewerWindow {
     private ViewerPane pane;
     private FilmExport films;
     private UnsavedMoves unsaved;
+    private Optional<Again> again = Optional.empty();
     private long lastTick = System.nanoTime();
     private boolean open = true;
 
     /**
+     * A scene that is to run again with changed sensors.
+     *
+     * @param saved the settings that are in a file, or in the scene that was opened
+     */
+    private record Again(Scene scene, SceneSettings saved) {}
+
+    /**
      * A window that is not shown yet.
      *
+     * @param subject the scene that the pane shows
      * @param layout how the user left it
-     * @param text gives settings as the text of a scene file
      * @param opening opens other scenes; empty where the run is fixed
      * @param closing is called when the user closes it
      * @param closed is called when it is gone, with all threads of the pane
      */
     ViewerWindow(
-            String title,
+            Viewer.Subject subject,
             ViewerPane pane,
             ViewerLayout layout,
-            BiFunction<SceneSettings, Path, String> text,
             Optional<SceneOpening> opening,
             Runnable closing,
             Runnable closed) {
@@ -72,18 +80,21 @@ final class ViewerWindow {
                 leave();
             }
         });
-        fill(title, pane, text);
+        fill(subject, pane);
         frame.setMinimumSize(Scaled.size(640, 420));
         place();
     }
 
-    private void fill(String title, ViewerPane content, BiFunction<SceneSettings, Path, String> text) {
+    private void fill(Viewer.Subject subject, ViewerPane content) {
+        String title = subject.scene().name();
         pane = content;
         frame.setTitle(title + " - dronewatch");
         Exports exports = new Exports(pane, pane::report);
         films = new FilmExport(pane, exports, pane::report);
-        SceneSaving saving = new SceneSaving(pane, title, text);
+        SceneSaving saving = new SceneSaving(pane, title, subject.runner()::text);
         pane.placing().onSave(saving::ask);
+        pane.tabs().settings().onSave(saving::ask);
+        opening.ifPresent(scenes -> pane.tabs().settings().onRun(() -> runAgain(subject.scene(), scenes)));
         unsaved = new UnsavedMoves(
                 pane.placing().layoutOfSensors(), saving::ask, moved -> UnsavedMoves.ask(frame, moved));
         pane.placing().onLeaving(unsaved::mayLeave);
@@ -94,18 +105,28 @@ final class ViewerWindow {
         frame.setContentPane(pane);
     }
 
+    /** Runs the scene with its sensors as they are now; what is in no file then is in none afterwards, either. */
+    private void runAgain(Scene scene, SceneOpening scenes) {
+        SensorLayout sensors = pane.placing().layoutOfSensors();
+        Scene changed = new GivenScene(scene.name(), scene.directory(), sensors.settings());
+        again = Optional.of(new Again(changed, sensors.saved()));
+        scenes.open(changed);
+    }
+
     /**
      * Replaces the displayed scene by another.
      *
      * @return what ends the threads of the scene before; it may wait for them, so not on the event thread
      */
-    Runnable replace(String title, ViewerPane content, BiFunction<SceneSettings, Path, String> text) {
+    Runnable replace(Viewer.Subject subject, ViewerPane content) {
         ViewerPane old = pane;
         FilmExport oldFilms = films;
         int[] locations = pane.dividers().stream()
                 .mapToInt(JSplitPane::getDividerLocation)
                 .toArray();
-        fill(title, content, text);
+        fill(subject, content);
+        again.filter(one -> one.scene() == subject.scene())
+                .ifPresent(one -> content.placing().layoutOfSensors().beginWith(one.saved()));
         frame.validate();
         for (int i = 0; i < locations.length; i++) {
             pane.dividers().get(i).setDividerLocation(locations[i]);

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.dronewatch.app.Main;
@@ -108,6 +109,16 @@ final class DocPictures {
             new DocPicture("viewer-gallery", directory -> PaintedWindow.gallery(), false),
             window("viewer", "multi-sensor", 25.3),
             window("cued-camera", "scenes/cued-camera.yaml", 4.0),
+            new DocPicture(
+                    "viewer-settings",
+                    directory -> PaintedWindow.settings(
+                            new SceneRunner(scene("multi-sensor")).set("run.duration", "0.2 s"),
+                            "multi-sensor",
+                            "north-east-2",
+                            Map.of("fov", "20", "rate", "0"),
+                            WIDTH,
+                            HEIGHT),
+                    false),
             new DocPicture(
                     "viewer-tape",
                     directory -> PaintedWindow.measuring(

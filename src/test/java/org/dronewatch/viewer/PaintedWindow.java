@@ -3,12 +3,14 @@ package org.dronewatch.viewer;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import javax.swing.AbstractButton;
 import javax.swing.JSplitPane;
+import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import org.dronewatch.analysis.layer.LayerStore;
@@ -91,6 +93,33 @@ public final class PaintedWindow {
                 pane -> pane.measuring().click((int) (to.get(0) * pane.world().getWidth()), (int)
                         (to.get(1) * pane.world().getHeight()));
         return at(0.0, runner, title, width, height, List.of(from, click));
+    }
+
+    /**
+     * Edits settings of a sensor, in a scene that runs for a moment only, and paints the window with them.
+     *
+     * @param typed values by the names of settings; the last is shown in the middle
+     */
+    public static BufferedImage settings(
+            SceneRunner runner, String title, String sensor, Map<String, String> typed, int width, int height)
+            throws Exception {
+        Step edit = pane -> {
+            pane.tabs().setSelectedComponent(pane.tabs().settings());
+            pane.tabs().settings().onRun(() -> {});
+            JSplitPane down = pane.dividers().get(1);
+            down.setDividerLocation((int) (0.3 * down.getHeight()));
+            pane.select(sensor);
+            pane.validate();
+            JTable table = pane.tabs().settings().table();
+            for (int row = 0; row < table.getRowCount(); row++) {
+                String value = typed.get((String) table.getValueAt(row, 0));
+                if (value != null) {
+                    table.setValueAt(value, row, 1);
+                    table.scrollRectToVisible(table.getCellRect(row + 2, 1, true));
+                }
+            }
+        };
+        return at(0.0, runner, title, width, height, List.of(edit));
     }
 
     /** The packaged scenes to choose from; in the light look, whatever was set before. */

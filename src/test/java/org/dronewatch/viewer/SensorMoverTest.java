@@ -191,7 +191,7 @@ class SensorMoverTest {
         assertThat(layout.unsaved()).isEmpty();
         assertThat(asked).hasSize(4);
         assertThat(UnsavedMoves.words(Set.of("round")))
-                .isEqualTo("'round' was moved or turned, and the scene has not been saved since.");
+                .isEqualTo("'round' was changed, and the scene has not been saved since.");
     }
 
     /** Two sensors on one mast: each can be selected and moved, and the other stays. */

@@ -29,16 +29,19 @@ public final class SensorLayout {
     /** As it was written to a file last, or as the scene has it. */
     private SceneSettings saved;
 
+    /** What the next run's layout was changed from, when that is in no file. */
+    private SceneSettings begin;
+
     /** Takes another run; nothing has been moved. */
     public void show(SceneSettings next) {
         original = next;
         settings = next;
-        saved = next;
+        saved = begin == null ? next : begin;
         before.clear();
         undone.clear();
     }
 
-    /** Called whenever a sensor was moved or turned. */
+    /** Called whenever a sensor was moved, turned or changed otherwise. */
     public void listen(Runnable listener) {
         listeners.add(listener);
     }
@@ -53,14 +56,26 @@ public final class SensorLayout {
         return settings;
     }
 
+    /** The layout that was written to a file last, or that of the scene. */
+    public SceneSettings saved() {
+        return saved;
+    }
+
+    /** Makes the runs to come begin with changes that are in no file: those from other settings to their own. */
+    public void beginWith(SceneSettings inFile) {
+        begin = inFile;
+    }
+
     /** Records that the layout as it is now was written to a file. */
     public void markSaved() {
         saved = settings;
     }
 
-    /** The sensors whose moves are in no file: none if the layout is that of the scene. */
+    /** The sensors whose changes are in no file: none if the layout is that of the scene. */
     public Set<String> unsaved() {
-        return isThere() && !settings.sensors().equals(saved.sensors()) ? moved() : Set.of();
+        return isThere() && !settings.sensors().equals(saved.sensors())
+                ? changedFrom(begin == null ? original : begin)
+                : Set.of();
     }
 
     /** Remembers the layout: one undo leads back to it. */
@@ -125,11 +140,15 @@ public final class SensorLayout {
         }
     }
 
-    /** The sensors that are not where the scene has them, or turned elsewhere. */
+    /** The sensors that are not as the scene has them: elsewhere, turned, or with other settings. */
     public Set<String> moved() {
+        return changedFrom(original);
+    }
+
+    private Set<String> changedFrom(SceneSettings other) {
         Set<String> moved = new LinkedHashSet<>();
         settings.sensors().forEach((id, sensor) -> {
-            if (!sensor.equals(original.sensors().get(id))) {
+            if (!sensor.equals(other.sensors().get(id))) {
                 moved.add(id);
             }
         });

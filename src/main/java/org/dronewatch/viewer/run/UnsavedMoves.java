@@ -16,7 +16,7 @@ public final class UnsavedMoves {
         /** Write a scene file. */
         SAVE("Save scene as ..."),
         /** Discard them. */
-        DISCARD("Discard the moves"),
+        DISCARD("Discard the changes"),
         /** Keep the scene open. */
         STAY("Cancel");
 
@@ -58,7 +58,7 @@ public final class UnsavedMoves {
         int chosen = JOptionPane.showOptionDialog(
                 parent,
                 words(moved),
-                "Unsaved moves of sensors",
+                "Unsaved changes of sensors",
                 JOptionPane.DEFAULT_OPTION,
                 JOptionPane.WARNING_MESSAGE,
                 null,
@@ -67,13 +67,13 @@ public final class UnsavedMoves {
         return chosen == JOptionPane.CLOSED_OPTION ? Answer.STAY : Answer.values()[chosen];
     }
 
-    /** What would be lost: {@code 'radar' and 2 other sensors were moved, and this is not saved.} */
+    /** What would be lost: {@code 'radar' and 2 other sensors were changed, and this is not saved.} */
     public static String words(Set<String> moved) {
         String first = "'" + moved.iterator().next() + "'";
         int others = moved.size() - 1;
         String all = others == 0
                 ? first + " was"
                 : first + " and " + others + " other sensor" + (others == 1 ? "" : "s") + " were";
-        return all + " moved or turned, and the scene has not been saved since.";
+        return all + " changed, and the scene has not been saved since.";
     }
 }

@@ -1,0 +1,2 @@
+/** The settings of a sensor, which are edited in place. */
+package org.dronewatch.viewer.settings;
